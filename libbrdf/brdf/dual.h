@@ -1,0 +1,81 @@
+// Forward-mode derivatives with N partials, written so that loops over it vectorise: element-wise copies and
+// pack expansions only (a loop over the partials costs 8 times as much).
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "brdf/scalar.h"
+
+namespace brdf {
+
+template <class T, int N>
+struct Partials {
+  T d[N > 0 ? N : 1];
+
+  template <class F>
+  static constexpr Partials make(F&& f) {
+    return [&]<std::size_t... k>(std::index_sequence<k...>) {
+      return Partials{{f(k)...}};
+    }(std::make_index_sequence<N>{});
+  }
+  constexpr const T& operator[](std::size_t k) const { return d[k]; }
+
+  friend constexpr Partials operator+(const Partials& x, const Partials& y) {
+    return make([&](std::size_t k) { return x.d[k] + y.d[k]; });
+  }
+  friend constexpr Partials operator-(const Partials& x, const Partials& y) {
+    return make([&](std::size_t k) { return x.d[k] - y.d[k]; });
+  }
+  friend constexpr Partials operator*(const Partials& x, const T& s) {
+    return make([&](std::size_t k) { return x.d[k] * s; });
+  }
+};
+
+// Value a and partial derivatives v.
+template <class T, int N>
+struct Dual {
+  T a;
+  Partials<T, N> v;
+
+  constexpr Dual() : Dual(T(0)) {}
+  explicit constexpr Dual(double value)
+      : a(T(value)), v(Partials<T, N>::make([](std::size_t) { return T(0); })) {}
+  explicit constexpr Dual(float value) : Dual(double(value)) {}
+  explicit constexpr Dual(int value) : Dual(double(value)) {}
+  constexpr Dual(const T& value, const Partials<T, N>& partials) : a(value), v(partials) {}
+  // The k-th independent variable.
+  static constexpr Dual variable(T value, std::size_t k) {
+    return {value, Partials<T, N>::make([&](std::size_t j) { return j == k ? T(1) : T(0); })};
+  }
+
+  friend constexpr Dual operator+(const Dual& x, const Dual& y) { return {x.a + y.a, x.v + y.v}; }
+  friend constexpr Dual operator-(const Dual& x, const Dual& y) { return {x.a - y.a, x.v - y.v}; }
+  friend constexpr Dual operator-(const Dual& x) { return {-x.a, x.v * T(-1)}; }
+  friend constexpr Dual operator*(const Dual& x, const Dual& y) { return {x.a * y.a, x.v * y.a + y.v * x.a}; }
+  friend constexpr Dual operator/(const Dual& x, const Dual& y) {
+    const T inverse = T(1) / y.a;
+    const T q = x.a / y.a;
+    return {q, (x.v - y.v * q) * inverse};
+  }
+  // Geometry is often plain while the shape carries derivatives: half the work.
+  friend constexpr Dual operator+(const Dual& x, const T& y) { return {x.a + y, x.v}; }
+  friend constexpr Dual operator+(const T& x, const Dual& y) { return {x + y.a, y.v}; }
+  friend constexpr Dual operator-(const Dual& x, const T& y) { return {x.a - y, x.v}; }
+  friend constexpr Dual operator-(const T& x, const Dual& y) { return {x - y.a, y.v * T(-1)}; }
+  friend constexpr Dual operator*(const Dual& x, const T& y) { return {x.a * y, x.v * y}; }
+  friend constexpr Dual operator*(const T& x, const Dual& y) { return {x * y.a, y.v * x}; }
+  friend constexpr Dual operator/(const Dual& x, const T& y) { return {x.a / y, x.v * (T(1) / y)}; }
+  friend constexpr Dual operator/(const T& x, const Dual& y) {
+    const T q = x / y.a;
+    return {q, y.v * (-q / y.a)};
+  }
+
+  friend constexpr bool operator<(const Dual& x, const Dual& y) { return x.a < y.a; }
+  friend constexpr bool operator==(const Dual& x, const Dual& y) { return x.a == y.a; }
+  friend constexpr Dual select(bool c, const Dual& x, const Dual& y) {
+    return {c ? x.a : y.a, Partials<T, N>::make([&](std::size_t k) { return c ? x.v.d[k] : y.v.d[k]; })};
+  }
+};
+
+}  // namespace brdf

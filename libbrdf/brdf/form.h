@@ -1,0 +1,93 @@
+// What a form is, and how any form is evaluated.
+//
+// A form is an empty struct with static members:
+//   name, family                     strings
+//   Weights<T>, Shape<T>             parameter structs with their tables; weights are per channel
+//   violations                       what it is known to violate, with the witness
+//   and one of
+//   lobes(shape, g)                  K lobes: f = sum of weights.linear()[k] * lobe[k]   (a LinearForm: can
+//   be fitted) value(w, first, shape, g)        f of one channel; `first` are the first channel's weights,
+//   for the listings that value_cos(w, first, shape, g)    mix channels; value_cos is f cos_i
+// Functions are templates over S (shape, weights) and G (geometry); G is plain or equal to S.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "brdf/geometry.h"
+#include "brdf/parameter.h"
+
+namespace brdf {
+
+// A known violation of a physical property: a fact that tests assert and the search must find again.
+struct Violation {
+  std::string_view check;      // energy | reciprocity | non_negative | ...
+  std::string_view statement;  // one line for people
+  std::string_view witness;    // parameters as `--set` takes them, separated by spaces
+  double theta;                // of the fixed direction, degrees
+  double value;                // what the check measures there
+};
+using NoViolations = std::array<Violation, 0>;
+
+template <class F>
+concept LinearForm = requires(const typename F::template Shape<double>& shape, const Geometry<double>& g) {
+  F::lobes(shape, g).size();
+};
+template <class F>
+concept CosineForm =
+    requires(const typename F::template Weights<double>& w, const typename F::template Shape<double>& shape,
+             const Geometry<double>& g) { F::value_cos(w, w, shape, g); };
+template <class F>
+concept Form =
+    requires {
+      { F::name } -> std::convertible_to<std::string_view>;
+      { F::family } -> std::convertible_to<std::string_view>;
+      F::violations.size();
+    } && table_is_sound<typename F::template Weights<double>, double>() &&
+    table_is_sound<typename F::template Shape<double>, double>();
+
+template <LinearForm F>
+inline constexpr std::size_t lobe_count = std::tuple_size_v<decltype(F::lobes(
+    std::declval<typename F::template Shape<double>>(), std::declval<Geometry<double>>()))>;
+
+// The scalar type of a parameter struct.
+template <ParameterStruct P>
+using scalar_of = std::remove_cvref_t<decltype(std::declval<P>().*(P::fields()[0].member))>;
+
+namespace detail {
+template <class F, class W, class Shape, class G>
+scalar_of<W> above_horizon(const W& w, const W& first, const Shape& shape, const Geometry<G>& g) {
+  if constexpr (LinearForm<F>) {
+    const auto weight = w.linear();
+    const auto lobe = F::lobes(shape, g);
+    scalar_of<W> f = weight[0] * lobe[0];
+    for (std::size_t k = 1; k < lobe.size(); ++k) f = f + weight[k] * lobe[k];
+    return f;
+  } else if constexpr (CosineForm<F>) {
+    return F::value_cos(w, first, shape, g) / g.cos_i;
+  } else {
+    return F::value(w, first, shape, g);
+  }
+}
+}  // namespace detail
+
+// f_r of one channel in 1/sr, without cosine; 0 below the horizon. Finite for every pair of unit directions
+// and every parameter of the table; cosines below kMinCosine are evaluated there. `first` are the first
+// channel's weights.
+template <Form F, ParameterStruct W, ParameterStruct Shape, class G>
+scalar_of<W> eval(F, const W& w, const W& first, const Shape& shape, const Geometry<G>& g) {
+  return select(g.lowest < G(0), scalar_of<W>(0), detail::above_horizon<F>(w, first, shape, g));
+}
+
+// f_r cos_i. A listing's own radiance is returned as it stands, not divided and multiplied again.
+template <Form F, ParameterStruct W, ParameterStruct Shape, class G>
+scalar_of<W> eval_cos(F, const W& w, const W& first, const Shape& shape, const Geometry<G>& g) {
+  using S = scalar_of<W>;
+  if constexpr (CosineForm<F>)
+    return select(g.lowest < G(0), S(0), F::value_cos(w, first, shape, g));
+  else
+    return select(g.lowest < G(0), S(0), detail::above_horizon<F>(w, first, shape, g) * g.cos_i);
+}
+
+}  // namespace brdf

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "brdf/form.h"
+
+namespace brdf {
+
+// Lambert 1760: f = rho/pi.
+// Domain: everywhere. Symmetry: isotropic, reciprocal. Albedo rho at every angle.
+// Known violations: none for rho <= 1.
+struct lambert {
+  static constexpr std::string_view name = "lambert";
+  static constexpr std::string_view family = "lambert";
+  static constexpr NoViolations violations{};
+  template <class T>
+  using Weights = DiffuseWeights<T>;
+  template <class T>
+  using Shape = NoShape<T>;
+
+  template <class S, class G>
+  static std::array<S, 1> lobes(const Shape<S>&, const Geometry<G>&) {
+    return {S(1 / kPi)};
+  }
+};
+
+}  // namespace brdf

@@ -1,0 +1,151 @@
+// Parameter tables. The table beside a struct of parameters is the only place that knows their names, ranges
+// and meaning: command-line flags, JSON keys, solver bounds, sliders, shader arguments and the documentation
+// come from it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "brdf/scalar.h"
+
+namespace brdf {
+
+struct ParameterInfo {
+  std::string_view name;
+  double min, max, initial;
+  double usual_max;       // what a slider or a random test covers; beyond it up to max is allowed
+  std::string_view unit;  // "" where dimensionless
+  bool log_scale;         // searched and shown on a logarithmic scale
+  std::string_view doc;
+};
+
+template <class P, class T>
+struct Field {
+  T P::*member;
+  ParameterInfo info;
+};
+
+// Parameters of a form: `fields()` lists every member, in order.
+template <class P>
+concept ParameterStruct = requires {
+  { P::fields().size() } -> std::convertible_to<std::size_t>;
+};
+
+template <class P>
+inline constexpr std::size_t parameter_count = P::fields().size();
+
+// True where the table lists each member once, with a sensible range: asserted for every form at compile
+// time.
+template <class P, class T>
+consteval bool table_is_sound() {
+  constexpr auto fields = P::fields();
+  if constexpr (fields.size() > 0) {
+    if (sizeof(P) != fields.size() * sizeof(T)) return false;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const ParameterInfo& p = fields[i].info;
+      if (!(p.min <= p.initial && p.initial <= p.usual_max && p.usual_max <= p.max)) return false;
+      if (p.name.empty() || p.doc.empty() || (p.log_scale && p.max <= 0)) return false;
+      for (std::size_t j = 0; j < i; ++j)
+        if (fields[j].info.name == p.name || fields[j].member == fields[i].member) return false;
+    }
+  }
+  return true;
+}
+
+// The struct from its values in table order.
+template <class P, class T>
+P from_values(std::span<const T> values) {
+  P p{};
+  std::size_t k = 0;
+  for (const auto& field : P::fields()) p.*(field.member) = values[k++];
+  return p;
+}
+
+// --- The parameter sets that forms share
+// ------------------------------------------------------------------------
+
+inline constexpr double kWeightMax = 1000;  // uncalibrated measurements may need far more than 1
+
+template <class T>
+struct NoShape {
+  static constexpr std::array<Field<NoShape, T>, 0> fields() { return {}; }
+};
+
+template <class T>
+struct DiffuseWeights {
+  T rho;
+  static constexpr auto fields() {
+    return std::array{Field{&DiffuseWeights::rho,
+                            ParameterInfo{"rho", 0, kWeightMax, 0.5, 1, "", false, "diffuse reflectance"}}};
+  }
+  std::array<T, 1> linear() const { return {rho}; }
+  static DiffuseWeights from_linear(const std::array<T, 1>& w) { return {w[0]}; }
+};
+
+template <class T>
+struct LobeWeights {
+  T kd, ks;
+  static constexpr auto fields() {
+    return std::array{Field{&LobeWeights::kd, ParameterInfo{"kd", 0, kWeightMax, 0.5, 1, "", false,
+                                                            "weight of the diffuse term"}},
+                      Field{&LobeWeights::ks, ParameterInfo{"ks", 0, kWeightMax, 0.5, 1, "", false,
+                                                            "weight of the specular lobe"}}};
+  }
+  std::array<T, 2> linear() const { return {kd, ks}; }
+  static LobeWeights from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }
+};
+
+// Schlick's F = f0 + (1 - f0) s split into two lobes, so that the form is linear in (kd, ks f0, ks (1 - f0)).
+template <class T>
+struct SchlickWeights {
+  T kd, ks, f0;
+  static constexpr auto fields() {
+    return std::array{
+        Field{&SchlickWeights::kd,
+              ParameterInfo{"kd", 0, kWeightMax, 0.5, 1, "", false, "weight of the diffuse term"}},
+        Field{&SchlickWeights::ks,
+              ParameterInfo{"ks", 0, kWeightMax, 0.5, 1, "", false, "weight of the specular lobe"}},
+        Field{&SchlickWeights::f0, ParameterInfo{"f0", 0, 1, 0.04, 1, "", false,
+                                                 "Fresnel reflectance at normal incidence (of ks)"}}};
+  }
+  std::array<T, 3> linear() const { return {kd, ks * f0, ks * (T(1) - f0)}; }
+  // f0 of a lobe without weight is unidentified: it gets the table's default.
+  static SchlickWeights from_linear(const std::array<T, 3>& w) {
+    const T ks = w[1] + w[2];
+    return {w[0], ks, select(T(0) < ks, w[1] / ks, T(fields()[2].info.initial))};
+  }
+};
+
+template <class T>
+struct Roughness {
+  T alpha_x, alpha_y;
+  static constexpr auto fields() {
+    return std::array{
+        Field{&Roughness::alpha_x, ParameterInfo{"alpha_x", 1e-4, 1, 0.3, 1, "", true,
+                                                 "width of the slope distribution along the tangent"}},
+        Field{&Roughness::alpha_y, ParameterInfo{"alpha_y", 1e-4, 1, 0.3, 1, "", true,
+                                                 "width of the slope distribution across the tangent"}}};
+  }
+};
+
+template <class T>
+struct Exponent {
+  T exponent;
+  static constexpr auto fields() {
+    return std::array{Field{&Exponent::exponent,
+                            ParameterInfo{"exponent", 0, 1e6, 20, 1e4, "", true, "power of the cosine"}}};
+  }
+};
+
+template <class T>
+struct SlopeDeviation {
+  T sigma;
+  static constexpr auto fields() {
+    return std::array{
+        Field{&SlopeDeviation::sigma, ParameterInfo{"sigma", 0, kPi / 2, 0.3, kPi / 2, "rad", false,
+                                                    "standard deviation of the facets' slope angle"}}};
+  }
+};
+
+}  // namespace brdf

@@ -1,0 +1,73 @@
+// What a scalar type has to say about itself, and the few operations that every scalar shares.
+//
+// Scalars: float, double, Dual<T, N>, ceres::Jet, a 50-digit number and the tracing scalar. Forms are written
+// once for all of them: constants are converted at use, S(0.33), and a choice is select(condition, a, b),
+// never an `if`.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#ifdef __FAST_MATH__
+#error "libbrdf relies on IEEE arithmetic: -ffast-math makes its kernels wrong by up to 41 %"
+#endif
+
+namespace brdf {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+class Traced;
+
+// A scalar with a value `a` and partial derivatives `v`: our Dual and ceres::Jet, without naming either.
+template <class T>
+concept Differentiated = requires(T t) {
+  t.a;
+  t.v;
+};
+
+// The type whose rounding a scalar has: float for float, Dual<float, N> and the tracing scalar.
+template <class T>
+struct BaseScalar {
+  using type = T;
+};
+template <Differentiated T>
+struct BaseScalar<T> {
+  using type = std::remove_cvref_t<decltype(std::declval<T>().a)>;
+};
+template <>
+struct BaseScalar<Traced> {
+  using type = float;
+};
+template <class T>
+using base_scalar_t = typename BaseScalar<T>::type;
+
+// Both values are computed, then one is taken: this is what vectorises, differentiates and traces.
+template <class T>
+constexpr T select(bool condition, const T& yes, const T& no) {
+  return condition ? yes : no;
+}
+
+// These let NaN in `x` through: a comparison with NaN is false, and `x` is then the value taken.
+template <class T>
+constexpr T at_least(const T& x, const T& lower) {
+  return select(x < lower, lower, x);
+}
+template <class T>
+constexpr T at_most(const T& x, const T& upper) {
+  return select(upper < x, upper, x);
+}
+template <class T>
+constexpr T larger(const T& a, const T& b) {
+  return select(a < b, b, a);
+}
+template <class T>
+constexpr T smaller(const T& a, const T& b) {
+  return select(b < a, b, a);
+}
+
+template <class T>
+constexpr T square(const T& x) {
+  return x * x;
+}
+
+}  // namespace brdf
