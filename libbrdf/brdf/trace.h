@@ -1,0 +1,130 @@
+// The tracing scalar: evaluating a form on it records the formula, which is then written as GLSL.
+//
+// This is how shaders come from the one formula in the headers. Traced values refuse `if`, `?:`, mixing with
+// double and std:: functions at compile time, so it also checks the style that keeps forms vectorisable.
+// Constant arithmetic is folded in float; equal expressions share one temporary; every float temporary is
+// `precise`, without which Mesa folds (x + magic) - magic and results differ by up to 50 %. Then software
+// driver and float library agree bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "brdf/forms.h"
+
+namespace brdf {
+
+// A recorded expression graph, with equal nodes shared.
+class Trace {
+ public:
+  enum class Type { kFloat, kUint, kBool };
+  struct Node {
+    Type type;
+    std::string code;  // operator, function, input text or literal
+    std::vector<int> operands;
+    bool constant = false;
+    std::uint32_t bits = 0;  // of a constant, float or uint
+    auto key() const { return std::tie(type, code, operands); }
+    friend bool operator<(const Node& a, const Node& b) { return a.key() < b.key(); }
+  };
+
+  int add(Node node);
+  const Node& operator[](int id) const { return nodes_[std::size_t(id)]; }
+  // Statements that compute `roots`, depth first, then `result` with %0, %1, ... replaced by the roots.
+  std::string statements(const std::vector<int>& roots, std::string_view result, bool precise) const;
+
+  // The graph that traced values record into: one per thread, replaced for the lifetime of a scope.
+  static Trace& current();
+  class Scope;
+
+ private:
+  std::vector<Node> nodes_;
+  std::map<Node, int> known_;
+};
+
+class Trace::Scope {
+ public:
+  explicit Scope(Trace& trace);
+  ~Scope();
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+ private:
+  Trace* previous_;
+};
+
+class TracedBool {
+ public:
+  explicit TracedBool(int node) : node_(node) {}
+  int node() const { return node_; }
+  explicit operator bool() const = delete;  // no `if` and no `?:` on traced values
+
+ private:
+  int node_;
+};
+
+class TracedBits {
+ public:
+  explicit TracedBits(int node) : node_(node) {}
+  int node() const { return node_; }
+  friend TracedBits operator+(TracedBits a, std::uint32_t b);
+  friend TracedBits operator-(TracedBits a, std::uint32_t b);
+  friend TracedBits operator-(TracedBits a, TracedBits b);
+  friend TracedBits operator|(TracedBits a, std::uint32_t b);
+  friend TracedBits operator<<(TracedBits a, int b);
+  friend TracedBits operator>>(TracedBits a, int b);
+
+ private:
+  int node_;
+};
+
+class Traced {
+ public:
+  Traced() : Traced(0.0) {}
+  explicit Traced(double constant);
+  static Traced input(std::string_view glsl);
+  static Traced from_node(int node) { return Traced(Node{node}); }
+  int node() const { return node_; }
+
+  friend Traced operator+(Traced a, Traced b);
+  friend Traced operator-(Traced a, Traced b);
+  friend Traced operator*(Traced a, Traced b);
+  friend Traced operator/(Traced a, Traced b);
+  friend Traced operator-(Traced a);
+  friend TracedBool operator<(Traced a, Traced b);
+  friend Traced select(TracedBool c, Traced yes, Traced no);
+  friend Traced sqrt(Traced x);
+  friend TracedBits to_bits(Traced x);
+  friend Traced from_bits(TracedBits bits);
+  // Kernels: traced once into GLSL functions, called here.
+  friend Traced exp(Traced x);
+  friend Traced log(Traced x);
+  friend Traced log1p(Traced x);
+  friend Traced erfcx(Traced x);
+  friend Traced atan2(Traced y, Traced x);
+
+ private:
+  struct Node {
+    int id;
+  };
+  explicit Traced(Node node) : node_(node.id) {}
+  int node_;
+};
+
+struct GlslOptions {
+  bool precise = true;  // false only for the negative control of the shader's proof
+};
+
+// GLSL functions of the elementary kernels; needed once before any form.
+std::string glsl_kernels(const GlslOptions& options = {});
+
+// Two functions of one form for RGB materials, in the local frame with n = +z:
+//   vec3 brdf_eval_<form>(vec3 wi, vec3 wo, float <shape>..., vec3 <weight>...)      f_r, 1/sr
+//   vec3 brdf_eval_cos_<form>(...)                                                   f_r cos_i
+std::string glsl_form(const AnyForm& form, const GlslOptions& options = {});
+
+}  // namespace brdf

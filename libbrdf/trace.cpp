@@ -1,0 +1,261 @@
+#include "brdf/trace.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace brdf {
+namespace {
+
+thread_local Trace* active = nullptr;
+
+std::string float_literal(float x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", double(x));
+  std::string s = text;
+  return s.find_first_of(".e") == std::string::npos ? s + ".0" : s;
+}
+
+int add_float(float x) {
+  return Trace::current().add(
+      {Trace::Type::kFloat, float_literal(x), {}, true, std::bit_cast<std::uint32_t>(x)});
+}
+int add_uint(std::uint32_t x) {
+  return Trace::current().add({Trace::Type::kUint, std::to_string(x) + "u", {}, true, x});
+}
+int add(Trace::Type type, std::string code, std::vector<int> operands) {
+  return Trace::current().add({type, std::move(code), std::move(operands)});
+}
+std::optional<float> float_constant(Traced x) {
+  const Trace::Node& node = Trace::current()[x.node()];
+  return node.constant ? std::optional(std::bit_cast<float>(node.bits)) : std::nullopt;
+}
+
+template <class Fold>
+Traced arithmetic(const char* op, Traced a, Traced b, Fold fold) {
+  const auto x = float_constant(a), y = float_constant(b);
+  if (x && y) {
+    const float folded = fold(*x, *y);
+    if (std::isfinite(folded)) return Traced::from_node(add_float(folded));
+  }
+  return Traced::from_node(add(Trace::Type::kFloat, op, {a.node(), b.node()}));
+}
+
+// A kernel call on a constant is folded by the float kernel itself.
+Traced call(const char* function, Traced x, float (*kernel)(const float&)) {
+  if (const auto c = float_constant(x)) return Traced::from_node(add_float(kernel(*c)));
+  return Traced::from_node(add(Trace::Type::kFloat, function, {x.node()}));
+}
+
+TracedBits bits_op(const char* op, TracedBits a, int b) {
+  return TracedBits(add(Trace::Type::kUint, op, {a.node(), b}));
+}
+
+const char* type_name(Trace::Type type) {
+  return type == Trace::Type::kFloat ? "float" : type == Trace::Type::kUint ? "uint" : "bool";
+}
+
+std::string expression(const Trace::Node& node, const std::vector<std::string>& names) {
+  const auto name = [&](std::size_t k) { return names[std::size_t(node.operands[k])]; };
+  if (node.code == "?") return name(0) + " ? " + name(1) + " : " + name(2);
+  if (node.code == "neg") return "-" + name(0);
+  if (std::isalpha(static_cast<unsigned char>(node.code[0]))) {  // a function
+    std::string text = node.code + "(";
+    for (std::size_t k = 0; k < node.operands.size(); ++k) text += (k ? ", " : "") + name(k);
+    return text + ")";
+  }
+  return name(0) + " " + node.code + " " + name(1);
+}
+
+}  // namespace
+
+int Trace::add(Node node) {
+  const auto [it, inserted] = known_.try_emplace(node, int(nodes_.size()));
+  if (inserted) nodes_.push_back(std::move(node));
+  return it->second;
+}
+
+std::string Trace::statements(const std::vector<int>& roots, std::string_view result, bool precise) const {
+  std::vector<std::string> names(nodes_.size());
+  std::string text;
+  int count = 0;
+  const auto emit = [&](const auto& self, int id) -> void {
+    std::string& name = names[std::size_t(id)];
+    if (!name.empty()) return;
+    const Node& node = nodes_[std::size_t(id)];
+    if (node.operands.empty()) {  // an input or a literal; a negative literal needs brackets
+      name = node.code[0] == '-' ? "(" + node.code + ")" : node.code;
+      return;
+    }
+    for (int operand : node.operands) self(self, operand);
+    name = "t" + std::to_string(count++);
+    const bool keep = precise && node.type == Type::kFloat;
+    text += std::string("  ") + (keep ? "precise " : "") + type_name(node.type) + " " + name + " = " +
+            expression(node, names) + ";\n";
+  };
+  for (int root : roots) emit(emit, root);
+  std::string line = "  ";
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    if (result[k] == '%')
+      line += names[std::size_t(roots[std::size_t(result[++k] - '0')])];
+    else
+      line += result[k];
+  }
+  return text + line + "\n";
+}
+
+Trace& Trace::current() {
+  static thread_local Trace fallback;
+  return active ? *active : fallback;
+}
+Trace::Scope::Scope(Trace& trace) : previous_(active) {
+  active = &trace;
+}
+Trace::Scope::~Scope() {
+  active = previous_;
+}
+
+TracedBits operator+(TracedBits a, std::uint32_t b) {
+  return bits_op("+", a, add_uint(b));
+}
+TracedBits operator-(TracedBits a, std::uint32_t b) {
+  return bits_op("-", a, add_uint(b));
+}
+TracedBits operator-(TracedBits a, TracedBits b) {
+  return bits_op("-", a, b.node());
+}
+TracedBits operator|(TracedBits a, std::uint32_t b) {
+  return bits_op("|", a, add_uint(b));
+}
+TracedBits operator<<(TracedBits a, int b) {
+  return bits_op("<<", a, add_uint(std::uint32_t(b)));
+}
+TracedBits operator>>(TracedBits a, int b) {
+  return bits_op(">>", a, add_uint(std::uint32_t(b)));
+}
+
+Traced::Traced(double constant) : node_(add_float(float(constant))) {}
+Traced Traced::input(std::string_view glsl) {
+  return from_node(add(Trace::Type::kFloat, std::string(glsl), {}));
+}
+
+Traced operator+(Traced a, Traced b) {
+  return arithmetic("+", a, b, [](float x, float y) { return x + y; });
+}
+Traced operator-(Traced a, Traced b) {
+  return arithmetic("-", a, b, [](float x, float y) { return x - y; });
+}
+Traced operator*(Traced a, Traced b) {
+  return arithmetic("*", a, b, [](float x, float y) { return x * y; });
+}
+Traced operator/(Traced a, Traced b) {
+  return arithmetic("/", a, b, [](float x, float y) { return x / y; });
+}
+Traced operator-(Traced a) {
+  if (const auto c = float_constant(a)) return Traced::from_node(add_float(-*c));
+  return Traced::from_node(add(Trace::Type::kFloat, "neg", {a.node()}));
+}
+TracedBool operator<(Traced a, Traced b) {
+  return TracedBool(add(Trace::Type::kBool, "<", {a.node(), b.node()}));
+}
+Traced select(TracedBool c, Traced yes, Traced no) {
+  return Traced::from_node(add(Trace::Type::kFloat, "?", {c.node(), yes.node(), no.node()}));
+}
+Traced sqrt(Traced x) {
+  return call("sqrt", x, [](const float& c) { return std::sqrt(c); });
+}
+TracedBits to_bits(Traced x) {
+  return TracedBits(add(Trace::Type::kUint, "floatBitsToUint", {x.node()}));
+}
+Traced from_bits(TracedBits bits) {
+  return Traced::from_node(add(Trace::Type::kFloat, "uintBitsToFloat", {bits.node()}));
+}
+Traced exp(Traced x) {
+  return call("brdf_exp", x, kernels::exp<float>);
+}
+Traced log(Traced x) {
+  return call("brdf_log", x, kernels::log<float>);
+}
+Traced log1p(Traced x) {
+  return call("brdf_log1p", x, kernels::log1p<float>);
+}
+Traced erfcx(Traced x) {
+  return call("brdf_erfcx", x, kernels::erfcx<float>);
+}
+Traced atan2(Traced y, Traced x) {
+  return Traced::from_node(add(Trace::Type::kFloat, "brdf_angle", {y.node(), x.node()}));
+}
+
+namespace {
+
+std::string glsl_function(std::string_view signature, const std::vector<Traced>& values,
+                          std::string_view result, bool precise) {
+  std::vector<int> roots;
+  for (Traced v : values) roots.push_back(v.node());
+  return std::string(signature) + " {\n" + Trace::current().statements(roots, result, precise) + "}\n";
+}
+
+template <class Kernel>
+std::string kernel_function(const char* name, bool precise, Kernel kernel) {
+  Trace trace;
+  const Trace::Scope scope(trace);
+  return glsl_function(std::string("float ") + name + "(float x)", {kernel(Traced::input("x"))}, "return %0;",
+                       precise);
+}
+
+// The parameter struct whose members are the shader's arguments; `component` is "" or ".r", ".g", ".b".
+template <class P>
+P inputs(const std::string& component) {
+  P p{};
+  for (const auto& field : P::fields())
+    p.*(field.member) = Traced::input(std::string(field.info.name) + component);
+  return p;
+}
+
+template <Form F>
+std::string function_of(F form, bool cosine, bool precise) {
+  using Weights = typename F::template Weights<Traced>;
+  using Shape = typename F::template Shape<Traced>;
+  Trace trace;
+  const Trace::Scope scope(trace);
+  const auto vector = [](const std::string& v) {
+    return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
+  };
+  const Geometry<Traced> g = geometry(vector("wi"), vector("wo"));
+  const Shape shape = inputs<Shape>("");
+  const Weights first = inputs<Weights>(".r");
+  std::vector<Traced> values;
+  for (const char* component : {".r", ".g", ".b"}) {
+    const Weights w = inputs<Weights>(component);
+    values.push_back(cosine ? eval_cos(form, w, first, shape, g) : eval(form, w, first, shape, g));
+  }
+  std::string signature =
+      std::string("vec3 brdf_eval_") + (cosine ? "cos_" : "") + std::string(F::name) + "(vec3 wi, vec3 wo";
+  for (const auto& field : Shape::fields()) signature += ", float " + std::string(field.info.name);
+  for (const auto& field : Weights::fields()) signature += ", vec3 " + std::string(field.info.name);
+  return glsl_function(signature + ")", values, "return vec3(%0, %1, %2);", precise);
+}
+
+}  // namespace
+
+std::string glsl_kernels(const GlslOptions& options) {
+  const bool p = options.precise;
+  std::string text = kernel_function("brdf_exp", p, [](Traced x) { return kernels::exp(x); }) +
+                     kernel_function("brdf_log", p, [](Traced x) { return kernels::log(x); }) +
+                     kernel_function("brdf_log1p", p, [](Traced x) { return kernels::log1p(x); }) +
+                     kernel_function("brdf_erfcx", p, [](Traced x) { return kernels::erfcx(x); });
+  Trace trace;
+  const Trace::Scope scope(trace);
+  return text + glsl_function("float brdf_angle(float sine, float cosine)",
+                              {kernels::angle(Traced::input("sine"), Traced::input("cosine"))}, "return %0;",
+                              p);
+}
+
+std::string glsl_form(const AnyForm& form, const GlslOptions& options) {
+  return std::visit(
+      [&](auto f) { return function_of(f, false, options.precise) + function_of(f, true, options.precise); },
+      form);
+}
+
+}  // namespace brdf
