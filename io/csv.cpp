@@ -1,0 +1,235 @@
+#include "io/csv.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <ostream>
+
+#include "io/error.h"
+#include "io/output.h"
+#include "io/text.h"
+
+namespace brdf::io {
+namespace {
+
+constexpr std::string_view kAngles[] = {"theta_i", "phi_i", "theta_o", "phi_o"};
+constexpr std::string_view kSigmaPrefix = "sigma_";
+
+enum class Quantity { kBrdf, kBrdfCosI, kBrdfCosO };
+
+// What a column holds: an angle, a channel's value, or its standard deviation.
+struct Column {
+  enum class Kind { kAngle, kValue, kSigma } kind;
+  std::size_t index;
+  std::string name;
+};
+
+class CsvReader {
+ public:
+  CsvReader(const std::filesystem::path& path, bool need_values) : reader_(path), need_values_(need_values) {
+    table_.source = path.string();
+  }
+
+  SampleTable read() {
+    std::string_view line;
+    while (reader_.next(line)) {
+      line = trimmed(line);
+      if (line.empty()) continue;
+      if (line.front() == '#')
+        read_comment(line);
+      else if (columns_.empty())
+        read_header(line);
+      else
+        read_row(line);
+    }
+    if (columns_.empty())
+      throw InputError(table_.source + ": no header row (theta_i,phi_i,theta_o,phi_o,<channel>...)");
+    if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
+    if (table_.skipped > 0)
+      table_.warnings.push_back(std::to_string(table_.skipped) +
+                                " rows left out: f_r is undefined where the quantity's cosine is 0");
+    return std::move(table_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
+  [[noreturn]] void fail(std::size_t column, std::string_view text, const std::string& rule) const {
+    fail("column " + std::to_string(column + 1) + " (" + columns_[column].name + "): '" + std::string(text) +
+         "' " + rule);
+  }
+
+  void read_comment(std::string_view line) {
+    line = trimmed(line.substr(1));
+    const std::size_t colon = line.find(':');
+    const std::string_view key = colon == line.npos ? std::string_view() : trimmed(line.substr(0, colon));
+    const std::string_view value = colon == line.npos ? line : trimmed(line.substr(colon + 1));
+    if (key == "quantity") {
+      if (!columns_.empty()) fail("the quantity must be stated before the header row");
+      std::string name;
+      std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
+      if (name == "f_r*cos_i")
+        quantity_ = Quantity::kBrdfCosI;
+      else if (name == "f_r*cos_o")
+        quantity_ = Quantity::kBrdfCosO;
+      else if (name != "f_r")
+        fail("quantity '" + std::string(value) + "' is unknown (known: f_r, f_r*cos_i, f_r*cos_o)");
+      return;  // the table holds f_r whatever the file held
+    }
+    table_.metadata.emplace_back(key, value);
+  }
+
+  void read_header(std::string_view line) {
+    split(line, ',', fields_);
+    for (const std::string_view name : fields_) {
+      if (name.empty()) fail("column " + std::to_string(columns_.size() + 1) + " has no name");
+      double number;
+      if (parse_number(name, number))
+        fail("the header row is missing: column " + std::to_string(columns_.size() + 1) + " is the number '" +
+             std::string(name) + "', not a name");
+      const auto same = [&](const Column& c) { return c.name == name; };
+      if (std::any_of(columns_.begin(), columns_.end(), same))
+        fail("column '" + std::string(name) + "' twice");
+      const auto angle = std::find(std::begin(kAngles), std::end(kAngles), name);
+      if (angle != std::end(kAngles)) {
+        columns_.push_back(
+            {Column::Kind::kAngle, static_cast<std::size_t>(angle - kAngles), std::string(name)});
+      } else if (name.starts_with(kSigmaPrefix)) {
+        columns_.push_back({Column::Kind::kSigma, 0, std::string(name)});
+      } else {
+        columns_.push_back({Column::Kind::kValue, table_.channels.size(), std::string(name)});
+        table_.channels.emplace_back(name);
+      }
+    }
+    check_header();
+    table_.values.resize(table_.channels.size());
+    table_.sigma.resize(table_.channels.size());
+    row_values_.resize(table_.channels.size());
+    row_sigma_.resize(table_.channels.size());
+  }
+
+  void check_header() {
+    for (const std::string_view angle : kAngles) {
+      const auto same = [&](const Column& c) { return c.name == angle; };
+      if (std::none_of(columns_.begin(), columns_.end(), same))
+        fail("column '" + std::string(angle) + "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...)");
+    }
+    if (need_values_ && table_.channels.empty()) fail("no value column beside the four angles");
+    for (Column& c : columns_) {
+      if (c.kind != Column::Kind::kSigma) continue;
+      const auto channel =
+          std::find(table_.channels.begin(), table_.channels.end(), c.name.substr(kSigmaPrefix.size()));
+      if (channel == table_.channels.end()) fail("column '" + c.name + "' has no column of values");
+      c.index = static_cast<std::size_t>(channel - table_.channels.begin());
+      has_sigma_ = true;
+    }
+  }
+
+  void read_row(std::string_view line) {
+    split(line, ',', fields_);
+    if (fields_.size() != columns_.size())
+      fail(std::to_string(fields_.size()) + " columns where the header has " +
+           std::to_string(columns_.size()));
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      double number;
+      if (!parse_number(fields_[k], number)) fail(k, fields_[k], "is not a number");
+      if (!std::isfinite(number)) fail(k, fields_[k], "is not finite");
+      switch (columns_[k].kind) {
+        case Column::Kind::kAngle:
+          if (columns_[k].index % 2 == 0 && std::abs(number) > 90.0)
+            fail(k, fields_[k], "is below the horizon (theta must be between -90 and 90 degrees)");
+          angles_[columns_[k].index] = number;
+          break;
+        case Column::Kind::kValue:
+          row_values_[columns_[k].index] = number;
+          break;
+        case Column::Kind::kSigma:
+          if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
+          row_sigma_[columns_[k].index] = number;
+      }
+    }
+    store_row();
+  }
+
+  void store_row() {
+    // Instruments that swing through the normal write the far side as negative theta.
+    for (const int k : {0, 2}) {
+      if (angles_[k] < 0.0) {
+        angles_[k] = -angles_[k];
+        angles_[k + 1] += 180.0;
+      }
+    }
+    if (quantity_ != Quantity::kBrdf) {
+      const double cosine = cos_degrees(quantity_ == Quantity::kBrdfCosI ? angles_[0] : angles_[2]);
+      if (cosine <= 0.0) {
+        ++table_.skipped;
+        return;
+      }
+      for (double& value : row_values_) value /= cosine;
+      for (double& sigma : row_sigma_) sigma /= cosine;
+    }
+    table_.theta_i.push_back(angles_[0]);
+    table_.phi_i.push_back(angles_[1]);
+    table_.theta_o.push_back(angles_[2]);
+    table_.phi_o.push_back(angles_[3]);
+    for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
+    if (has_sigma_) {
+      for (const Column& c : columns_)
+        if (c.kind == Column::Kind::kSigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
+    }
+    table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
+  }
+
+  LineReader reader_;
+  bool need_values_;
+  SampleTable table_;
+  std::vector<Column> columns_;
+  std::vector<std::string_view> fields_;
+  double angles_[4] = {};
+  std::vector<double> row_values_, row_sigma_;
+  Quantity quantity_ = Quantity::kBrdf;
+  bool has_sigma_ = false;
+};
+
+}  // namespace
+
+SampleTable read_csv(const std::filesystem::path& path, bool need_values) {
+  return CsvReader(path, need_values).read();
+}
+
+void write_samples(std::ostream& out, const SampleTable& table) {
+  std::string text;
+  for (const auto& [key, value] : table.metadata)
+    text += "# " + (key.empty() ? value : key + ": " + value) + '\n';
+  for (const std::string_view angle : kAngles) (text += angle) += ',';
+  for (const std::string& channel : table.channels) (text += channel) += ',';
+  for (std::size_t c = 0; c < table.channels.size(); ++c)
+    if (table.has_sigma(c)) ((text += kSigmaPrefix) += table.channels[c]) += ',';
+  text.back() = '\n';
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    for (const double angle : {table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]}) {
+      append_number(text, angle);
+      text += ',';
+    }
+    for (const auto& column : table.values) {
+      append_number(text, column[k]);
+      text += ',';
+    }
+    for (const auto& column : table.sigma) {
+      if (column.empty()) continue;
+      append_number(text, column[k]);
+      text += ',';
+    }
+    text.back() = '\n';
+    if (text.size() > (1 << 16)) {
+      out.write(text.data(), static_cast<std::streamsize>(text.size()));
+      text.clear();
+    }
+  }
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+void write_samples(const std::filesystem::path& path, const SampleTable& table) {
+  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table); });
+}
+
+}  // namespace brdf::io

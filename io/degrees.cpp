@@ -1,0 +1,79 @@
+#include <cmath>
+#include <numbers>
+
+#include "io/samples.h"
+
+namespace brdf::io {
+namespace {
+
+// Taylor series on [-pi/4, pi/4]; the first term left out is below 1e-17.
+double sin_series(double x) {
+  const double s = x * x;
+  double sum = 1.0 / 355687428096000.0;
+  sum = sum * s - 1.0 / 1307674368000.0;
+  sum = sum * s + 1.0 / 6227020800.0;
+  sum = sum * s - 1.0 / 39916800.0;
+  sum = sum * s + 1.0 / 362880.0;
+  sum = sum * s - 1.0 / 5040.0;
+  sum = sum * s + 1.0 / 120.0;
+  sum = sum * s - 1.0 / 6.0;
+  return x + x * (s * sum);
+}
+
+double cos_series(double x) {
+  const double s = x * x;
+  double sum = 1.0 / 20922789888000.0;
+  sum = sum * s - 1.0 / 87178291200.0;
+  sum = sum * s + 1.0 / 479001600.0;
+  sum = sum * s - 1.0 / 3628800.0;
+  sum = sum * s + 1.0 / 40320.0;
+  sum = sum * s - 1.0 / 720.0;
+  sum = sum * s + 1.0 / 24.0;
+  sum = sum * s - 0.5;
+  return 1.0 + s * sum;
+}
+
+double sin_quadrants(double degrees, int shift) {
+  const double quarter = std::nearbyint(degrees / 90.0);
+  const double x = (degrees - 90.0 * quarter) * (std::numbers::pi / 180.0);
+  switch ((static_cast<long long>(quarter) + shift) & 3) {
+    case 0:
+      return sin_series(x);
+    case 1:
+      return cos_series(x);
+    case 2:
+      return -sin_series(x);
+    default:
+      return -cos_series(x);
+  }
+}
+
+}  // namespace
+
+double sin_degrees(double degrees) {
+  return sin_quadrants(degrees, 0);
+}
+
+double cos_degrees(double degrees) {
+  return sin_quadrants(degrees, 1);
+}
+
+void unit_vector(double theta, double phi, double& x, double& y, double& z) {
+  const double sin_theta = sin_degrees(theta);
+  x = sin_theta * cos_degrees(phi);
+  y = sin_theta * sin_degrees(phi);
+  z = cos_degrees(theta);
+}
+
+UnitDirections unit_directions(const SampleTable& table) {
+  const std::size_t n = table.rows();
+  UnitDirections d;
+  for (auto* column : {&d.wi_x, &d.wi_y, &d.wi_z, &d.wo_x, &d.wo_y, &d.wo_z}) column->resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    unit_vector(table.theta_i[k], table.phi_i[k], d.wi_x[k], d.wi_y[k], d.wi_z[k]);
+    unit_vector(table.theta_o[k], table.phi_o[k], d.wo_x[k], d.wo_y[k], d.wo_z[k]);
+  }
+  return d;
+}
+
+}  // namespace brdf::io

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace brdf {
+
+// Bad input or usage: one message that names the file, the line or JSON path, the value and the rule. Exit
+// code 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// The machine lacks something (a driver, a display, space on the disk). Exit code 3.
+class EnvironmentError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace brdf

@@ -1,0 +1,31 @@
+#include "io/samples.h"
+
+#include "io/csv.h"
+
+namespace brdf::io {
+
+std::string SampleTable::where(std::size_t row) const {
+  if (row < lines.size()) return source + ", line " + std::to_string(lines[row]);
+  return source + ", row " + std::to_string(row + 1);
+}
+
+std::optional<std::string> SampleTable::find_metadata(std::string_view key) const {
+  for (const auto& [name, value] : metadata)
+    if (name == key) return value;
+  return std::nullopt;
+}
+
+void SampleTable::reserve(std::size_t rows) {
+  for (auto* column : {&theta_i, &phi_i, &theta_o, &phi_o}) column->reserve(rows);
+  for (auto& column : values) column.reserve(rows);
+}
+
+SampleTable read_samples(const std::filesystem::path& path) {
+  return read_csv(path, true);
+}
+
+SampleTable read_directions(const std::filesystem::path& path) {
+  return read_csv(path, false);
+}
+
+}  // namespace brdf::io

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace brdf::io {
+
+// Measured or computed values of f_r in 1/sr, one row per pair of directions; column by column in memory.
+// Directions are polar coordinates in DEGREES as in the files (so that reading and writing is exact), both
+// away from the surface, theta from the normal in [0, 90]; the mirror direction is theta_o = theta_i, phi_o =
+// phi_i + 180.
+struct SampleTable {
+  std::vector<std::string> channels;
+  std::vector<double> theta_i, phi_i, theta_o, phi_o;  // degrees
+  std::vector<std::vector<double>> values;             // [channel][row], f_r in 1/sr
+  std::vector<std::vector<double>> sigma;  // [channel][row], standard deviation in 1/sr; empty where unknown
+  std::vector<std::pair<std::string, std::string>>
+      metadata;  // header comments in order; free text has no key
+
+  std::string source;                 // the file's path, for messages
+  std::string format = "csv";         // csv, merl, rgl, astm_e1392, zemax
+  std::vector<std::uint32_t> lines;   // [row] line in the file; empty where the format has none
+  std::vector<std::string> warnings;  // what the reader left out or repaired, one sentence each
+  std::size_t skipped = 0;            // entries of the file that hold no value (marked invalid, or undefined)
+
+  std::size_t rows() const { return theta_i.size(); }
+  bool has_sigma(std::size_t channel) const { return channel < sigma.size() && !sigma[channel].empty(); }
+  // "FILE, line N" or "FILE, row N".
+  std::string where(std::size_t row) const;
+  // First metadata value under `key`.
+  std::optional<std::string> find_metadata(std::string_view key) const;
+  void reserve(std::size_t rows);
+};
+
+// Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md).
+// Throws InputError naming file, line and column.
+SampleTable read_samples(const std::filesystem::path& path);
+// The same for a table of directions: a CSV without any value column is accepted.
+SampleTable read_directions(const std::filesystem::path& path);
+
+// Writes CSV that reads back to exactly the same table (shortest decimals that round-trip).
+void write_samples(const std::filesystem::path& path, const SampleTable& table);
+void write_samples(std::ostream& out, const SampleTable& table);
+
+// Unit vectors of all rows in the local frame (normal +z, tangent +x), structure of arrays.
+struct UnitDirections {
+  std::vector<double> wi_x, wi_y, wi_z, wo_x, wo_y, wo_z;
+};
+UnitDirections unit_directions(const SampleTable& table);
+
+// x, y, z of a direction given in degrees. Built on sin_degrees, so it is the same on every machine.
+void unit_vector(double theta, double phi, double& x, double& y, double& z);
+
+// Sine and cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp of the true
+// value for |degrees| <= 1e6. Plain arithmetic only: the C library's differ in the last bit between
+// processors, and seeded samples must not.
+double sin_degrees(double degrees);
+double cos_degrees(double degrees);
+
+}  // namespace brdf::io

@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "io/error.h"
+#include "io/samples.h"
+#include "tests/io/temporary_folder.h"
+
+namespace brdf::io {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kHeader = "theta_i,phi_i,theta_o,phi_o,fr\n";
+
+class Csv : public testing::Test {
+ protected:
+  std::filesystem::path file(const std::string& content) {
+    const auto path = folder_.path() / "s.csv";
+    std::ofstream(path, std::ios::binary) << content;
+    return path;
+  }
+  std::string message(const std::string& content) {
+    try {
+      read_samples(file(content));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Csv, RoundTripsExactly) {
+  std::mt19937_64 random(7);
+  SampleTable table;
+  table.channels = {"r", "g"};
+  table.values.resize(2);
+  table.sigma.resize(2);
+  table.metadata = {{"sample", "a: b, c"}, {"", "free text"}};
+  const auto bits = [&](double scale) {
+    return scale * std::ldexp(static_cast<double>(random() >> 11), -53);
+  };
+  for (int k = 0; k < 5000; ++k) {
+    table.theta_i.push_back(bits(90));
+    table.phi_i.push_back(bits(360) - 180);
+    table.theta_o.push_back(bits(90));
+    table.phi_o.push_back(bits(360));
+    table.values[0].push_back(std::exp(bits(200) - 100));
+    table.values[1].push_back(bits(1) - .5);
+    table.sigma[1].push_back(bits(1e-9) + 1e-300);
+  }
+  write_samples(folder_.path() / "t.csv", table);
+  const SampleTable back = read_samples(folder_.path() / "t.csv");
+  EXPECT_EQ(back.theta_i, table.theta_i);
+  EXPECT_EQ(back.phi_i, table.phi_i);
+  EXPECT_EQ(back.theta_o, table.theta_o);
+  EXPECT_EQ(back.phi_o, table.phi_o);
+  EXPECT_EQ(back.values, table.values);
+  EXPECT_EQ(back.sigma, table.sigma);
+  EXPECT_EQ(back.metadata, table.metadata);
+  EXPECT_EQ(back.channels, table.channels);
+}
+
+TEST_F(Csv, AcceptsCommentsBlankLinesCarriageReturnsSpacesAndAnyColumnOrder) {
+  const SampleTable t = read_samples(file(
+      "\xEF\xBB\xBF# sample: x\r\n\r\nfr, sigma_fr,theta_i,phi_i,theta_o,phi_o\r\n 1.5,+.1,10,0,20,180\r\n"
+      "# between\r\n2,.2,30,0,40,180"));
+  ASSERT_EQ(t.rows(), 2u);
+  EXPECT_EQ(t.values[0][0], 1.5);
+  EXPECT_EQ(t.sigma[0][1], .2);
+  EXPECT_EQ(t.theta_i[1], 30);
+  EXPECT_EQ(t.find_metadata("sample"), "x");
+  EXPECT_THAT(t.where(1), HasSubstr("s.csv, line 6"));
+}
+
+TEST_F(Csv, NegativePolarAnglesAreTheOppositeAzimuth) {
+  const SampleTable t = read_samples(file(std::string(kHeader) + "10,180,-20,0,1\n"));
+  EXPECT_EQ(t.theta_o[0], 20);
+  EXPECT_EQ(t.phi_o[0], 180);
+}
+
+TEST_F(Csv, DividesTheStatedCosineOut) {
+  const SampleTable o =
+      read_samples(file("# quantity: f_r*cos_o\n" + std::string(kHeader) + "0,0,60,0,1\n0,0,90,0,1\n"));
+  EXPECT_DOUBLE_EQ(o.values[0][0], 2.0);
+  EXPECT_EQ(o.rows(), 1u);
+  EXPECT_EQ(o.skipped, 1u);
+  EXPECT_THAT(o.warnings.at(0), HasSubstr("1 rows left out"));
+  const SampleTable i =
+      read_samples(file("# quantity: f_r * cos_i\n" + std::string(kHeader) + "60,0,0,0,1\n"));
+  EXPECT_DOUBLE_EQ(i.values[0][0], 2.0);
+}
+
+TEST_F(Csv, NamesLineAndColumnOfAMalformedRow) {
+  const std::string header = kHeader;
+  EXPECT_THAT(message(header + "0,0,0,0,1\n0,0,x,0,1\n"),
+              HasSubstr("s.csv, line 3: column 3 (theta_o): 'x' is not a number"));
+  EXPECT_THAT(message(header + "0,0,0,0,\n"), HasSubstr("line 2: column 5 (fr): '' is not a number"));
+  EXPECT_THAT(message(header + "0,0,0,0,1 2\n"), HasSubstr("'1 2' is not a number"));
+  EXPECT_THAT(message(header + "0,0,0,0,1e999\n"), HasSubstr("is not a number"));
+  EXPECT_THAT(message(header + "0,0,0,0,nan\n"), HasSubstr("'nan' is not finite"));
+  EXPECT_THAT(message(header + "0,0,0,0\n"), HasSubstr("line 2: 4 columns where the header has 5"));
+  EXPECT_THAT(message(header + "0,0,91,0,1\n"), HasSubstr("'91' is below the horizon"));
+}
+
+TEST_F(Csv, NamesWhatIsWrongWithTheHeader) {
+  EXPECT_THAT(message("0,0,0,0,1\n"), HasSubstr("line 1: the header row is missing"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,fr\n"), HasSubstr("'phi_o' is missing"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o\n"), HasSubstr("no value column"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,a\n"), HasSubstr("column 'a' twice"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_b\n"),
+              HasSubstr("'sigma_b' has no column of values"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_a\n0,0,0,0,1,0\n"), HasSubstr("must be above 0"));
+  EXPECT_THAT(message("# quantity: radiance\n" + std::string(kHeader)),
+              HasSubstr("quantity 'radiance' is unknown"));
+  EXPECT_THAT(message(kHeader), HasSubstr("holds no rows"));
+  EXPECT_THAT(message(""), HasSubstr("no header row"));
+}
+
+TEST_F(Csv, AnUnreadableFileIsBadInput) {
+  EXPECT_THROW(read_samples(folder_.path() / "none.csv"), InputError);
+  EXPECT_THROW(read_samples(folder_.path()), InputError);
+}
+
+TEST_F(Csv, DirectionsNeedNoValues) {
+  EXPECT_EQ(read_directions(file("theta_i,phi_i,theta_o,phi_o\n1,2,3,4\n")).rows(), 1u);
+}
+
+TEST(Degrees, AreExactAtQuartersAndAccurateBetween) {
+  EXPECT_EQ(cos_degrees(90), 0.0);
+  EXPECT_EQ(sin_degrees(180), 0.0);
+  EXPECT_EQ(sin_degrees(-90), -1.0);
+  EXPECT_EQ(cos_degrees(540), -1.0);
+  // Near a zero away from the origin the reference itself would need more digits of pi.
+  double worst = 0;
+  const auto compare = [&](double value, long double exact, double degrees) {
+    if (std::abs(exact) > .1L || std::abs(degrees) < 45)
+      worst = std::max(worst, static_cast<double>(std::abs((value - exact) / exact)));
+  };
+  for (double degrees = -719.99; degrees < 720; degrees += .0371) {
+    const long double radians = static_cast<long double>(degrees) * (acosl(-1.0L) / 180);
+    compare(sin_degrees(degrees), sinl(radians), degrees);
+    compare(cos_degrees(degrees), cosl(radians), degrees);
+  }
+  EXPECT_LT(worst, 3.4e-16);
+  EXPECT_GT(worst, 1e-16);
+}
+
+}  // namespace
+}  // namespace brdf::io
