@@ -1,0 +1,177 @@
+// Claims that hold for every form of the catalogue: a new form is tested by existing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <string>
+
+#include "brdf/dual.h"
+#include "brdf/material.h"
+
+namespace brdf {
+namespace {
+
+template <class Variant>
+struct TypesOf;
+template <class... Form>
+struct TypesOf<std::variant<Form...>> {
+  using type = ::testing::Types<Form...>;
+};
+
+template <class Form>
+struct EveryForm : ::testing::Test {};
+
+struct FormName {
+  template <class Form>
+  static std::string GetName(int) {
+    return std::string(Form::name);
+  }
+};
+TYPED_TEST_SUITE(EveryForm, TypesOf<AnyForm>::type, FormName);
+
+template <class Form, class T>
+T value(const Vec3<T>& wi, const Vec3<T>& wo, std::span<const double> shape,
+        std::span<const double> weights) {
+  const auto convert = [](std::span<const double> v) { return std::vector<T>(v.begin(), v.end()); };
+  const auto s = from_values<typename Form::template Shape<T>>(std::span<const T>(convert(shape)));
+  const auto w = from_values<typename Form::template Weights<T>>(std::span<const T>(convert(weights)));
+  return eval(Form{}, w, w, s, geometry(wi, wo));
+}
+
+// Parameters at the corners of their tables and at the defaults.
+template <class Visit>
+void for_each_corner(std::span<const ParameterInfo> table, Visit&& visit) {
+  std::vector<double> values;
+  for (std::size_t code = 0; code < std::size_t(std::pow(3, table.size()) + 0.5); ++code) {
+    values.clear();
+    std::size_t rest = code;
+    for (const ParameterInfo& p : table) {
+      values.push_back(rest % 3 == 0 ? p.min : rest % 3 == 1 ? p.usual_max : p.initial);
+      rest /= 3;
+    }
+    visit(values);
+  }
+}
+
+template <class T>
+std::vector<Vec3<T>> extreme_directions() {
+  std::vector<Vec3<T>> directions;
+  for (double theta : {0.0, 0.5, 1.2, 1.57, 1.5707963, kPi / 2})
+    for (double phi : {0.0, 0.7, kPi, 4.0}) {
+      const Vec3<double> w = direction(theta, phi);
+      directions.push_back({T(w.x), T(w.y), theta == kPi / 2 ? T(0) : T(w.z)});
+    }
+  return directions;
+}
+
+template <class Form, class T>
+void expect_finite_at_the_extremes() {
+  const FormInfo& form = info(Form{});
+  for_each_corner(form.shape, [&](const std::vector<double>& shape) {
+    for_each_corner(form.weights, [&](const std::vector<double>& weights) {
+      for (const auto& wi : extreme_directions<T>())
+        for (const auto& wo : extreme_directions<T>()) {
+          const T f = value<Form, T>(wi, wo, shape, weights);
+          ASSERT_TRUE(std::isfinite(f)) << Form::name << " at wi.z " << wi.z << " wo.z " << wo.z;
+        }
+    });
+  });
+}
+
+TYPED_TEST(EveryForm, IsFiniteAtTheExtremesInFloat) {
+  expect_finite_at_the_extremes<TypeParam, float>();
+}
+TYPED_TEST(EveryForm, IsFiniteAtTheExtremesInDouble) {
+  expect_finite_at_the_extremes<TypeParam, double>();
+}
+
+TYPED_TEST(EveryForm, IsZeroBelowTheHorizonAndNotAbove) {
+  const Material m = make_material(TypeParam{}, {"y"});
+  const Vec3<double> up = direction(0.4, 0.2), down{up.x, up.y, -1e-9}, level{1, 0, 0};
+  double f = -1;
+  eval(m, down, up, {&f, 1});
+  EXPECT_EQ(f, 0.0);
+  eval(m, up, down, {&f, 1});
+  EXPECT_EQ(f, 0.0);
+  eval(m, up, up, {&f, 1});
+  EXPECT_GT(f, 0.0);
+  eval_cos(m, level, up, {&f, 1});
+  EXPECT_TRUE(std::isfinite(f));
+}
+
+TYPED_TEST(EveryForm, EvalCosIsEvalTimesTheCosine) {
+  const Material m = make_material(TypeParam{}, {"y"});
+  const Vec3<double> wi = direction(0.7, 0.2), wo = direction(0.9, 2.8);
+  double f = 0, f_cos = 0;
+  eval(m, wi, wo, {&f, 1});
+  eval_cos(m, wi, wo, {&f_cos, 1});
+  EXPECT_NEAR(f_cos, f * wi.z, 4e-16 * f_cos);
+}
+
+// Exactly reciprocal unless declared otherwise: swapping the directions may change the last bit of a sum, no
+// more.
+TYPED_TEST(EveryForm, IsReciprocalUnlessDeclaredOtherwise) {
+  bool declared = false;
+  for (const Violation& v : info(TypeParam{}).violations) declared |= v.check == "reciprocity";
+  const Material m = make_material(TypeParam{}, {"y"});
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double worst = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3<double> wi = direction(std::acos(std::pow(10, -6 * unit(random))), 2 * kPi * unit(random));
+    const Vec3<double> wo = direction(std::acos(unit(random)), 2 * kPi * unit(random));
+    double there = 0, back = 0;
+    eval(m, wi, wo, {&there, 1});
+    eval(m, wo, wi, {&back, 1});
+    if (there != 0 || back != 0) worst = std::max(worst, std::abs(there - back) / std::max(there, back));
+  }
+  if (declared)
+    EXPECT_GT(worst, 1e-3);
+  else
+    EXPECT_LT(worst, 1e-14);
+}
+
+// The catalogue is read from the variant alone.
+TEST(Catalogue, NamesAreUniqueAndFoundAgain) {
+  std::set<std::string_view> names, families;
+  std::size_t canonical = 0;
+  for_each_form([&](auto form) {
+    names.insert(form.name);
+    families.insert(form.family);
+    canonical += info(form).canonical;
+    ASSERT_TRUE(find_form(form.name).has_value());
+    EXPECT_EQ(info(*find_form(form.name)).name, form.name);
+  });
+  EXPECT_EQ(names.size(), kFormCount);
+  EXPECT_EQ(families.size(), 6u);
+  EXPECT_EQ(canonical, 6u);
+  EXPECT_FALSE(find_form("no_such_form").has_value());
+}
+
+TEST(Weights, SchlickIsLinearAndInverts) {
+  const SchlickWeights<double> w{0.2, 0.7, 0.3};
+  const auto back = SchlickWeights<double>::from_linear(w.linear());
+  EXPECT_NEAR(back.ks, w.ks, 1e-16);
+  EXPECT_NEAR(back.f0, w.f0, 1e-16);
+  const auto none = SchlickWeights<double>::from_linear({0.2, 0, 0});
+  EXPECT_EQ(none.f0, 0.04) << "f0 of a lobe without weight is the table's default";
+}
+
+TEST(Materials, SumTheirTermsAndTurnWithTheTangent) {
+  Material m = make_material(ward{}, {"y"});
+  m.terms[0].shape[0] = {0.1, 0.4};
+  const Vec3<double> wi = direction(0.5, 0.3), wo = direction(0.6, 3.0);
+  double plain = 0, turned = 0, twice = 0;
+  eval(m, wi, wo, {&plain, 1});
+  m.terms[0].tangent_phi = 0.8;
+  eval(m, direction(0.5, 0.3 + 0.8), direction(0.6, 3.0 + 0.8), {&turned, 1});
+  EXPECT_NEAR(turned, plain, 1e-14 * plain);
+  m.terms[0].tangent_phi = 0;
+  m.terms.push_back(m.terms[0]);
+  eval(m, wi, wo, {&twice, 1});
+  EXPECT_EQ(twice, 2 * plain);
+}
+
+}  // namespace
+}  // namespace brdf
