@@ -25,6 +25,8 @@ struct Field {
   T P::*member;
   ParameterInfo info;
 };
+template <class P, class T>
+Field(T P::*, ParameterInfo) -> Field<P, T>;
 
 // Parameters of a form: `fields()` lists every member, in order.
 template <class P>
