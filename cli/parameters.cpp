@@ -1,0 +1,160 @@
+#include "cli/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/material_file.h"
+#include "io/text.h"
+
+namespace brdf::cli {
+namespace {
+
+std::vector<std::string> channel_names(std::size_t count) {
+  if (count == 1) return {"fr"};
+  if (count == 3) return {"r", "g", "b"};
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < count; ++k) names.push_back("c" + std::to_string(k));
+  return names;
+}
+
+[[noreturn]] void refuse(const Setting& setting, const std::string& rule) {
+  throw InputError("--set " + setting.name + ": " + rule);
+}
+
+void check_range(const Setting& setting, double min, double max) {
+  for (const double value : setting.values)
+    if (!(value >= min && value <= max))
+      refuse(setting,
+             io::to_text(value) + " must be between " + io::to_text(min) + " and " + io::to_text(max));
+}
+
+// The setting's value for each of `channels` channels.
+std::vector<double> per_channel(const Setting& setting, std::size_t channels) {
+  if (setting.values.size() == 1) return std::vector(channels, setting.values[0]);
+  if (setting.values.size() != channels)
+    refuse(setting,
+           std::to_string(setting.values.size()) + " values for " + std::to_string(channels) + " channels");
+  return setting.values;
+}
+
+void set_weight(Term& term, std::size_t index, const Setting& setting) {
+  const ParameterInfo& p = info(term.form).weights[index];
+  check_range(setting, p.min, p.max);
+  const std::vector<double> values = per_channel(setting, term.weights.size());
+  for (std::size_t c = 0; c < values.size(); ++c) term.weights[c][index] = values[c];
+}
+
+void set_shape(Term& term, std::size_t index, const Setting& setting) {
+  const ParameterInfo& p = info(term.form).shape[index];
+  check_range(setting, p.min, p.max);
+  const std::vector<double> values = per_channel(setting, term.weights.size());
+  if (setting.values.size() > 1 && term.shape.size() == 1) {
+    const std::vector<double> shared = term.shape[0];
+    term.shape.assign(values.size(), shared);
+  }
+  for (std::size_t s = 0; s < term.shape.size(); ++s) term.shape[s][index] = values[s];
+}
+
+// False where the term has no such parameter.
+bool apply(Term& term, const Setting& setting) {
+  const FormInfo& table = info(term.form);
+  if (setting.name == "alpha" && table.anisotropic()) {
+    for (const char* name : {"alpha_x", "alpha_y"})
+      set_shape(term, static_cast<std::size_t>(table.shape_index(name)), setting);
+    return true;
+  }
+  if (setting.name == "tangent_phi" && table.anisotropic()) {
+    check_range(setting, -180, 180);
+    if (setting.values.size() != 1) refuse(setting, "takes one value");
+    term.tangent_phi = setting.values[0] * (kPi / 180);
+    return true;
+  }
+  if (const int k = table.weight_index(setting.name); k >= 0) {
+    set_weight(term, static_cast<std::size_t>(k), setting);
+    return true;
+  }
+  if (const int k = table.shape_index(setting.name); k >= 0) {
+    set_shape(term, static_cast<std::size_t>(k), setting);
+    return true;
+  }
+  return false;
+}
+
+std::string known_parameters(const Material& material) {
+  std::vector<std::string_view> known;
+  const auto add = [&](std::string_view name) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+  };
+  for (const Term& term : material.terms) {
+    const FormInfo& table = info(term.form);
+    for (const ParameterInfo& p : table.weights) add(p.name);
+    for (const ParameterInfo& p : table.shape) add(p.name);
+    if (table.anisotropic()) {
+      add("alpha");
+      add("tangent_phi");
+    }
+  }
+  std::string text;
+  for (const std::string_view name : known) (text += text.empty() ? "" : ", ") += name;
+  return text;
+}
+
+}  // namespace
+
+AnyForm require_form(const std::string& name) {
+  if (const auto form = find_form(name)) return *form;
+  std::string known;
+  for_each_form([&](auto form) { (known += known.empty() ? "" : ", ") += form.name; });
+  throw InputError("'" + name + "' is no form (known: " + known + ")");
+}
+
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option) {
+  std::vector<Setting> settings;
+  std::vector<std::string_view> fields;
+  for (const std::string& text : texts) {
+    const auto refused = [&](const std::string& rule) {
+      return InputError(std::string(option) + " '" + text + "': " + rule);
+    };
+    const std::size_t equals = text.find('=');
+    if (equals == text.npos || equals == 0) throw refused("must be name=value or name=value,value,...");
+    Setting setting{std::string(io::trimmed(std::string_view(text).substr(0, equals))), {}};
+    io::split(std::string_view(text).substr(equals + 1), ',', fields);
+    for (const std::string_view field : fields) {
+      double value;
+      if (!io::parse_number(field, value) || !std::isfinite(value))
+        throw refused("'" + std::string(field) + "' is not a finite number");
+      setting.values.push_back(value);
+    }
+    const auto same = [&](const Setting& s) { return s.name == setting.name; };
+    if (std::any_of(settings.begin(), settings.end(), same)) throw refused("is set twice");
+    settings.push_back(std::move(setting));
+  }
+  return settings;
+}
+
+void apply_settings(Material& material, const std::vector<Setting>& settings) {
+  for (const Setting& setting : settings) {
+    bool known = false;
+    for (Term& term : material.terms) known |= apply(term, setting);
+    if (!known) refuse(setting, "no such parameter (known: " + known_parameters(material) + ")");
+  }
+}
+
+Material choose_material(const MaterialChoice& choice) {
+  if (choice.form.empty() == choice.material.empty())
+    throw InputError("exactly one of --form and --material must be given");
+  const std::vector<Setting> settings = parse_settings(choice.set, "--set");
+  Material material;
+  if (!choice.material.empty()) {
+    material = io::read_material(choice.material);
+  } else {
+    std::size_t channels = 1;
+    for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
+    material = make_material(require_form(choice.form), channel_names(channels));
+  }
+  apply_settings(material, settings);
+  return material;
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brdf/material.h"
+
+namespace brdf::cli {
+
+// One `name=value` or `name=value,value,...` of the command line.
+struct Setting {
+  std::string name;
+  std::vector<double> values;
+};
+
+// Parses settings as given to `option` (named in messages). Throws InputError.
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option);
+
+// How a verb is told about a material: --form or --material, and --set.
+struct MaterialChoice {
+  std::string form;
+  std::string material;          // path of a material's JSON
+  std::vector<std::string> set;  // name=value
+};
+
+// The material chosen. Of a form: the table's defaults with one channel, "fr", or as many as the longest list
+// of values has (three are r, g, b). Throws InputError on an unknown form or parameter, a value out of range,
+// a wrong count, or when not exactly one of form and material is given.
+Material choose_material(const MaterialChoice& choice);
+
+// Applies settings to every term that has the parameter: alpha sets alpha_x and alpha_y, tangent_phi is in
+// degrees.
+void apply_settings(Material& material, const std::vector<Setting>& settings);
+
+// The form of that name. Throws InputError that lists the known ones.
+AnyForm require_form(const std::string& name);
+
+}  // namespace brdf::cli

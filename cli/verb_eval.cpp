@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/options.h"
+#include "cli/verbs.h"
+#include "io/error.h"
+#include "io/provenance.h"
+#include "io/samples.h"
+
+namespace brdf::cli {
+namespace {
+
+// Adds the material's values as columns f or f_<channel>.
+void add_values(io::SampleTable& table, const Material& material, bool cosine) {
+  const std::size_t first = table.channels.size(), count = material.channels.size();
+  for (const std::string& channel : material.channels) {
+    const std::string name = count == 1 ? "f" : "f_" + channel;
+    if (std::find(table.channels.begin(), table.channels.end(), name) != table.channels.end())
+      throw InputError(table.source + ": has a column '" + name + "' already");
+    table.channels.push_back(name);
+    table.values.emplace_back(table.rows());
+  }
+  table.sigma.resize(table.channels.size());
+  const io::UnitDirections d = io::unit_directions(table);
+  std::vector<double> values(count);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
+    if (cosine)
+      eval_cos(material, wi, wo, values);
+    else
+      eval(material, wi, wo, values);
+    for (std::size_t c = 0; c < count; ++c) table.values[first + c][k] = values[c];
+  }
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app) {
+  struct Options {
+    MaterialChoice material;
+    std::string directions, output;
+    bool cosine = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("eval", "Evaluate a material at given directions");
+  add_material_options(*verb, options->material);
+  verb->add_option("DIRECTIONS", options->directions, "CSV with theta_i,phi_i,theta_o,phi_o in degrees")
+      ->required();
+  verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
+  verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
+  verb->footer("Example: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv");
+  on_run(*verb, [options] {
+    const Material material = choose_material(options->material);
+    io::SampleTable table = io::read_directions(options->directions);
+    add_values(table, material, options->cosine);
+    for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));
+    if (options->output.empty())
+      io::write_samples(std::cout, table);
+    else
+      io::write_samples(options->output, table);
+    return Exit::kGood;
+  });
+}
+
+}  // namespace brdf::cli

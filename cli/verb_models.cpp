@@ -1,0 +1,107 @@
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "cli/parameters.h"
+#include "cli/verbs.h"
+#include "io/json.h"
+#include "io/text.h"
+
+namespace brdf::cli {
+namespace {
+
+io::Json parameter_json(const ParameterInfo& p, const char* kind) {
+  io::Json json;
+  json["name"] = p.name;
+  json["kind"] = kind;
+  json["min"] = p.min;
+  json["max"] = p.max;
+  json["default"] = p.initial;
+  json["usual_max"] = p.usual_max;
+  json["unit"] = p.unit;
+  json["log_scale"] = p.log_scale;
+  json["doc"] = p.doc;
+  return json;
+}
+
+io::Json form_json(const FormInfo& form) {
+  io::Json json;
+  json["form"] = form.name;
+  json["family"] = form.family;
+  json["fittable"] = form.fittable;
+  json["canonical"] = form.canonical;
+  json["parameters"] = io::Json::array();
+  for (const ParameterInfo& p : form.weights) json["parameters"].push_back(parameter_json(p, "weight"));
+  for (const ParameterInfo& p : form.shape) json["parameters"].push_back(parameter_json(p, "shape"));
+  json["known_violations"] = io::Json::array();
+  for (const Violation& v : form.violations) {
+    io::Json violation;
+    violation["check"] = v.check;
+    violation["statement"] = v.statement;
+    violation["witness"] = v.witness;
+    violation["theta"] = v.theta;
+    violation["value"] = v.value;
+    json["known_violations"].push_back(violation);
+  }
+  return json;
+}
+
+void print_list(const std::vector<FormInfo>& forms) {
+  for (const FormInfo& form : forms) {
+    std::cout << std::left << std::setw(28) << form.name << std::setw(15) << form.family
+              << (form.fittable ? "fittable " : "         ");
+    for (const auto table : {form.weights, form.shape})
+      for (const ParameterInfo& p : table) std::cout << ' ' << p.name;
+    std::cout << '\n';
+  }
+}
+
+void print_form(const FormInfo& form) {
+  std::cout << form.name << " (family " << form.family << (form.fittable ? ", fittable" : "") << ")\n";
+  const auto print = [](const ParameterInfo& p, const char* kind) {
+    std::cout << "  " << std::left << std::setw(10) << p.name << std::setw(7) << kind << std::setw(25)
+              << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
+              << (io::to_text(p.initial) + (p.unit.empty() ? "" : " " + std::string(p.unit))) << ' ' << p.doc
+              << '\n';
+  };
+  for (const ParameterInfo& p : form.weights) print(p, "weight");
+  for (const ParameterInfo& p : form.shape) print(p, "shape");
+  for (const Violation& v : form.violations)
+    std::cout << "  known violation, " << v.check << ": " << v.statement << " (" << v.witness << ": "
+              << io::to_text(v.value) << " at " << io::to_text(v.theta) << " degrees)\n";
+}
+
+}  // namespace
+
+void add_models(CLI::App& app) {
+  struct Options {
+    std::string form;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("models", "List the forms, their parameters and known violations");
+  verb->add_option("FORM", options->form, "One form, in detail");
+  verb->add_flag("--json", options->json, "JSON on stdout");
+  verb->footer("Example: brdf models ward");
+  on_run(*verb, [options] {
+    std::vector<FormInfo> forms;
+    if (!options->form.empty())
+      forms.push_back(info(require_form(options->form)));
+    else
+      for_each_form([&](auto form) { forms.push_back(info(form)); });
+    if (options->json) {
+      io::Json json;
+      json["forms"] = io::Json::array();
+      for (const FormInfo& form : forms) json["forms"].push_back(form_json(form));
+      std::cout << io::to_text(json);
+    } else if (options->form.empty()) {
+      print_list(forms);
+    } else {
+      print_form(forms[0]);
+    }
+    return Exit::kGood;
+  });
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "brdf/material.h"
+
+namespace brdf::io {
+
+// Reads a material's JSON (docs/formats.md). Throws InputError with file, JSON path, value and rule.
+// io/material_json.h has the rest: writing, the `fit` block, materials inside other documents.
+Material read_material(const std::filesystem::path& path);
+
+// Refuses parameters outside their table's range, wrong counts, empty or repeated channel names. `where`
+// opens the message.
+void check_material(const Material& material, const std::string& where);
+
+}  // namespace brdf::io

@@ -1,0 +1,211 @@
+#include "io/material_json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "io/error.h"
+#include "io/output.h"
+#include "io/text.h"
+
+namespace brdf::io {
+namespace {
+
+constexpr const char* kFormat = "brdf-material";
+constexpr int kVersion = 1;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// The shortest decimal in degrees that gives these radians back; the nearest one where none does.
+double to_degrees(double radians) {
+  const double exact = radians / kDegree;
+  for (int digits = 15; digits <= 17; ++digits) {
+    char text[40];
+    const auto end =
+        std::to_chars(text, text + sizeof text, exact, std::chars_format::scientific, digits - 1).ptr;
+    double rounded = exact;
+    std::from_chars(text, end, rounded);
+    if (rounded * kDegree == radians) return rounded;
+  }
+  for (const double near : {std::nextafter(exact, -1e9), std::nextafter(exact, 1e9)})
+    if (near * kDegree == radians) return near;
+  return exact;
+}
+
+std::vector<std::string> read_channels(const JsonPlace& place) {
+  std::vector<std::string> channels;
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    channels.push_back(place.at(k).text());
+    if (channels.back().empty()) place.at(k).fail("must not be empty");
+    if (std::find(channels.begin(), channels.end() - 1, channels.back()) != channels.end() - 1)
+      place.at(k).fail("names a channel twice");
+  }
+  if (channels.empty()) place.fail("must name at least one channel");
+  return channels;
+}
+
+void check_parameter_names(const JsonPlace& place, std::span<const ParameterInfo> table) {
+  if (!place.value().is_object()) place.fail("must be an object");
+  for (const auto& [key, value] : place.value().items()) {
+    const auto same = [&](const ParameterInfo& p) { return p.name == key; };
+    if (std::any_of(table.begin(), table.end(), same)) continue;
+    std::string known;
+    for (const ParameterInfo& p : table) (known += known.empty() ? "" : ", ") += p.name;
+    throw InputError(place.file() + ": " + place.path() + ": unknown key \"" + key +
+                     "\" (known: " + (known.empty() ? "none" : known) + ")");
+  }
+}
+
+// One value per channel; a single number stands for all of them.
+std::vector<double> read_values(const JsonPlace& place, const ParameterInfo& p, std::size_t channels) {
+  if (place.value().is_number()) return std::vector(channels, place.number(p.min, p.max));
+  if (place.size() != channels)
+    place.fail("must have one value per channel (" + std::to_string(channels) + ")");
+  std::vector<double> values;
+  for (std::size_t c = 0; c < channels; ++c) values.push_back(place.at(c).number(p.min, p.max));
+  return values;
+}
+
+Term read_term(const JsonPlace& place, const AnyForm& form, std::size_t channels) {
+  const FormInfo& table = info(form);
+  Term term{form, {}, std::vector<std::vector<double>>(channels), 0};
+  const JsonPlace weights = place.at("weights");
+  check_parameter_names(weights, table.weights);
+  for (const ParameterInfo& p : table.weights) {
+    const std::vector<double> values = read_values(weights.at(p.name), p, channels);
+    for (std::size_t c = 0; c < channels; ++c) term.weights[c].push_back(values[c]);
+  }
+  static const Json kNone = Json::object();
+  const bool has_shape = place.has("shape") || !table.shape.empty();
+  const JsonPlace shape = has_shape ? place.at("shape") : JsonPlace(kNone, place.file(), place.path());
+  check_parameter_names(shape, table.shape);
+  const auto is_array = [&](const ParameterInfo& p) { return shape.at(p.name).value().is_array(); };
+  const bool per_channel = std::any_of(table.shape.begin(), table.shape.end(), is_array);
+  term.shape.resize(per_channel ? channels : 1);
+  for (const ParameterInfo& p : table.shape) {
+    const std::vector<double> values = read_values(shape.at(p.name), p, channels);
+    for (std::size_t s = 0; s < term.shape.size(); ++s) term.shape[s].push_back(values[s]);
+  }
+  if (place.has("tangent_phi")) term.tangent_phi = place.at("tangent_phi").number(-180, 180) * kDegree;
+  return term;
+}
+
+void check_header(const JsonPlace& place) {
+  if (!place.value().is_object()) place.fail("must be an object");
+  if (place.has("format") && place.at("format").text() != kFormat)
+    place.at("format").fail(std::string("must be \"") + kFormat + "\"");
+  if (place.has("version") && place.at("version").number() != kVersion)
+    place.at("version").fail("must be " + std::to_string(kVersion));
+}
+
+AnyForm read_form(const JsonPlace& place) {
+  const std::string name = place.text();
+  if (const auto form = find_form(name)) return *form;
+  std::string known = "sum";
+  for_each_form([&](auto form) { (known += ", ") += form.name; });
+  place.fail("is no form (known: " + known + ")");
+}
+
+// A term of a sum: its channels may be left out.
+Term read_sum_term(const JsonPlace& place, std::vector<std::string>& channels) {
+  check_header(place);
+  if (place.at("form").value() == "sum") place.at("form").fail("must be a form: sums do not nest");
+  place.allow_keys({"format", "version", "form", "channels", "weights", "shape", "tangent_phi"});
+  const AnyForm form = read_form(place.at("form"));
+  if (place.has("channels") || channels.empty()) {
+    const std::vector<std::string> own = read_channels(place.at("channels"));
+    if (channels.empty()) channels = own;
+    if (own != channels) place.at("channels").fail("must be the same in every term");
+  }
+  return read_term(place, form, channels.size());
+}
+
+Json values_json(const std::vector<std::vector<double>>& sets, std::size_t parameter) {
+  Json values = Json::array();
+  for (const auto& set : sets) values.push_back(set[parameter]);
+  return values;
+}
+
+Json term_json(const Term& term, const std::vector<std::string>& channels) {
+  const FormInfo& table = info(term.form);
+  Json json;
+  json["form"] = table.name;
+  json["channels"] = channels;
+  json["weights"] = Json::object();
+  for (std::size_t k = 0; k < table.weights.size(); ++k)
+    json["weights"][std::string(table.weights[k].name)] = values_json(term.weights, k);
+  json["shape"] = Json::object();
+  for (std::size_t k = 0; k < table.shape.size(); ++k)
+    json["shape"][std::string(table.shape[k].name)] =
+        term.shape.size() == 1 ? Json(term.shape[0][k]) : values_json(term.shape, k);
+  json["tangent_phi"] = to_degrees(term.tangent_phi);
+  return json;
+}
+
+}  // namespace
+
+MaterialFile material_from_json(const JsonPlace& place) {
+  check_header(place);
+  MaterialFile file;
+  if (place.at("form").value() == "sum") {
+    place.allow_keys({"format", "version", "form", "channels", "terms", "fit"});
+    if (place.has("channels")) file.material.channels = read_channels(place.at("channels"));
+    const JsonPlace terms = place.at("terms");
+    if (terms.size() == 0) terms.fail("must hold at least one term");
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      file.material.terms.push_back(read_sum_term(terms.at(k), file.material.channels));
+  } else {
+    const AnyForm form = read_form(place.at("form"));
+    place.allow_keys({"format", "version", "form", "channels", "weights", "shape", "tangent_phi", "fit"});
+    file.material.channels = read_channels(place.at("channels"));
+    file.material.terms.push_back(read_term(place, form, file.material.channels.size()));
+  }
+  if (place.has("fit")) file.fit = place.at("fit").value();
+  return file;
+}
+
+MaterialFile read_material_file(const std::filesystem::path& path) {
+  const Json json = read_json(path);
+  const JsonPlace place(json, path.string());
+  if (!json.is_object()) place.fail("must be an object");
+  place.at("format");
+  place.at("version");
+  return material_from_json(place);
+}
+
+Material read_material(const std::filesystem::path& path) {
+  return read_material_file(path).material;
+}
+
+Json to_json(const Material& material) {
+  Json json;
+  json["format"] = kFormat;
+  json["version"] = kVersion;
+  if (material.terms.size() == 1) {
+    json.update(term_json(material.terms[0], material.channels));
+  } else {
+    json["form"] = "sum";
+    json["channels"] = material.channels;
+    json["terms"] = Json::array();
+    for (const Term& term : material.terms) json["terms"].push_back(term_json(term, material.channels));
+  }
+  return json;
+}
+
+Json to_json(const MaterialFile& file) {
+  Json json = to_json(file.material);
+  if (!file.fit.is_null()) json["fit"] = file.fit;
+  return json;
+}
+
+void write_material_file(const std::filesystem::path& path, const MaterialFile& file) {
+  check_material(file.material, path.string());
+  write_file_atomically(path, to_text(to_json(file)));
+}
+
+void check_material(const Material& material, const std::string& where) {
+  const Json json = to_json(material);
+  material_from_json(JsonPlace(json, where));
+}
+
+}  // namespace brdf::io
