@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "integrals/gauss_legendre.h"
+#include "integrals/integrand.h"
+
+namespace brdf {
+namespace integrals {
+namespace {
+
+constexpr std::array kOrders{6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
+constexpr int kFirstAccepted = 12;
+constexpr double kRounding = 4e-15;  // relative, of a sum of ten thousand terms of one sign
+
+using PanelRule = Sums (*)(const Integrand&, const FixedDirection&, int);
+
+double distance(double a, double b) {
+  return std::abs(a - b);
+}
+
+std::vector<AlbedoResult> escalate(PanelRule rule, Rule name, const Integrand& integrand,
+                                   const FixedDirection& fixed, const AlbedoOptions& options) {
+  std::vector<AlbedoResult> results(integrand.outputs());
+  std::vector<double> previous, before;
+  long evaluations = 0;
+  for (const int n : kOrders) {
+    const Sums sums = rule(integrand, fixed, n);
+    evaluations += sums.evaluations;
+    const std::vector<double> values = integrand.combine(sums.columns);
+    bool all = true;
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      const double change = previous.empty() ? HUGE_VAL : distance(values[k], previous[k]);
+      const double earlier = before.empty() ? HUGE_VAL : 0.1 * distance(previous[k], before[k]);
+      const double error = std::max(change, earlier) + kRounding * std::abs(values[k]);
+      results[k] = {values[k], error, evaluations,
+                    n >= kFirstAccepted && error <= options.tolerance * std::abs(values[k]), name};
+      if (values[k] == 0 && error == 0) results[k].converged = true;
+      all = all && results[k].converged;
+    }
+    // The next order costs about twice as much.
+    if (all || evaluations + 2 * sums.evaluations > options.max_evaluations) break;
+    before = std::move(previous);
+    previous = values;
+  }
+  return results;
+}
+
+std::vector<AlbedoResult> fixed_order(PanelRule rule, Rule name, const Integrand& integrand,
+                                      const FixedDirection& fixed, int n) {
+  const Sums sums = rule(integrand, fixed, n);
+  std::vector<AlbedoResult> results;
+  for (const double value : integrand.combine(sums.columns))
+    results.push_back({value, HUGE_VAL, sums.evaluations, false, name});
+  return results;
+}
+
+}  // namespace
+
+std::vector<AlbedoResult> integrate(const Integrand& integrand, const FixedDirection& fixed,
+                                    const AlbedoOptions& options) {
+  if (options.rule == Rule::adaptive)
+    return adaptive_rule(integrand, fixed, options.tolerance, options.max_evaluations);
+  const bool anisotropic = integrand.features().anisotropic();
+  const bool slope = options.rule == Rule::slope || anisotropic;
+  const PanelRule rule = slope ? slope_rule : pole_rule;
+  const Rule name = slope ? Rule::slope : Rule::pole;
+  if (options.order > 0) return fixed_order(rule, name, integrand, fixed, options.order);
+  return escalate(rule, name, integrand, fixed, options);
+}
+
+}  // namespace integrals
+
+namespace {
+
+using integrals::FixedDirection;
+using integrals::Integrand;
+
+FixedDirection fixed_direction(double theta, double phi) {
+  return {std::max(kPi / 2 - theta, 0.0), phi};
+}
+
+// Adds the term's albedo to the results of its channels.
+void add_term(const Term& term, double theta, double phi, const AlbedoOptions& options,
+              std::vector<AlbedoResult>& results) {
+  const std::size_t n = term.weights.size();
+  std::vector<std::vector<std::size_t>> groups;
+  if (term.shape.size() == 1) {
+    groups.emplace_back();
+    for (std::size_t c = 0; c < n; ++c) groups.front().push_back(c);
+  } else {
+    for (std::size_t c = 0; c < n; ++c) groups.push_back({c});
+  }
+  for (const auto& group : groups) {
+    const Integrand integrand(term, group, options.fixed);
+    const auto found =
+        integrals::integrate(integrand, fixed_direction(theta, phi - term.tangent_phi), options);
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      AlbedoResult& r = results[group[k]];
+      r.value += found[k].value;
+      r.error_bound += found[k].error_bound;
+      r.evaluations += found[k].evaluations;
+      r.converged = r.converged && found[k].converged;
+      r.rule = found[k].rule;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Rule> find_rule(std::string_view name) {
+  for (const Rule rule : {Rule::automatic, Rule::pole, Rule::slope, Rule::adaptive})
+    if (rule_name(rule) == name) return rule;
+  return std::nullopt;
+}
+
+std::string_view rule_name(Rule rule) {
+  switch (rule) {
+    case Rule::pole:
+      return "pole";
+    case Rule::slope:
+      return "slope";
+    case Rule::adaptive:
+      return "adaptive";
+    case Rule::automatic:
+      break;
+  }
+  return "automatic";
+}
+
+AlbedoResult directional_albedo(const Term& term, std::size_t channel, double theta, double phi,
+                                const AlbedoOptions& options) {
+  const Integrand integrand(term, {channel}, options.fixed);
+  return integrals::integrate(integrand, fixed_direction(theta, phi - term.tangent_phi), options).front();
+}
+
+std::vector<AlbedoResult> directional_albedo(const Material& material, double theta, double phi,
+                                             const AlbedoOptions& options) {
+  std::vector<AlbedoResult> results(material.channels.size(), {0, 0, 0, true, options.rule});
+  for (const Term& term : material.terms) add_term(term, theta, phi, options, results);
+  return results;
+}
+
+std::vector<AlbedoResult> lobe_albedos(const AnyForm& form, std::span<const double> shape, double theta,
+                                       double phi, const AlbedoOptions& options) {
+  const Integrand integrand(form, shape, options.fixed);
+  if (integrand.columns() == 0) return {};
+  return integrals::integrate(integrand, fixed_direction(theta, phi), options);
+}
+
+AlbedoResult average_albedo(const Term& term, std::size_t channel, const AlbedoOptions& options) {
+  const Integrand integrand(term, {channel}, options.fixed);
+  const bool anisotropic = integrand.features().anisotropic();
+  AlbedoOptions inner = options;
+  inner.tolerance = options.tolerance / 4;
+  inner.order = 0;
+  AlbedoResult result;
+  double previous = 0;
+  for (const int n : {8, 12, 16, 24, 32, 48, 64}) {
+    const auto& rule = integrals::gauss_legendre(n);
+    double sum = 0, bound = 0;
+    bool converged = true;
+    for (std::size_t k = 0; k < rule.node.size(); ++k) {
+      // Elevation e = pi/2 v^2: the albedo varies like a root of the cosine at the horizon. Four quadrants
+      // are alike for every form of the catalogue, so that one quarter turn of azimuths is enough.
+      const double v = rule.node[k], e = kPi / 2 * v * v;
+      const double weight = 2 * std::sin(e) * std::cos(e) * kPi * v * rule.weight[k];
+      const int turns = anisotropic ? n : 1;
+      for (int j = 0; j < turns; ++j) {
+        const double phi = anisotropic ? kPi / 2 * rule.node[std::size_t(j)] : 0;
+        const double share = anisotropic ? rule.weight[std::size_t(j)] : 1;
+        const auto r = integrals::integrate(integrand, {e, phi}, inner).front();
+        sum += weight * share * r.value;
+        bound += weight * share * r.error_bound;
+        converged = converged && r.converged;
+        result.evaluations += r.evaluations;
+        result.rule = r.rule;
+      }
+    }
+    result.error_bound = std::abs(sum - previous) + bound;
+    result.value = sum;
+    result.converged = n > 8 && converged && result.error_bound <= options.tolerance * std::abs(sum);
+    if (result.converged || result.evaluations > 50 * options.max_evaluations) break;
+    previous = sum;
+  }
+  return result;
+}
+
+}  // namespace brdf

@@ -1,0 +1,46 @@
+#include "integrals/gauss_legendre.h"
+
+#include <map>
+#include <mutex>
+
+#include "brdf/scalar.h"
+
+namespace brdf::integrals {
+namespace {
+
+GaussRule compute(int n) {
+  GaussRule rule{std::vector<double>(n), std::vector<double>(n)};
+  for (int k = 0; k < (n + 1) / 2; ++k) {
+    double x = std::cos(kPi * (k + 0.75) / (n + 0.5)), derivative = 1;
+    for (int step = 0; step < 100; ++step) {
+      double previous = 1, value = x;
+      for (int j = 2; j <= n; ++j) {
+        const double next = ((2 * j - 1) * x * value - (j - 1) * previous) / j;
+        previous = value;
+        value = next;
+      }
+      derivative = n * (x * value - previous) / (x * x - 1);
+      const double change = value / derivative;
+      x -= change;
+      if (std::abs(change) < 1e-16) break;
+    }
+    const double weight = 1 / ((1 - x * x) * derivative * derivative);
+    rule.node[k] = (1 - x) / 2;
+    rule.node[n - 1 - k] = (1 + x) / 2;
+    rule.weight[k] = rule.weight[n - 1 - k] = weight;
+  }
+  return rule;
+}
+
+}  // namespace
+
+const GaussRule& gauss_legendre(int n) {
+  static std::map<int, GaussRule> rules;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  auto found = rules.find(n);
+  if (found == rules.end()) found = rules.emplace(n, compute(n)).first;
+  return found->second;
+}
+
+}  // namespace brdf::integrals

@@ -1,0 +1,110 @@
+// What is integrated: f_r cos of one form's channels (or lobes) with one direction fixed.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "brdf/integrals.h"
+
+namespace brdf::integrals {
+
+enum class Kink {
+  none,
+  azimuth,      // where the azimuths are a right angle apart, and where the polar angles are equal
+  mirror_edge,  // where the mirror direction leaves the other's hemisphere
+  v_cavity,     // the minimum of Torrance and Sparrow's masking
+};
+
+// Where the integrand varies fast. Widths are read from the parameters alpha_x, alpha_y; a form without them
+// is measured at normal incidence, so that a new form needs to declare nothing unless it has kinks.
+struct Features {
+  double width_x = 1, width_y = 1;  // of the lobe, in the half vector's slope
+  bool root_at_horizon = false;     // f cos behaves as sqrt(cos) there
+  Kink kink = Kink::none;
+  bool anisotropic() const { return width_x != width_y; }
+};
+
+// The fixed direction. The elevation, not the polar angle, because accuracy is needed near grazing.
+struct FixedDirection {
+  double elevation, phi;
+};
+
+class Integrand {
+ public:
+  // Channels of a term whose shapes are equal.
+  Integrand(const Term& term, std::vector<std::size_t> channels, Fixed fixed);
+  // The lobes of a linear form.
+  Integrand(const AnyForm& form, std::span<const double> shape, Fixed fixed);
+
+  const Features& features() const { return features_; }
+  std::size_t columns() const { return columns_; }  // integrals done side by side
+  std::size_t outputs() const { return lobes_only_ ? columns_ : channels_.size(); }
+  // Outputs from the integrals of the columns.
+  std::vector<double> combine(std::span<const double> columns) const;
+
+  // f cos of column c at n moving unit directions: out[c n + j]. `fixed` in the tangent's frame.
+  void evaluate(const Vec3<double>& fixed, std::size_t n, const double* x, const double* y, const double* z,
+                double* out) const;
+
+ private:
+  AnyForm form_;
+  std::vector<double> shape_;
+  std::vector<std::vector<double>> weights_;  // of the channels, then of the first channel
+  std::vector<std::size_t> channels_;
+  Fixed fixed_;
+  bool lobes_only_ = false;
+  std::size_t columns_ = 0;
+  Features features_;
+};
+
+// Collects weighted directions and sums the integrand over them, a block at a time.
+class NodeSum {
+ public:
+  NodeSum(const Integrand& integrand, const Vec3<double>& fixed)
+      : integrand_(integrand),
+        fixed_(fixed),
+        out_(kBlock * integrand.columns()),
+        sums_(integrand.columns(), 0.0) {}
+
+  void add(double x, double y, double z, double weight) {
+    x_[used_] = x;
+    y_[used_] = y;
+    z_[used_] = z;
+    weight_[used_] = weight;
+    if (++used_ == kBlock) flush();
+  }
+  const std::vector<double>& sums() {
+    flush();
+    return sums_;
+  }
+  long evaluations() const { return evaluations_ + long(used_); }
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+  void flush();
+
+  const Integrand& integrand_;
+  Vec3<double> fixed_;
+  std::array<double, kBlock> x_, y_, z_, weight_;
+  std::size_t used_ = 0;
+  long evaluations_ = 0;
+  std::vector<double> out_, sums_;
+};
+
+struct Sums {
+  std::vector<double> columns;
+  long evaluations;
+};
+
+// The integrals with n points per panel and dimension.
+Sums pole_rule(const Integrand& integrand, const FixedDirection& fixed, int n);
+Sums slope_rule(const Integrand& integrand, const FixedDirection& fixed, int n);
+
+// One result per output.
+std::vector<AlbedoResult> adaptive_rule(const Integrand& integrand, const FixedDirection& fixed,
+                                        double tolerance, long max_evaluations);
+std::vector<AlbedoResult> integrate(const Integrand& integrand, const FixedDirection& fixed,
+                                    const AlbedoOptions& options);
+
+}  // namespace brdf::integrals

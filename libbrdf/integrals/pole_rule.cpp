@@ -1,0 +1,176 @@
+// Polar angle and azimuth about the mirror direction, phi = 0 the mirror plane.
+//
+// With D = theta - theta_o, the denominator of a lobe of width a is d + 4 sin sin_o sin^2(phi/2),
+// d = 4 cos^2((theta + theta_o)/2) (sin^2(D/2) + a^2 cos^2(D/2)): poles at phi = +-i eta and at
+// tan(D/2) = +-i a. Smith's root lies at tan(elevation) = +-i a; d and the correlated denominator also
+// vanish at theta = pi - theta_o. A map x = scale sinh(s) moves a pole at +-i scale to s = +-i pi/2.
+#include <algorithm>
+#include <cmath>
+
+#include "integrals/gauss_legendre.h"
+#include "integrals/integrand.h"
+
+namespace brdf::integrals {
+namespace {
+
+constexpr double kGrazing = 1e-11;  // elevations below this are the limit
+
+// A point of the outer integral, with the difference to the fixed polar angle where that is known exactly.
+struct Polar {
+  double elevation, delta;
+};
+
+// The azimuth in (0, pi) at which the integrand has a kink, or pi where it has none. Positive `gap` on one
+// side of the outer break points, negative on the other.
+struct RowKink {
+  double cosine;  // of the azimuth; outside (-1, 1) where this row has no kink
+  bool present() const { return cosine > -1 && cosine < 1; }
+};
+
+RowKink row_kink(Kink kind, double sin_i, double cos_i, double sin_o, double cos_o) {
+  const double ss = std::max(sin_i * sin_o, 1e-300);
+  switch (kind) {
+    case Kink::azimuth:
+      return {0};
+    case Kink::mirror_edge:
+      return {-cos_i * cos_o / ss};
+    case Kink::v_cavity:  // |h|^2 = 4 h_z min(cos): the edge of G = 1
+      return {(1 + cos_i * cos_o - 2 * (cos_i + cos_o) * std::min(cos_i, cos_o)) / ss};
+    case Kink::none:
+      break;
+  }
+  return {2};
+}
+
+class PoleRule {
+ public:
+  PoleRule(const Integrand& integrand, const FixedDirection& fixed, int n)
+      : features_(integrand.features()),
+        a_(features_.width_x),
+        e_o_(std::max(fixed.elevation, 0.0)),
+        sin_o_(std::cos(e_o_)),
+        cos_o_(std::sin(e_o_)),
+        rule_(gauss_legendre(n)),
+        sum_(integrand, {-sin_o_, 0, cos_o_}) {}
+
+  Sums run() {
+    const double theta_o = kPi / 2 - e_o_;
+    const bool limit = e_o_ < kGrazing;
+    // From the normal to theta_o.
+    const double b = limit ? a_ : std::min(a_, std::tan(e_o_));
+    outer(-std::asinh(std::tan(theta_o / 2) / b), 0, false, [&](double s, double& jacobian) {
+      const double t = b * std::sinh(s);
+      jacobian = 2 * b * std::cosh(s) / (1 + t * t);
+      const double delta = 2 * std::atan(t);
+      return Polar{e_o_ - delta, delta};
+    });
+    if (limit) return {sum_.sums(), sum_.evaluations()};
+    // From theta_o half way to the horizon, and from the horizon up to there.
+    outer(0, std::asinh(std::tan(e_o_ / 4) / a_), false, [&](double s, double& jacobian) {
+      const double t = a_ * std::sinh(s);
+      jacobian = 2 * a_ * std::cosh(s) / (1 + t * t);
+      const double delta = 2 * std::atan(t);
+      return Polar{e_o_ - delta, delta};
+    });
+    outer(0, std::asinh(std::tan(e_o_ / 2) / a_), features_.root_at_horizon, [&](double s, double& jacobian) {
+      const double t = a_ * std::sinh(s);
+      jacobian = a_ * std::cosh(s) / (1 + t * t);
+      const double e = std::atan(t);
+      return Polar{e, e_o_ - e};
+    });
+    return {sum_.sums(), sum_.evaluations()};
+  }
+
+ private:
+  // Integrates over s in [low, high], split where the rows' kinks appear or vanish.
+  template <class Map>
+  void outer(double low, double high, bool root_low, Map&& map) {
+    if (!(high > low)) return;
+    std::vector<double> breaks{low};
+    if (features_.kink == Kink::mirror_edge || features_.kink == Kink::v_cavity)
+      add_breaks(low, high, map, breaks);
+    breaks.push_back(high);
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+      const double s0 = breaks[k], length = breaks[k + 1] - s0;
+      const bool at_low = k == 0 ? root_low : true, at_high = k + 2 < breaks.size();
+      unit_panel(rule_, at_low, at_high, [&](double v, double weight) {
+        double jacobian;
+        const Polar p = map(s0 + length * v, jacobian);
+        row(p, weight * length * jacobian);
+      });
+    }
+  }
+
+  // Where the kink's azimuth reaches 0 or pi: sign changes of cosine -+ 1, bracketed on a grid and bisected.
+  template <class Map>
+  void add_breaks(double low, double high, Map&& map, std::vector<double>& breaks) const {
+    const auto excess = [&](double s, double target) {
+      double jacobian;
+      const Polar p = map(s, jacobian);
+      const double sin_i = std::cos(p.elevation), cos_i = std::sin(p.elevation);
+      return row_kink(features_.kink, sin_i, cos_i, sin_o_, cos_o_).cosine - target;
+    };
+    constexpr int kGrid = 128;
+    for (const double target : {-1.0, 1.0}) {
+      double left = low, value = excess(low, target);
+      for (int k = 1; k <= kGrid; ++k) {
+        const double right = low + (high - low) * k / kGrid, next = excess(right, target);
+        if ((value < 0) != (next < 0)) breaks.push_back(bisect(left, right, value < 0, excess, target));
+        left = right;
+        value = next;
+      }
+    }
+    std::sort(breaks.begin(), breaks.end());
+  }
+
+  template <class Excess>
+  static double bisect(double left, double right, bool negative_left, Excess&& excess, double target) {
+    for (int step = 0; step < 60; ++step) {
+      const double middle = (left + right) / 2;
+      if ((excess(middle, target) < 0) == negative_left)
+        left = middle;
+      else
+        right = middle;
+    }
+    return (left + right) / 2;
+  }
+
+  void row(const Polar& p, double weight) {
+    const double sin_i = std::cos(p.elevation), cos_i = std::sin(p.elevation);
+    const double sd = std::sin(p.delta / 2), cd = std::cos(p.delta / 2);
+    const double d = 4 * square(std::sin((p.elevation + e_o_) / 2)) * (sd * sd + a_ * a_ * cd * cd);
+    const double ratio = std::sqrt(d / std::max(4 * sin_i * sin_o_, 1e-300));
+    const double eta = std::min(2 * std::asinh(ratio), 1e6);  // theta_o = 0: every azimuth is alike
+    const double s_end = std::asinh(kPi / eta);
+    const RowKink kink = row_kink(features_.kink, sin_i, cos_i, sin_o_, cos_o_);
+    const double s_kink = kink.present() ? std::asinh(std::acos(kink.cosine) / eta) : s_end;
+    // The row is even in phi: twice [0, pi].
+    panel(0, s_kink, eta, sin_i, cos_i, 2 * weight * sin_i);
+    if (s_kink < s_end) panel(s_kink, s_end, eta, sin_i, cos_i, 2 * weight * sin_i);
+  }
+
+  void panel(double s0, double s1, double eta, double sin_i, double cos_i, double weight) {
+    // At the edge of a cosine lobe x^n is no polynomial: five powers more make it nearly one.
+    const int power = features_.kink == Kink::mirror_edge ? 6 : 1;
+    for (std::size_t k = 0; k < rule_.node.size(); ++k) {
+      const double u = 1 - rule_.node[k], lower = power == 1 ? 1 : std::pow(u, power - 1);
+      const double s = s1 - (s1 - s0) * u * lower;
+      const double phi = eta * std::sinh(s);
+      sum_.add(sin_i * std::cos(phi), sin_i * std::sin(phi), cos_i,
+               weight * rule_.weight[k] * power * lower * (s1 - s0) * eta * std::cosh(s));
+    }
+  }
+
+  const Features features_;
+  const double a_, e_o_, sin_o_, cos_o_;
+  const GaussRule& rule_;
+  NodeSum sum_;
+};
+
+}  // namespace
+
+Sums pole_rule(const Integrand& integrand, const FixedDirection& fixed, int n) {
+  return PoleRule(integrand, fixed, n).run();
+}
+
+}  // namespace brdf::integrals

@@ -1,0 +1,171 @@
+// The slopes (p, q) of the half vector (p, q, 1): a lobe of the half vector stands at the origin, and the
+// directions above the horizon fill the disc around (o_x, o_y)/o_z with radius 1/o_z.
+//
+// The outer variable p is the axis of the smaller width. At fixed p a lobe's poles are at
+// q = +-i width_q sqrt(1 + (p/width_p)^2), afterwards at p = +-i width_p; Smith's root lies within the width
+// of the horizon, and where the horizon's circle crosses the ridge q = 0 the outer integrand has another near
+// pole. Each is an end of a panel, mapped by sinh with its scale.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "integrals/gauss_legendre.h"
+#include "integrals/integrand.h"
+#include "integrals/v_cavity.h"
+
+namespace brdf::integrals {
+namespace {
+
+constexpr double kGrazing = 1e-11;
+
+struct End {
+  double at, scale;
+  bool root;
+};
+
+class SlopeRule {
+ public:
+  SlopeRule(const Integrand& integrand, const FixedDirection& fixed, int n)
+      : features_(integrand.features()),
+        swapped_(features_.width_y < features_.width_x),
+        wp_(std::min(features_.width_x, features_.width_y)),
+        wq_(std::max(features_.width_x, features_.width_y)),
+        oz_(std::max(std::sin(fixed.elevation), kMinCosine<double>)),
+        rule_(gauss_legendre(n)),
+        sum_(integrand, direction_of(fixed)) {
+    const Vec3<double> o = direction_of(fixed);
+    ox_ = swapped_ ? o.y : o.x;
+    oy_ = swapped_ ? o.x : o.y;
+  }
+
+  Sums run() {
+    const std::vector<End> ends = outer_ends();
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      segment(ends[k], ends[k + 1], [&](double p, double, double, double weight) { row(p, weight); });
+    return {sum_.sums(), sum_.evaluations()};
+  }
+
+ private:
+  static Vec3<double> direction_of(const FixedDirection& d) {
+    const double s = std::cos(d.elevation);
+    return {s * std::cos(d.phi), s * std::sin(d.phi), std::sin(d.elevation)};
+  }
+
+  // visit(x, x - low, high - x, weight), the distances without cancellation.
+  template <class Visit>
+  void segment(const End& low, const End& high, Visit&& visit) const {
+    const double length = high.at - low.at, half = length / 2;
+    if (!(length > 0)) return;
+    graded_panel(rule_, half, low.scale, low.root,
+                 [&](double d, double w) { visit(low.at + d, d, length - d, w); });
+    graded_panel(rule_, half, high.scale, high.root,
+                 [&](double d, double w) { visit(high.at - d, length - d, d, w); });
+  }
+
+  // Width of the lobe along q at this p, never beyond the scale on which the half vector itself turns.
+  double ridge_width(double p) const {
+    return std::min(wq_ * std::sqrt(1 + square(p / wp_)), std::sqrt(1 + p * p));
+  }
+
+  // The cosine on which masking varies at the horizon, for the moving direction of slopes (p, q).
+  double horizon_cosine(double p, double q) const {
+    const double scale = 2 * (oz_ + ox_ * p + oy_ * q) / (1 + p * p + q * q);
+    const double x = scale * p - ox_, y = scale * q - oy_;
+    const double width = std::sqrt(square(wp_ * x) + square(wq_ * y));
+    return std::max(oz_ < kGrazing ? width : std::min(width, oz_), 1e-14);
+  }
+
+  std::vector<End> outer_ends() const {
+    // The disc's extent, by the stable one of the two forms of each root.
+    const double across = oy_ * oy_ + oz_ * oz_;
+    const double p_low = ox_ <= 0 ? -(1 - ox_) / oz_ : -(across / (1 + ox_)) / oz_;
+    const double p_high = ox_ >= 0 ? (1 + ox_) / oz_ : (across / (1 - ox_)) / oz_;
+    std::vector<End> ends{{p_low, edge_scale(p_low), true}, {0, wp_, false}};
+    const double along = std::hypot(ox_, oz_);
+    for (const double sign : {-1.0, 1.0}) {
+      // The circle crosses q = 0 at the roots of o_z (p^2 - 1) - 2 o_x p.
+      const double p = ox_ * sign >= 0 ? (ox_ + sign * along) / oz_ : -oz_ / (ox_ - sign * along);
+      if (p > p_low && p < p_high) {
+        const double steepness = std::abs(oy_) / along;
+        ends.push_back({p, std::max(ridge_width(p) * steepness, 1e-14 * (1 + std::abs(p))), false});
+      }
+    }
+    if (features_.kink == Kink::v_cavity)
+      for (const double p : v_cavity_breaks(ox_, oy_, oz_, p_low, p_high)) ends.push_back({p, 1e300, true});
+    ends.push_back({p_high, edge_scale(p_high), true});
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+    return ends;
+  }
+
+  // At the disc's left and right ends a row's length goes as the square root of the distance d.
+  double edge_scale(double p) const {
+    const double q = oy_ / oz_;
+    const double lobe = (square(ridge_width(p)) + q * q) * oz_ / 2;
+    const double horizon = horizon_cosine(p, q) * (1 + p * p + q * q) / 2;
+    return std::min(lobe, horizon);
+  }
+
+  void row(double p, double weight) {
+    // Roots of o_z q^2 - 2 o_y q + o_z (p^2 - 1) - 2 o_x p.
+    const double c = oz_ * (p * p - 1) - 2 * ox_ * p;
+    const double discriminant = oy_ * oy_ - oz_ * c;
+    if (!(discriminant > 0)) return;
+    const double t = oy_ + std::copysign(std::sqrt(discriminant), oy_);
+    double q_low = t / oz_, q_high = c / t;
+    if (q_high < q_low) std::swap(q_low, q_high);
+    const double length = q_high - q_low;
+    const bool root = features_.root_at_horizon;
+    const auto scale_at = [&](double q) {
+      const double slope = oz_ * length / (1 + p * p + q * q);  // of the moving cosine, at the horizon
+      return std::max(horizon_cosine(p, q) / slope, 1e-14 * length);
+    };
+    std::vector<End>& ends = row_ends_;
+    ends.assign({{q_low, scale_at(q_low), root}});
+    const double ridge = ridge_width(p);
+    if (q_low < 0 && q_high > 0) {
+      ends.push_back({0, ridge, false});
+    } else {  // the ridge lies outside: nothing varies faster than the distance to it
+      ends.front().scale = std::min(ends.front().scale, std::hypot(q_low, ridge));
+    }
+    if (features_.kink == Kink::v_cavity)
+      for (const double q : v_cavity_kinks(ox_, oy_, oz_, p, q_low, q_high))
+        ends.push_back({q, 1e300, false});
+    ends.push_back({q_high, scale_at(q_high), root});
+    if (!(q_low < 0 && q_high > 0))
+      ends.back().scale = std::min(ends.back().scale, std::hypot(q_high, ridge));
+    if (ends.size() > 3)
+      std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const double before = ends[k].at - q_low, after = q_high - ends[k + 1].at;
+      segment(ends[k], ends[k + 1], [&](double q, double from_low, double to_high, double w) {
+        node(p, q, before + from_low, after + to_high, w * weight);
+      });
+    }
+  }
+
+  // The moving direction is the fixed one mirrored at the half vector; its solid angle is 4 o.h times h's.
+  void node(double p, double q, double from_low, double to_high, double weight) {
+    const double hz2 = 1 / (1 + p * p + q * q);
+    const double oh = oz_ + ox_ * p + oy_ * q;  // over h_z
+    const double scale = 2 * hz2 * oh;
+    const double x = scale * p - ox_, y = scale * q - oy_;
+    const double z = oz_ * hz2 * from_low * to_high;
+    sum_.add(swapped_ ? y : x, swapped_ ? x : y, z, weight * 4 * oh * hz2 * hz2);
+  }
+
+  const Features features_;
+  const bool swapped_;
+  const double wp_, wq_, oz_;
+  double ox_ = 0, oy_ = 0;
+  const GaussRule& rule_;
+  NodeSum sum_;
+  std::vector<End> row_ends_;
+};
+
+}  // namespace
+
+Sums slope_rule(const Integrand& integrand, const FixedDirection& fixed, int n) {
+  return SlopeRule(integrand, fixed, n).run();
+}
+
+}  // namespace brdf::integrals

@@ -1,0 +1,15 @@
+// Where the masking of V-cavities, G = min(1, 2 h_z o_z/(o.h), 2 h_z i_z/(o.h)), has its kinks, in the slopes
+// (p, q) of the half vector.
+#pragma once
+
+#include <vector>
+
+namespace brdf::integrals {
+
+// The q in (q_low, q_high) at which G changes branch at this p, ascending.
+std::vector<double> v_cavity_kinks(double ox, double oy, double oz, double p, double q_low, double q_high);
+
+// The p in (p_low, p_high) at which the number of kinks of a row changes, ascending.
+std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_low, double p_high);
+
+}  // namespace brdf::integrals
