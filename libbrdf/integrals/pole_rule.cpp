@@ -58,7 +58,8 @@ class PoleRule {
     const bool limit = e_o_ < kGrazing;
     // From the normal to theta_o.
     const double b = limit ? a_ : std::min(a_, std::tan(e_o_));
-    outer(-std::asinh(std::tan(theta_o / 2) / b), 0, false, [&](double s, double& jacobian) {
+    const bool root = limit && features_.kink == Kink::mirror_edge;  // the row goes as sin^n
+    outer(-std::asinh(std::tan(theta_o / 2) / b), 0, root, [&](double s, double& jacobian) {
       const double t = b * std::sinh(s);
       jacobian = 2 * b * std::cosh(s) / (1 + t * t);
       const double delta = 2 * std::atan(t);
