@@ -26,7 +26,9 @@ struct Violation {
   std::string_view statement;  // one line for people
   std::string_view witness;    // parameters as `--set` takes them, separated by spaces
   double theta;                // of the fixed direction, degrees
-  double value;                // what the check measures there
+  // What the check measures there. energy: the albedo with the light fixed; reciprocity: |f(wi, wo) - f(wo,
+  // wi)| over the larger of the two; non_negative: the lowest f, 1/sr.
+  double value;
 };
 using NoViolations = std::array<Violation, 0>;
 

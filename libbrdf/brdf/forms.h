@@ -18,7 +18,15 @@
 
 namespace brdf {
 
-using AnyForm = std::variant<lambert, oren_nayar, phong, blinn_phong, ward, cook_torrance>;
+using AnyForm =
+    std::variant<lambert,                                                                                 //
+                 oren_nayar, oren_nayar_full, oren_nayar_energy, oren_nayar_as_coded,                     //
+                 phong, phong_unnormalised, phong_classic, phong_as_coded,                                //
+                 blinn_phong, blinn_phong_n8, blinn_phong_unnormalised, blinn_phong_as_coded,             //
+                 ward, ward_duer, ward_bounded, ward_as_coded,                                            //
+                 cook_torrance, cook_torrance_beckmann, cook_torrance_dielectric, cook_torrance_vcavity,  //
+                 cook_torrance_1982, cook_torrance_schlick_ggx, cook_torrance_as_printed,
+                 cook_torrance_as_coded>;
 
 inline constexpr std::size_t kFormCount = std::variant_size_v<AnyForm>;
 

@@ -49,6 +49,58 @@ Fraction<S> v_smith_ggx(const Roughness<S>& a, const Geometry<G>& g) {
   return {S(0.5), g.cos_o * stretched_length(a, g.wi) + g.cos_i * stretched_length(a, g.wo)};
 }
 
+// exp(-tan^2): the Gaussian of the half vector's slope, scaled by the widths. 0 below e^-80 (float), e^-690
+// (double).
+template <class S, class G>
+S slope_gaussian(const Roughness<S>& a, const Geometry<G>& g) {
+  return math::exp(-(scaled_tangent2(a, g) / square(g.h.z)));
+}
+
+// Beckmann and Spizzichino 1963; Walter et al. 2007 eq. 25. (|h|^2/h_z^2)^2 is 1/cos^4, which overflows if
+// formed as a power of a normalised cosine.
+template <class S, class G>
+Fraction<S> d_beckmann(const Roughness<S>& a, const Geometry<G>& g) {
+  const G inverse = G(1) / square(g.h.z);
+  return {math::exp(-(scaled_tangent2(a, g) * inverse)) * square(g.h2 * inverse),
+          S(kPi) * a.alpha_x * a.alpha_y};
+}
+
+// cos Lambda(w) of Smith's masking for Beckmann slopes, exact and without cancellation:
+// e^(-s^2)/2 (a/sqrt(pi) - cos erfcx(s)), a = |(alpha_x x, alpha_y y)|, s = cos/a (beyond 10 it is 0 anyway).
+template <class S, class G>
+S cos_lambda_beckmann(const Roughness<S>& alpha, const Vec3<G>& w) {
+  const S a = math::sqrt(square(alpha.alpha_x * w.x) + square(alpha.alpha_y * w.y) + S(1e-30));
+  const S s = at_most(w.z / a, S(10));
+  return S(0.5) * math::exp(-(s * s)) * (a * S(0.56418958354775628695) - w.z * math::erfcx(s));
+}
+
+// Height-correlated Smith masking and shadowing for Beckmann slopes: 1/(1 + Lambda_i + Lambda_o).
+template <class S, class G>
+Fraction<S> v_smith_beckmann(const Roughness<S>& a, const Geometry<G>& g) {
+  return {S(0.25), g.cos_i * g.cos_o + g.cos_o * cos_lambda_beckmann(a, g.wi) +
+                       g.cos_i * cos_lambda_beckmann(a, g.wo)};
+}
+
+// Torrance and Sparrow 1967: long V-shaped cavities, G = min(1, 2 cos_h cos_o/cos_d, 2 cos_h cos_i/cos_d).
+// Scaled as D of GGX is: with Beckmann's D the product would leave float's range at double grazing.
+template <class G>
+Fraction<G> v_cavities(const Geometry<G>& g) {
+  const G scale(kDenominatorScale);
+  return {scale * smaller(g.h2, G(4) * g.h.z * smaller(g.cos_i, g.cos_o)),
+          scale * (G(4) * g.cos_i * g.cos_o * g.h2)};
+}
+
+// Schlick 1994 with k = (alpha + 1)^2/8 (Karis 2013, for analytic lights): G1 = cos/(cos (1 - k) + k). It is
+// not Smith's masking of any distribution. The geometric mean of the widths stands for alpha.
+template <class S>
+S k_schlick_ggx(const Roughness<S>& a) {
+  return S(0.125) * square(math::sqrt(a.alpha_x * a.alpha_y) + S(1));
+}
+template <class S, class G>
+Fraction<S> v_schlick_ggx(const S& k, const Geometry<G>& g) {
+  return {S(0.25), (g.cos_i * (S(1) - k) + k) * (g.cos_o * (S(1) - k) + k)};
+}
+
 // Schlick 1994: (1 - wi.h)^5, the factor of (1 - f0). The clamp: |h|/2 rounds above 1 where wi = wo.
 template <class G>
 G schlick(const Geometry<G>& g) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brdf/form.h"
+#include "brdf/forms/listing.h"
 
 namespace brdf {
 
@@ -29,6 +30,68 @@ struct blinn_phong {
     const S& n = shape.exponent;
     const S k = (n + S(2)) * (n + S(4)) / (S(8 * kPi) * (math::exp(n * S(-0.34657359027997265)) + n));
     return {S(1 / kPi), k * half_cosine_power(n, g)};
+  }
+};
+
+// With the popular approximate normalisation: f = kd/pi + ks (n+8)/(8 pi) (n.h)^n (Akenine-Moller, Haines and
+// Hoffman 2008). Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal.
+// Known violations: energy at normal incidence for every n > 0, at most 1.075201 at n = 8.764.
+struct blinn_phong_n8 {
+  static constexpr std::string_view name = "blinn_phong_n8";
+  static constexpr std::string_view family = "blinn_phong";
+  static constexpr std::array violations{Violation{"energy",
+                                                   "albedo above 1 at normal incidence, at most 1.0752",
+                                                   "kd=0 ks=1 exponent=8.764", 0, 1.075201}};
+  template <class T>
+  using Weights = LobeWeights<T>;
+  template <class T>
+  using Shape = Exponent<T>;
+
+  template <class S, class G>
+  static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
+    const S k = (shape.exponent + S(8)) * S(1 / (8 * kPi));
+    return {S(1 / kPi), k * half_cosine_power(shape.exponent, g)};
+  }
+};
+
+// As the thesis prints it: f = kd + ks (n.h)^n. Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal.
+// Known violations: energy; the diffuse term lacks 1/pi and integrates to pi kd, the lobe is not normalised.
+struct blinn_phong_unnormalised {
+  static constexpr std::string_view name = "blinn_phong_unnormalised";
+  static constexpr std::string_view family = "blinn_phong";
+  static constexpr std::array violations{
+      Violation{"energy", "the diffuse term integrates to pi kd", "kd=1 ks=0 exponent=20", 0, kPi}};
+  template <class T>
+  using Weights = LobeWeights<T>;
+  template <class T>
+  using Shape = Exponent<T>;
+
+  template <class S, class G>
+  static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
+    return {S(1), half_cosine_power(shape.exponent, g)};
+  }
+};
+
+// The thesis's listing: f cos_i = albedo/pi + (n.h)^5 F0 cos_i; the diffuse term has no cosine.
+// Symmetry: isotropic, not reciprocal. Known violations: reciprocity; energy, growing as 1/cos_i.
+struct blinn_phong_as_coded {
+  static constexpr std::string_view name = "blinn_phong_as_coded";
+  static constexpr std::string_view family = "blinn_phong";
+  static constexpr std::array violations{
+      Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
+                "albedo=1 metallic=1", 89.5, 115.001},
+      Violation{"reciprocity", "the diffuse term is divided by cos_i alone", "albedo=1 metallic=0", 89.5,
+                0.99113}};
+  template <class T>
+  using Weights = Albedo<T>;
+  template <class T>
+  using Shape = Metallic<T>;
+
+  template <class S, class G>
+  static S value_cos(const Weights<S>& w, const Weights<S>&, const Shape<S>& shape, const Geometry<G>& g) {
+    const G cos_h = g.h.z / (G(2) * g.cos_d);
+    const G cos_h5 = square(square(cos_h)) * cos_h;
+    return w.albedo * S(1 / kPi) + f0_as_coded(w, shape.metallic) * (cos_h5 * g.cos_i);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brdf/form.h"
+#include "brdf/forms/listing.h"
 
 namespace brdf {
 
@@ -19,8 +20,9 @@ G oren_nayar_azimuth(const Geometry<G>& g) {
 struct oren_nayar {
   static constexpr std::string_view name = "oren_nayar";
   static constexpr std::string_view family = "oren_nayar";
-  static constexpr std::array violations{Violation{
-      "energy", "albedo up to 1.0152 at rho 1, for sigma below .32613", "sigma=0.198533", 90, 1.015179}};
+  static constexpr std::array violations{Violation{"energy",
+                                                   "albedo up to 1.0152 at rho 1, for sigma below .32613",
+                                                   "rho=1 sigma=0.198533", 90, 1.015179}};
   template <class T>
   using Weights = DiffuseWeights<T>;
   template <class T>
@@ -32,6 +34,162 @@ struct oren_nayar {
     const S a = S(1) - S(0.5) * s2 / (s2 + S(0.33));
     const S b = S(0.45) * s2 / (s2 + S(0.09));
     return {S(1 / kPi) * (a + b * oren_nayar_azimuth(g))};
+  }
+};
+
+// sin(theta) from the tangential components: exact at both ends.
+template <class G>
+G sine(const Vec3<G>& w) {
+  return math::sqrt(square(w.x) + square(w.y));
+}
+
+// Oren and Nayar 1994, eq. 27 and 28: f = rho/pi L1 + rho^2/pi L2 with a, b the larger and smaller polar
+// angle,
+//   L1 = C1 + C2 cos(dphi) tan b + C3 (1 - |cos dphi|) tan((a+b)/2),  C1 = 1 - 0.5 s^2/(s^2 + 0.33),
+//   C2 = 0.45 s^2/(s^2 + 0.09) (sin a - [(2b/pi)^3 where cos(dphi) < 0]),
+//   C3 = 0.125 s^2/(s^2 + 0.09) (4ab/pi^2)^2,  L2 = 0.17 s^2/(s^2 + 0.13) (1 - cos(dphi) (2b/pi)^2).
+// Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy up to 1.0510 at rho 1
+// (sigma .304); L1 is negative towards double grazing for sigma > .664, so f is negative there for small rho.
+struct oren_nayar_full {
+  static constexpr std::string_view name = "oren_nayar_full";
+  static constexpr std::string_view family = "oren_nayar";
+  static constexpr std::array violations{
+      Violation{"energy", "albedo up to 1.0510 at rho 1 (sigma .304, towards 90 degrees)",
+                "rho=1 sigma=0.304", 89.5, 1.04704},
+      Violation{"non_negative", "the direct term is negative towards double grazing for sigma > .664",
+                "rho=0.41 sigma=1.5707963267948966", 89.5, -0.01723}};
+  template <class T>
+  using Weights = DiffuseWeights<T>;
+  template <class T>
+  using Shape = SlopeDeviation<T>;
+
+  // What f needs of the directions, free of cancellation.
+  template <class G>
+  struct Angles {
+    G facing;    // C2's factor over B: cos(dphi) tan b (sin a - ...)
+    G sideways;  // C3's factor over B/8: (4ab/pi^2)^2 (1 - |cos dphi|) tan((a+b)/2)
+    G multiple;  // cos(dphi) (2b/pi)^2
+  };
+  template <class G>
+  static Angles<G> angles(const Geometry<G>& g) {
+    const G tiny(1e-18);
+    const G sin_i = sine(g.wi), sin_o = sine(g.wo);
+    const G sin_a = larger(sin_i, sin_o), sin_b = smaller(sin_i, sin_o);
+    const G cos_a = smaller(g.cos_i, g.cos_o), cos_b = larger(g.cos_i, g.cos_o);
+    const G a = G(2 / kPi) * math::angle(sin_a, cos_a);
+    const G b = G(2 / kPi) * math::angle(sin_b, cos_b);
+    const G s = g.wi.x * g.wo.x + g.wi.y * g.wo.y;
+    const G cos_phi = s / at_least(sin_i * sin_o, tiny);
+
+    // sin a - b^3, over cos b: near grazing both are near 1, so their distances to 1 are subtracted.
+    const G b_left = G(2 / kPi) * math::angle(cos_b, sin_b);
+    const G steep = b_left * (G(1) + b + b * b) - square(cos_a) / (G(1) + sin_a);
+    const G back = select(sin_a < G(0.5), sin_a - b * b * b, steep);
+    const G away = s / (at_least(sin_a, tiny) * cos_b) * back;
+
+    // 1 - |cos dphi| = sin^2/(1 + |cos|); the cross product from sum and difference stays exact where the
+    // azimuths nearly agree, which is where tan((a+b)/2) is large.
+    const Vec3<G> d = g.wo - g.wi;
+    const G sin_phi = G(0.5) * (g.h.x * d.y - g.h.y * d.x) / at_least(sin_i * sin_o, tiny);
+    const G aside = square(sin_phi) / (G(1) + larger(cos_phi, -cos_phi));
+    return {select(s < G(0), away, s / cos_b), square(a * b) * aside * ((sin_i + sin_o) / g.h.z),
+            cos_phi * square(b)};
+  }
+
+  template <class S, class G>
+  static S value(const Weights<S>& w, const Weights<S>&, const Shape<S>& shape, const Geometry<G>& g) {
+    const Angles<G> t = angles(g);
+    const S s2 = square(shape.sigma);
+    const S b = s2 / (s2 + S(0.09));
+    const S direct = S(1) - S(0.5) * s2 / (s2 + S(0.33)) + b * (S(0.45) * t.facing + S(0.125) * t.sideways);
+    const S interreflected = S(0.17) * s2 / (s2 + S(0.13)) * (S(1) - t.multiple);
+    return S(1 / kPi) * w.rho * (direct + w.rho * interreflected);
+  }
+};
+
+template <class T>
+struct UnitRoughness {
+  T roughness;
+  static constexpr auto fields() {
+    return std::array{Field{&UnitRoughness::roughness, ParameterInfo{"roughness", 0, 1, 0.5, 1, "", false,
+                                                                     "0 for smooth, 1 for fully rough"}}};
+  }
+};
+
+// Fujii's form with the energy-preserving term: Portsmouth, Kutz and Hill 2024 (EON), r = roughness,
+//   f = rho/pi A (1 + r s/t) + rho_ms/pi (1 - E_i)(1 - E_o)/(1 - E_avg),  A = 1/(1 + c1 r),
+//   c1 = 1/2 - 2/(3 pi), c2 = 2/3 - 28/(15 pi), E_avg = A (1 + c2 r), rho_ms = rho^2 E_avg/(1 - rho (1 -
+//   E_avg)),
+// s = wi.wo - cos_i cos_o, t = max(cos_i, cos_o) where s > 0, else 1; E the exact albedo of the first term.
+// 1 - E = A r (c1 - G/pi) and 1 + s are formed without cancellation: nothing is 0/0.
+// Domain: roughness 0..1. Symmetry: isotropic, reciprocal. Albedo 1 at rho 1. Known violations: none.
+struct oren_nayar_energy {
+  static constexpr std::string_view name = "oren_nayar_energy";
+  static constexpr std::string_view family = "oren_nayar";
+  static constexpr NoViolations violations{};
+  template <class T>
+  using Weights = DiffuseWeights<T>;
+  template <class T>
+  using Shape = UnitRoughness<T>;
+
+  static constexpr double kC1 = 0.5 - 2 / (3 * kPi);
+  static constexpr double kC2 = 2.0 / 3 - 28 / (15 * kPi);
+
+  // pi c1 - G(theta): what the first term loses at that angle; proportional to the cosine towards grazing.
+  template <class G>
+  static G missing(const Vec3<G>& w, const G& c) {
+    const G s = sine(w);
+    return G(kPi / 2 - 2.0 / 3) * (c * c) / (G(1) + s) + s * math::angle(c, s) + s * s * c -
+           G(2.0 / 3) * s * c * (G(1) + s + s * s) / (G(1) + s);
+  }
+
+  template <class S, class G>
+  static S value(const Weights<S>& w, const Weights<S>&, const Shape<S>& shape, const Geometry<G>& g) {
+    const S& r = shape.roughness;
+    const G s = g.wi.x * g.wo.x + g.wi.y * g.wo.y;
+    const G below = G(0.5) * (square(g.h.x) + square(g.h.y) + square(g.cos_i) + square(g.cos_o));  // 1 + s
+    const S single = select(s < G(0), (S(1) - r) + r * below, S(1) + r * (s / larger(g.cos_i, g.cos_o)));
+    const S a = S(1) / (S(1) + S(kC1) * r);
+    const S average = a * (S(1) + S(kC2) * r);
+    const S rho_ms = square(w.rho) * average / (S(1) - w.rho * (a * r * S(kC1 - kC2)));
+    const G missed = missing(g.wi, g.cos_i) * missing(g.wo, g.cos_o) * G(1 / (kPi * kPi * (kC1 - kC2)));
+    return S(1 / kPi) * a * (w.rho * single + rho_ms * r * missed);
+  }
+};
+
+template <class T>
+struct LinearAlbedo {
+  T albedo;
+  static constexpr auto fields() {
+    return std::array{Field{&LinearAlbedo::albedo, ParameterInfo{"albedo", 0, kWeightMax, 0.5, 1, "", false,
+                                                                 "colour of the surface"}}};
+  }
+  std::array<T, 1> linear() const { return {albedo}; }
+  static LinearAlbedo from_linear(const std::array<T, 1>& w) { return {w[0]}; }
+};
+
+// The thesis's listing, with s = roughness^2: f = albedo/pi (C1 + C2)(1 + roughness/2),
+// C1 = 1 - 0.5 s^2/(s^2 + 0.33), C2 = 0.45 s^2/(s^2 + 0.09) c (1/max(cos_i, cos_o) where c >= 0),
+// c = wi.wo - cos_i cos_o. Domain: roughness 0..1. Symmetry: isotropic, reciprocal.
+// Known violations: energy, by the factor 1 + roughness/2: 1.15 at normal incidence (roughness .5).
+struct oren_nayar_as_coded {
+  static constexpr std::string_view name = "oren_nayar_as_coded";
+  static constexpr std::string_view family = "oren_nayar";
+  static constexpr std::array violations{Violation{"energy", "albedo above 1 by the factor 1 + roughness/2",
+                                                   "albedo=1 roughness=0.55", 89.5, 1.21904}};
+  template <class T>
+  using Weights = LinearAlbedo<T>;
+  template <class T>
+  using Shape = UnitRoughness<T>;
+
+  template <class S, class G>
+  static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
+    const S s2 = square(square(shape.roughness));
+    const G c = g.wi.x * g.wo.x + g.wi.y * g.wo.y;
+    const G azimuth = select(c < G(0), c, c / larger(g.cos_i, g.cos_o));
+    const S c1 = S(1) - S(0.5) * s2 / (s2 + S(0.33));
+    const S c2 = S(0.45) * s2 / (s2 + S(0.09)) * azimuth;
+    return {S(1 / kPi) * (c1 + c2) * (S(1) + S(0.5) * shape.roughness)};
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brdf/form.h"
+#include "brdf/forms/listing.h"
 
 namespace brdf {
 
@@ -30,6 +31,73 @@ struct phong {
   static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
     const S k = (shape.exponent + S(2)) * S(1 / (2 * kPi));
     return {S(1 / kPi), k * mirror_cosine_power(shape.exponent, g)};
+  }
+};
+
+// As the thesis prints it: f = kd/pi + ks (r.o)^n, without normalisation of the lobe.
+// Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal (r.o is symmetric).
+// Known violations: energy; the lobe reflects 2 pi/(n+2) at normal incidence, above 1 for n < 4.28.
+struct phong_unnormalised {
+  static constexpr std::string_view name = "phong_unnormalised";
+  static constexpr std::string_view family = "phong";
+  static constexpr std::array violations{
+      Violation{"energy", "lobe albedo 2 pi/(n+2) at normal incidence: above 1 for n < 4.28",
+                "kd=0 ks=1 exponent=0", 0, kPi}};
+  template <class T>
+  using Weights = LobeWeights<T>;
+  template <class T>
+  using Shape = Exponent<T>;
+
+  template <class S, class G>
+  static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
+    return {S(1 / kPi), mirror_cosine_power(shape.exponent, g)};
+  }
+};
+
+// Phong's 1975 shading as a BRDF: its lobe is not times the cosine, so f is the lobe over cos_i:
+// f = kd/pi + ks (n+1)/(2 pi) (r.o)^n / cos_i (Lewis 1994 discusses it).
+// Domain: exponent 0..1e6. Symmetry: isotropic, not reciprocal.
+// Known violations: reciprocity; energy with the light fixed: (n+1)/(n+2) at normal incidence, then growing
+// as 1/cos_i. (With the viewer fixed the albedo is 1 at normal incidence and 1/2 at grazing.)
+struct phong_classic {
+  static constexpr std::string_view name = "phong_classic";
+  static constexpr std::string_view family = "phong";
+  static constexpr std::array violations{
+      Violation{"energy", "albedo with the light fixed grows as 1/cos_i", "kd=0 ks=1 exponent=0", 89.5,
+                28.897},
+      Violation{"reciprocity", "divided by cos_i alone", "kd=0 ks=1 exponent=0", 89.5, 0.99127}};
+  template <class T>
+  using Weights = LobeWeights<T>;
+  template <class T>
+  using Shape = Exponent<T>;
+
+  template <class S, class G>
+  static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
+    const S k = (shape.exponent + S(1)) * S(1 / (2 * kPi));
+    return {S(1 / kPi), k * mirror_cosine_power(shape.exponent, g) / g.cos_i};
+  }
+};
+
+// The thesis's listing: f cos_i = albedo/pi + (n.r)^15 F0 cos_i. n.r is n.l, so the "highlight" does not
+// depend on the viewer, and the diffuse term has no cosine. Symmetry: isotropic, not reciprocal. Known
+// violations: reciprocity; energy: (albedo + pi F0 cos_i^16)/cos_i with the light fixed, 2 albedo + 2 pi/17
+// F0 with the viewer fixed.
+struct phong_as_coded {
+  static constexpr std::string_view name = "phong_as_coded";
+  static constexpr std::string_view family = "phong";
+  static constexpr std::array violations{
+      Violation{"energy", "the diffuse term is not times cos_i: albedo (albedo + pi F0 cos_i^16)/cos_i",
+                "albedo=1 metallic=1", 89.5, 114.593},
+      Violation{"reciprocity", "depends on cos_i alone", "albedo=0 metallic=0", 89.5, 1}};
+  template <class T>
+  using Weights = Albedo<T>;
+  template <class T>
+  using Shape = Metallic<T>;
+
+  template <class S, class G>
+  static S value_cos(const Weights<S>& w, const Weights<S>&, const Shape<S>& shape, const Geometry<G>& g) {
+    const G cos_i16 = square(square(square(square(g.cos_i))));
+    return w.albedo * S(1 / kPi) + f0_as_coded(w, shape.metallic) * cos_i16;
   }
 };
 

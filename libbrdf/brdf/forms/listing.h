@@ -1,0 +1,50 @@
+// What the thesis's shader listings (the `_as_coded` forms) share: their parameters and their F0 and kD.
+//
+// A listing returns shaded radiance. At radiance 1 and without its ambient term that value is f_r cos_i, so
+// these forms define value_cos. Nothing is clamped that the listing does not clamp.
+#pragma once
+
+#include "brdf/form.h"
+#include "brdf/microfacet.h"
+
+namespace brdf {
+
+template <class T>
+struct Albedo {
+  T albedo;
+  static constexpr auto fields() {
+    return std::array{
+        Field{&Albedo::albedo, ParameterInfo{"albedo", 0, 1, 0.5, 1, "", false, "colour of the surface"}}};
+  }
+};
+
+inline constexpr ParameterInfo kMetallicInfo{"metallic", 0,  1,     0,
+                                             1,          "", false, "0 for a dielectric, 1 for a metal"};
+
+template <class T>
+struct Metallic {
+  T metallic;
+  static constexpr auto fields() { return std::array{Field{&Metallic::metallic, kMetallicInfo}}; }
+};
+
+// F0 = lerp(0.03, albedo, metallic)
+template <class S>
+S f0_as_coded(const Albedo<S>& w, const S& metallic) {
+  return S(0.03) + metallic * (w.albedo - S(0.03));
+}
+
+// Schlick's Fresnel of that F0 at h.v
+template <class S, class G>
+S schlick_as_coded(const Albedo<S>& w, const S& metallic, const Geometry<G>& g) {
+  const S f0 = f0_as_coded(w, metallic);
+  return f0 + (S(1) - f0) * schlick(g);
+}
+
+// kD = (1 - F)(1 - metallic), assigned to a scalar in the listing: the red component is used for all
+// channels.
+template <class S, class G>
+S diffuse_share_as_coded(const Albedo<S>& first, const S& metallic, const Geometry<G>& g) {
+  return (S(1) - schlick_as_coded(first, metallic, g)) * (S(1) - metallic);
+}
+
+}  // namespace brdf
