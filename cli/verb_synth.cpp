@@ -1,0 +1,81 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "cli/options.h"
+#include "cli/verbs.h"
+#include "io/text.h"
+#include "synth/instrument.h"
+
+namespace brdf::cli {
+namespace {
+
+struct Options {
+  MaterialChoice material;
+  std::string grid = "hemisphere";
+  std::vector<double> azimuths;
+  synth::Instrument instrument;
+  std::string output;
+};
+
+void add_options(CLI::App& verb, Options& o) {
+  synth::Instrument& instrument = o.instrument;
+  add_material_options(verb, o.material);
+  verb.add_option("--grid", o.grid, "in_plane, hemisphere, merl or a CSV of directions; joined by +")
+      ->capture_default_str();
+  verb.add_option("--theta-i", instrument.grid.theta_i, "Incidences of in_plane and hemisphere, degrees")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb.add_option("--step", instrument.grid.step,
+                  "Detector step, degrees (default 1 in plane, 5 over the hemisphere)");
+  verb.add_option(
+          "--azimuths", o.azimuths,
+          "The sample is turned by each of these and measured again, degrees (default 0; 0,45,90 for an "
+          "anisotropic material)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb.add_option("--blind-zone", instrument.grid.blind_zone,
+                  "Leave out directions where detector and source are closer than this, degrees");
+  verb.add_option("--aperture", instrument.aperture, "The detector's full angular width, degrees");
+  verb.add_option("--source-aperture", instrument.source_aperture,
+                  "The source's full angular width, degrees");
+  verb.add_option("--noise", instrument.noise, "Log-normal noise: factor exp(s z - s^2/2), mean 1");
+  verb.add_option("--noise-floor", instrument.noise_floor, "Standard deviation of additive noise, 1/sr");
+  verb.add_option("--saturation", instrument.saturation, "Cut readings above this, 1/sr");
+  verb.add_flag("--clip-negatives", instrument.clip_negatives, "Set negative readings to 0");
+  verb.add_flag("--sigma-columns", instrument.sigma_columns, "Write the standard deviation of every value");
+  verb.add_option("--seed", instrument.seed, "Seed of the noise")->capture_default_str();
+  verb.add_option("-o,--output", o.output, "CSV to write")->required();
+  verb.footer(
+      "Example: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
+      "--noise 0.05 --seed 7 -o samples.csv");
+}
+
+Exit run(const Options& o) {
+  const Material material = choose_material(o.material);
+  synth::Instrument instrument = o.instrument;
+  std::vector<std::string_view> parts;
+  io::split(o.grid, '+', parts);
+  instrument.grid.parts.assign(parts.begin(), parts.end());
+  if (!o.azimuths.empty())
+    instrument.grid.azimuths = o.azimuths;
+  else if (synth::is_anisotropic(material))
+    instrument.grid.azimuths = {0, 45, 90};
+  const io::SampleTable table = synth::measure(material, instrument);
+  io::write_samples(o.output, table);
+  std::cerr << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
+            << o.output << '\n';
+  for (const std::string& warning : table.warnings) std::cerr << "brdf synth: warning: " << warning << '\n';
+  return Exit::kGood;
+}
+
+}  // namespace
+
+void add_synth(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("synth", "Measure a known material with a virtual goniophotometer");
+  add_options(*verb, *options);
+  on_run(*verb, [options] { return run(*options); });
+}
+
+}  // namespace brdf::cli

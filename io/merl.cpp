@@ -1,0 +1,193 @@
+#include "io/merl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+
+#include "brdf/vec3.h"
+#include "io/error.h"
+#include "io/output.h"
+
+namespace brdf::io::merl {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+struct SineCosine {
+  double sine, cosine;
+};
+
+template <std::size_t n, class Angle>
+std::array<SineCosine, n> table_of(Angle degrees) {
+  std::array<SineCosine, n> table;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double angle = degrees(static_cast<double>(k) + 0.5);
+    table[k] = {sin_degrees(angle), cos_degrees(angle)};
+  }
+  return table;
+}
+
+void to_polar(double x, double y, double z, double& theta, double& phi) {
+  theta = std::atan2(std::sqrt(x * x + y * y), z) / kDegree;
+  phi = std::atan2(y, x) / kDegree;
+  if (phi < 0) phi += 360.0;
+}
+
+std::size_t clamped(double index, int count) {
+  return static_cast<std::size_t>(std::clamp(static_cast<int>(index), 0, count - 1));
+}
+
+}  // namespace
+
+CellDirections cell_directions(std::size_t cell) {
+  static const auto half = table_of<kThetaHalf>([](double i) { return 90.0 * (i / 90.0) * (i / 90.0); });
+  static const auto difference = table_of<kThetaDifference>([](double j) { return j; });
+  static const auto azimuth = table_of<kPhiDifference>([](double k) { return k; });
+  const SineCosine& h = half[cell / (kPhiDifference * kThetaDifference)];
+  const SineCosine& d = difference[cell / kPhiDifference % kThetaDifference];
+  const SineCosine& p = azimuth[cell % kPhiDifference];
+  // The light in the frame of the half vector, turned to the surface's; the viewer is its mirror image.
+  const double x = d.sine * p.cosine, y = d.sine * p.sine, z = d.cosine;
+  CellDirections c;
+  to_polar(h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x, c.theta_i, c.phi_i);
+  to_polar(h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x, c.theta_o, c.phi_o);
+  return c;
+}
+
+std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o) {
+  Vec3<double> wi, wo;
+  unit_vector(theta_i, phi_i, wi.x, wi.y, wi.z);
+  unit_vector(theta_o, phi_o, wo.x, wo.y, wo.z);
+  const Vec3<double> sum = wi + wo;
+  const double length = std::sqrt(dot(sum, sum));
+  if (!(length > 0)) return kCells - 1;
+  const Vec3<double> h{sum.x / length, sum.y / length, sum.z / length};
+  const double sine = std::sqrt(h.x * h.x + h.y * h.y);
+  const double c = sine > 0 ? h.x / sine : 1.0, s = sine > 0 ? h.y / sine : 0.0;
+  // Into the frame of the half vector: its azimuth to 0, then its polar angle.
+  const double x = wi.x * c + wi.y * s, y = wi.y * c - wi.x * s;
+  const double dx = h.z * x - sine * wi.z, dz = sine * x + h.z * wi.z;
+  const double theta_h = std::atan2(sine, h.z) / kDegree;
+  const double theta_d = std::atan2(std::sqrt(dx * dx + y * y), dz) / kDegree;
+  double phi_d = std::atan2(y, dx) / kDegree;
+  if (phi_d < 0) phi_d += 180.0;
+  const std::size_t i = clamped(90.0 * std::sqrt(theta_h / 90.0), kThetaHalf);
+  const std::size_t j = clamped(theta_d, kThetaDifference);
+  const std::size_t k = clamped(phi_d, kPhiDifference);
+  return (i * kThetaDifference + j) * kPhiDifference + k;
+}
+
+void add_cell_directions(SampleTable& table) {
+  table.reserve(table.rows() + kCells);
+  for (std::size_t cell = 0; cell < kCells; ++cell) {
+    const CellDirections c = cell_directions(cell);
+    if (c.theta_i > 90 || c.theta_o > 90) continue;
+    table.theta_i.push_back(c.theta_i);
+    table.phi_i.push_back(c.phi_i);
+    table.theta_o.push_back(c.theta_o);
+    table.phi_o.push_back(c.phi_o);
+  }
+}
+
+SampleTable read(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::int32_t dimensions[3] = {};
+  in.read(reinterpret_cast<char*>(dimensions), sizeof dimensions);
+  SampleTable table;
+  table.source = path.string();
+  table.format = "merl";
+  table.channels = {"r", "g", "b"};
+  table.sigma.resize(3);
+  for (int c = 0; c < 3; ++c) {
+    std::vector<double>& plane = table.values.emplace_back(kCells);
+    in.read(reinterpret_cast<char*>(plane.data()), static_cast<std::streamsize>(kCells * sizeof(double)));
+  }
+  if (!in) throw InputError(table.source + ": the MERL file is shorter than its 90 x 90 x 180 x 3 cells");
+  table.reserve(kCells);
+  std::size_t kept = 0;
+  for (std::size_t cell = 0; cell < kCells; ++cell) {
+    const auto is_valid = [&](const std::vector<double>& plane) {
+      return plane[cell] >= 0 && std::isfinite(plane[cell]);
+    };
+    if (!std::all_of(table.values.begin(), table.values.end(), is_valid)) continue;
+    const CellDirections d = cell_directions(cell);
+    if (d.theta_i > 90 || d.theta_o > 90) continue;
+    table.theta_i.push_back(d.theta_i);
+    table.phi_i.push_back(d.phi_i);
+    table.theta_o.push_back(d.theta_o);
+    table.phi_o.push_back(d.phi_o);
+    for (std::size_t c = 0; c < 3; ++c) table.values[c][kept] = table.values[c][cell] * kScale[c];
+    ++kept;
+  }
+  for (auto& plane : table.values) plane.resize(kept);
+  table.skipped = kCells - kept;
+  if (kept == 0) throw InputError(table.source + ": the MERL file holds no valid cell");
+  table.warnings.push_back(std::to_string(table.skipped) + " of " + std::to_string(kCells) +
+                           " cells hold no value (negative, or below the horizon)");
+  return table;
+}
+
+bool recognises(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::file_size(path, error) != 12 + 3 * kCells * sizeof(double) || error) return false;
+  std::ifstream in(path, std::ios::binary);
+  std::int32_t dimensions[3] = {};
+  in.read(reinterpret_cast<char*>(dimensions), sizeof dimensions);
+  return in && dimensions[0] == kThetaHalf && dimensions[1] == kThetaDifference &&
+         dimensions[2] == kPhiDifference;
+}
+
+std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table) {
+  const std::size_t channels = table.channels.size();
+  if (channels != 1 && channels != 3)
+    throw InputError(table.source + ": a MERL file holds 3 channels, the table has " +
+                     std::to_string(channels));
+  std::vector<std::uint32_t> count(kCells);
+  std::vector<std::vector<double>> sum(channels, std::vector<double>(kCells));
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const std::size_t cell = find_cell(table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]);
+    ++count[cell];
+    for (std::size_t c = 0; c < channels; ++c) sum[c][cell] += table.values[c][k];
+  }
+  std::size_t negative = 0;
+  write_file_atomically(path, [&](std::ostream& out) {
+    const std::int32_t dimensions[3] = {kThetaHalf, kThetaDifference, kPhiDifference};
+    out.write(reinterpret_cast<const char*>(dimensions), sizeof dimensions);
+    std::vector<double> plane(kCells);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::vector<double>& values = sum[channels == 1 ? 0 : c];
+      for (std::size_t cell = 0; cell < kCells; ++cell) {
+        plane[cell] = -1.0;  // no value
+        if (count[cell] == 0) continue;
+        const double mean = values[cell] / count[cell];
+        negative += mean < 0;
+        plane[cell] = std::max(mean, 0.0) / kScale[c];
+      }
+      out.write(reinterpret_cast<const char*>(plane.data()),
+                static_cast<std::streamsize>(kCells * sizeof(double)));
+    }
+  });
+  const auto filled =
+      static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n > 0; }));
+  std::vector<std::string> lost = {
+      "the absolute azimuth: MERL files are isotropic and reciprocal",
+      "directions: each value stands for its cell's centre (1 degree, finer in theta_half)"};
+  if (filled < table.rows())
+    lost.push_back(std::to_string(table.rows() - filled) + " rows averaged with others of their cell");
+  lost.push_back(std::to_string(kCells - filled) + " of " + std::to_string(kCells) +
+                 " cells stay without value");
+  if (negative > 0) lost.push_back(std::to_string(negative) + " negative means set to 0");
+  if (channels == 1) lost.push_back("one channel written as three equal ones");
+  if (!table.metadata.empty()) lost.push_back("the header's comments");
+  for (std::size_t c = 0; c < channels; ++c)
+    if (table.has_sigma(c)) {
+      lost.push_back("the standard deviations");
+      break;
+    }
+  return lost;
+}
+
+}  // namespace brdf::io::merl

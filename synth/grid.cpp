@@ -1,0 +1,118 @@
+#include "synth/grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/merl.h"
+#include "io/text.h"
+
+namespace brdf::synth {
+namespace {
+
+using Directions = io::SampleTable;
+
+constexpr double kInPlaneLimit = 85;  // an instrument's arm rarely gets closer to the horizon
+constexpr double kHemisphereLimit = 80;
+
+void add_row(Directions& grid, double theta_i, double phi_i, double theta_o, double phi_o) {
+  grid.theta_i.push_back(theta_i);
+  grid.phi_i.push_back(phi_i);
+  grid.theta_o.push_back(theta_o);
+  grid.phi_o.push_back(phi_o);
+}
+
+void add_in_plane(Directions& grid, const GridOptions& options) {
+  const double step = options.step > 0 ? options.step : 1;
+  const std::vector<double> own = {0, 15, 30, 45, 60, 75};
+  const int last = static_cast<int>(kInPlaneLimit / step);
+  for (const double theta_i : options.theta_i.empty() ? own : options.theta_i)
+    for (int k = -last; k <= last; ++k) add_row(grid, theta_i, 180, std::abs(k * step), k < 0 ? 180 : 0);
+}
+
+void add_hemisphere(Directions& grid, const GridOptions& options) {
+  const double step = options.step > 0 ? options.step : 5;
+  const std::vector<double> own = {0, 20, 40, 60, 75};
+  const int rings = static_cast<int>(kHemisphereLimit / step);
+  const int sectors = std::max(4, static_cast<int>(180 / step));  // twice as wide in azimuth
+  for (const double theta_i : options.theta_i.empty() ? own : options.theta_i) {
+    add_row(grid, theta_i, 180, 0, 0);
+    for (int ring = 1; ring <= rings; ++ring)
+      for (int sector = 0; sector < sectors; ++sector)
+        add_row(grid, theta_i, 180, ring * step, sector * 360.0 / sectors);
+  }
+}
+
+void add_file(Directions& grid, const std::string& path) {
+  const io::SampleTable file = io::read_directions(path);
+  for (std::size_t k = 0; k < file.rows(); ++k)
+    add_row(grid, file.theta_i[k], file.phi_i[k], file.theta_o[k], file.phi_o[k]);
+}
+
+double in_turn(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  return rest < 0 ? rest + 360.0 : rest;
+}
+
+// Seen from a sample turned by +a, directions turn by -a.
+Directions turned(const Directions& grid, const std::vector<double>& azimuths) {
+  Directions all;
+  all.reserve(grid.rows() * azimuths.size());
+  for (const double azimuth : azimuths)
+    for (std::size_t k = 0; k < grid.rows(); ++k) {
+      if (azimuth == 0)
+        add_row(all, grid.theta_i[k], grid.phi_i[k], grid.theta_o[k], grid.phi_o[k]);
+      else
+        add_row(all, grid.theta_i[k], in_turn(grid.phi_i[k] - azimuth), grid.theta_o[k],
+                in_turn(grid.phi_o[k] - azimuth));
+    }
+  return all;
+}
+
+Directions outside_blind_zone(const Directions& grid, double blind_zone) {
+  const io::UnitDirections d = io::unit_directions(grid);
+  const double cos_limit = io::cos_degrees(blind_zone);
+  Directions seen;
+  for (std::size_t k = 0; k < grid.rows(); ++k) {
+    const double cosine = d.wi_x[k] * d.wo_x[k] + d.wi_y[k] * d.wo_y[k] + d.wi_z[k] * d.wo_z[k];
+    if (cosine <= cos_limit) add_row(seen, grid.theta_i[k], grid.phi_i[k], grid.theta_o[k], grid.phi_o[k]);
+  }
+  return seen;
+}
+
+void check(const GridOptions& options) {
+  const auto refuse = [](const std::string& option, double value, const char* rule) {
+    throw InputError(option + " " + io::to_text(value) + ": " + rule);
+  };
+  for (const double theta : options.theta_i)
+    if (!(theta >= 0 && theta < 90)) refuse("--theta-i", theta, "must be at least 0 and below 90 degrees");
+  if (options.step != 0 && !(options.step >= 0.01 && options.step <= 45))
+    refuse("--step", options.step, "must be between 0.01 and 45 degrees");
+  if (!(options.blind_zone >= 0 && options.blind_zone < 180))
+    refuse("--blind-zone", options.blind_zone, "must be at least 0 and below 180 degrees");
+  for (const double azimuth : options.azimuths)
+    if (!(std::abs(azimuth) <= 360)) refuse("--azimuths", azimuth, "must be between -360 and 360 degrees");
+}
+
+}  // namespace
+
+io::SampleTable make_grid(const GridOptions& options) {
+  check(options);
+  Directions grid;
+  for (const std::string& part : options.parts) {
+    if (part == "in_plane")
+      add_in_plane(grid, options);
+    else if (part == "hemisphere")
+      add_hemisphere(grid, options);
+    else if (part == "merl")
+      io::merl::add_cell_directions(grid);
+    else
+      add_file(grid, part);
+  }
+  if (options.azimuths != std::vector<double>{0}) grid = turned(grid, options.azimuths);
+  if (options.blind_zone > 0) grid = outside_blind_zone(grid, options.blind_zone);
+  if (grid.rows() == 0) throw InputError("the grid has no directions left");
+  return grid;
+}
+
+}  // namespace brdf::synth

@@ -1,0 +1,171 @@
+#include "synth/instrument.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "brdf/aperture.h"
+#include "io/error.h"
+#include "io/material_json.h"
+#include "io/provenance.h"
+#include "io/text.h"
+#include "synth/random.h"
+
+namespace brdf::synth {
+namespace {
+
+// An instrument's display: what lies beyond 12 digits is rounding, and that differs between machines.
+double displayed(double value) {
+  constexpr int kDigits = 12;
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, kDigits - 1).ptr;
+  std::from_chars(text, end, value);
+  return value;
+}
+
+void check(const Instrument& instrument) {
+  const auto between = [](const char* option, double value, double max, const char* unit) {
+    if (!(value >= 0 && value <= max))
+      throw InputError(std::string(option) + " " + io::to_text(value) + ": must be between 0 and " +
+                       io::to_text(max) + unit);
+  };
+  between("--aperture", instrument.aperture, 90, " degrees");
+  between("--source-aperture", instrument.source_aperture, 90, " degrees");
+  between("--noise", instrument.noise, 2, "");
+  between("--noise-floor", instrument.noise_floor, 1e6, " 1/sr");
+  between("--saturation", instrument.saturation, 1e300, " 1/sr");
+  if (instrument.sigma_columns && instrument.noise == 0 && instrument.noise_floor == 0)
+    throw InputError("--sigma-columns: needs --noise or --noise-floor, otherwise every sigma is 0");
+}
+
+// Fills the table with noise-free readings.
+void read_out(const Material& material, const Instrument& instrument, io::SampleTable& table) {
+  const std::size_t channels = material.channels.size();
+  const auto source = aperture_nodes(instrument.source_aperture * (kPi / 180), kSynthRings);
+  const auto detector = aperture_nodes(instrument.aperture * (kPi / 180), kSynthRings);
+  const bool is_point = source.size() == 1 && detector.size() == 1;
+  const io::UnitDirections d = io::unit_directions(table);
+  std::vector<double> value(channels), centre(channels);
+  double peak = 0, read_at_peak = 0;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
+    eval(material, wi, wo, centre);
+    if (is_point)
+      value = centre;
+    else
+      eval_aperture(material, wi, wo, source, detector, value);
+    for (std::size_t c = 0; c < channels; ++c) {
+      table.values[c].push_back(value[c]);
+      if (centre[c] > peak) {
+        peak = centre[c];
+        read_at_peak = value[c];
+      }
+    }
+  }
+  // A Gaussian lobe as wide (full, at half its peak) as the aperture reads 0.72 of its peak.
+  if (read_at_peak < 0.72 * peak)
+    table.warnings.push_back("the lobe is narrower than the aperture: its peak reads " +
+                             std::to_string(std::lround(100 * read_at_peak / peak)) +
+                             " % of the truth (fit with --aperture)");
+}
+
+// Two numbers are drawn per reading whatever is switched on, so that settings change only what they name.
+void disturb(const Instrument& instrument, io::SampleTable& table) {
+  NormalPairs normal(instrument.seed);
+  std::size_t saturated = 0, clipped = 0;
+  const double s = instrument.noise;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    for (std::size_t c = 0; c < table.channels.size(); ++c) {
+      double& value = table.values[c][k];
+      const NormalPairs::Pair z = normal.next();
+      if (instrument.sigma_columns) {
+        const double relative = std::sqrt(math::exp(s * s) - 1) * value;  // of the log-normal factor
+        const double sigma = std::sqrt(relative * relative + instrument.noise_floor * instrument.noise_floor);
+        table.sigma[c].push_back(displayed(std::max(sigma, 1e-300)));  // the format wants sigma > 0
+      }
+      if (s > 0) value *= math::exp(s * z.first - 0.5 * s * s);
+      if (instrument.noise_floor > 0) value += instrument.noise_floor * z.second;
+      if (instrument.saturation > 0 && value > instrument.saturation) {
+        value = instrument.saturation;
+        ++saturated;
+      }
+      if (instrument.clip_negatives && value < 0) {
+        value = 0;
+        ++clipped;
+      }
+      value = displayed(value);
+    }
+  }
+  if (saturated > 0) table.warnings.push_back(std::to_string(saturated) + " readings saturated");
+  if (clipped > 0) table.warnings.push_back(std::to_string(clipped) + " negative readings set to 0");
+}
+
+std::string joined(const std::vector<std::string>& words, char separator) {
+  std::string text;
+  for (const std::string& word : words) (text += text.empty() ? "" : std::string(1, separator)) += word;
+  return text;
+}
+
+std::string joined(const std::vector<double>& numbers) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(io::to_text(number));
+  return joined(words, ',');
+}
+
+std::string form_names(const Material& material) {
+  std::vector<std::string> names;
+  for (const Term& term : material.terms) names.emplace_back(info(term.form).name);
+  return joined(names, '+');
+}
+
+void record(const Material& material, const Instrument& instrument, io::SampleTable& table) {
+  const auto add = [&](const char* key, std::string value) {
+    table.metadata.emplace_back(key, std::move(value));
+  };
+  const GridOptions& grid = instrument.grid;
+  add("sample", "synthetic " + form_names(material));
+  add("instrument", "virtual goniophotometer (brdf synth)");
+  add("source", "computed; truth below");
+  add("licence", "Apache-2.0");
+  for (auto& field : io::provenance_fields(io::provenance(instrument.seed))) table.metadata.push_back(field);
+  add("truth", io::to_json(material).dump());
+  add("grid", joined(grid.parts, '+'));
+  if (!grid.theta_i.empty()) add("theta_i", joined(grid.theta_i));
+  if (grid.step > 0) add("step", io::to_text(grid.step));
+  add("azimuths", joined(grid.azimuths));
+  add("blind_zone", io::to_text(grid.blind_zone));
+  add("aperture", io::to_text(instrument.aperture));
+  add("source_aperture", io::to_text(instrument.source_aperture));
+  add("noise", io::to_text(instrument.noise));
+  add("noise_floor", io::to_text(instrument.noise_floor));
+  add("saturation", instrument.saturation > 0 ? io::to_text(instrument.saturation) : "none");
+  add("clip_negatives", instrument.clip_negatives ? "yes" : "no");
+}
+
+}  // namespace
+
+bool is_anisotropic(const Material& material) {
+  return std::any_of(material.terms.begin(), material.terms.end(), [](const Term& term) {
+    const FormInfo& table = info(term.form);
+    if (!table.anisotropic()) return false;
+    const auto x = static_cast<std::size_t>(table.shape_index("alpha_x"));
+    const auto y = static_cast<std::size_t>(table.shape_index("alpha_y"));
+    return std::any_of(term.shape.begin(), term.shape.end(),
+                       [&](const auto& set) { return set[x] != set[y]; });
+  });
+}
+
+io::SampleTable measure(const Material& material, const Instrument& instrument) {
+  check(instrument);
+  io::SampleTable table = make_grid(instrument.grid);
+  table.channels = material.channels;
+  table.values.resize(material.channels.size());
+  table.sigma.resize(material.channels.size());
+  read_out(material, instrument, table);
+  disturb(instrument, table);
+  record(material, instrument, table);
+  return table;
+}
+
+}  // namespace brdf::synth

@@ -1,0 +1,35 @@
+// The virtual goniophotometer: samples of a known material as an instrument would report them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+#include "io/samples.h"
+#include "synth/grid.h"
+
+namespace brdf::synth {
+
+struct Instrument {
+  GridOptions grid;
+  double aperture = 0;         // full angular width of the detector, degrees
+  double source_aperture = 0;  // of the source
+  double noise = 0;            // s of the factor exp(s z - s^2/2), z standard normal: mean 1
+  double noise_floor = 0;      // standard deviation of the additive noise, 1/sr
+  double saturation = 0;       // readings above are cut to this, 1/sr; 0: none
+  bool clip_negatives = false;
+  bool sigma_columns = false;  // adds the standard deviation of every value, from noise and noise_floor
+  std::uint64_t seed = 1;
+};
+
+// Measures the material. The table's metadata records the truth and every setting, its warnings what a user
+// should know (a lobe narrower than the aperture, readings saturated). The same arguments give the same table
+// on every machine: own random numbers, own sines, values rounded to 12 digits. Throws InputError on settings
+// out of range.
+io::SampleTable measure(const Material& material, const Instrument& instrument);
+
+// True where the material looks different from different azimuths: some term has two widths.
+bool is_anisotropic(const Material& material);
+
+}  // namespace brdf::synth
