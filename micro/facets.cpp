@@ -1,0 +1,55 @@
+#include "micro/facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brdf::micro {
+namespace {
+
+// Exact reflectance of a dielectric for unpolarised light.
+double fresnel(double eta, double cosine) {
+  if (eta == 0) return 1;
+  const double g = std::sqrt(std::max((eta - 1) * (eta + 1) + cosine * cosine, 0.0));
+  if (g + cosine <= 0) return 0;
+  const double a = (g - cosine) / (g + cosine);
+  const double b = (cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1);
+  return 0.5 * a * a * (1 + b * b);
+}
+
+}  // namespace
+
+Vec direction(double theta, double phi) {
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+Vec turned(const Vec& v, double azimuth) {
+  if (azimuth == 0) return v;
+  const double c = std::cos(azimuth), s = std::sin(azimuth);
+  return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+}
+
+Vec normal(const Facet& f) {
+  const double scale = 1 / std::sqrt(1 + f.slope_x * f.slope_x + f.slope_y * f.slope_y);
+  return {-f.slope_x * scale, -f.slope_y * scale, scale};
+}
+
+Vec cosine_direction(const Facet& facet, Random& random) {
+  // A uniform point on the unit sphere around the normal's tip, as seen from the facet, is cosine
+  // distributed.
+  const double z = 2 * random.uniform() - 1, phi = 2 * std::numbers::pi * random.uniform();
+  const double r = std::sqrt(std::max(1 - z * z, 0.0));
+  const Vec sum = normal(facet) + Vec{r * std::cos(phi), r * std::sin(phi), z};
+  const double length = std::sqrt(dot(sum, sum));
+  return length > 1e-9 ? sum * (1 / length) : normal(facet);
+}
+
+Scattered scatter(const Facets& facets, const Facet& facet, const Vec& incoming, Random& random) {
+  if (facets.reflection == Reflection::lambert) return {cosine_direction(facet, random), facets.rho};
+  const Vec n = normal(facet);
+  const double cosine = -dot(n, incoming);
+  const Vec out = incoming + n * (2 * cosine);
+  return {out * (1 / std::sqrt(dot(out, out))), fresnel(facets.eta, cosine)};
+}
+
+}  // namespace brdf::micro

@@ -1,0 +1,44 @@
+#include "micro/grooves.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace brdf::micro {
+namespace {
+
+double beckmann_slope(double alpha, Random& random) {
+  return alpha * std::sqrt(-std::log1p(-random.uniform()));
+}
+
+// Candidates from exp(-t^2/(2 sigma^2)) t, accepted with probability sin t / t.
+double oren_nayar_slope(double sigma, Random& random) {
+  for (;;) {
+    const double angle = sigma * std::sqrt(-2 * std::log1p(-random.uniform()));
+    const double accept = random.uniform();
+    if (angle > 0 && angle < std::numbers::pi / 2 && accept * angle < std::sin(angle)) return std::tan(angle);
+  }
+}
+
+}  // namespace
+
+Surface make_grooves(const Grooves& settings, Random& random) {
+  Surface surface;
+  surface.nx = 2 * settings.count;
+  surface.ny = 1;
+  surface.dx = 0.5;
+  surface.dy = 16;  // grooves are uniform along y: the period only has to be long against their width
+  surface.columns_per_frame = 2;
+  surface.heights.reserve(surface.nx);
+  surface.azimuths.reserve(settings.count);
+  for (int k = 0; k < settings.count; ++k) {
+    const double slope = settings.angles == GrooveAngles::beckmann ? beckmann_slope(settings.width, random)
+                                                                   : oren_nayar_slope(settings.width, random);
+    surface.heights.push_back(0);
+    surface.heights.push_back(static_cast<float>(-slope / 2));
+    surface.azimuths.push_back(2 * std::numbers::pi * random.uniform());
+  }
+  surface.find_range();
+  return surface;
+}
+
+}  // namespace brdf::micro

@@ -1,0 +1,175 @@
+#include "micro/tracer.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace brdf::micro {
+namespace {
+
+constexpr int kMaxPeriods = 100000;  // a ray at .01 degrees over the roughest surface crosses a few hundred
+constexpr double kMarginCells =
+    0.5;  // the mesh reaches one cell past the period, rays are wrapped half a cell past it
+constexpr double kOverlap =
+    1e-3;  // consecutive segments overlap by this share of a cell, so that no hit is missed
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Vertices and triangles of the period and one more cell on every side, centred: floats are finest near zero.
+void fill_mesh(const Surface& s, RTCGeometry geometry) {
+  const int columns = s.nx + 3, rows = s.ny + 3;
+  auto* vertices =
+      static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                  3 * sizeof(float), std::size_t(columns) * rows));
+  for (int j = -1; j < rows - 1; ++j) {
+    for (int i = -1; i < columns - 1; ++i) {
+      *vertices++ = static_cast<float>(i * s.dx - s.period_x() / 2);
+      *vertices++ = static_cast<float>(j * s.dy - s.period_y() / 2);
+      *vertices++ = s.vertex((i + s.nx) % s.nx, (j + s.ny) % s.ny);
+    }
+  }
+  auto* triangle = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                                                  RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
+                                                                  2 * std::size_t(columns - 1) * (rows - 1)));
+  for (int j = -1; j < rows - 2; ++j) {
+    for (int i = -1; i < columns - 2; ++i) {
+      const unsigned v00 = (j + 1) * columns + i + 1, v10 = v00 + 1, v01 = v00 + columns, v11 = v01 + 1;
+      const bool rising = Surface::rising_diagonal((i + s.nx) % s.nx, (j + s.ny) % s.ny);
+      for (const unsigned v : {v00, v10, rising ? v11 : v01}) *triangle++ = v;
+      for (const unsigned v : {rising ? v00 : v10, v11, v01}) *triangle++ = v;
+    }
+  }
+}
+
+RTCRay make_ray(const Surface& s, const Vec& origin, const Vec& direction, double end) {
+  RTCRay ray;
+  ray.org_x = static_cast<float>(origin.x - s.period_x() / 2);
+  ray.org_y = static_cast<float>(origin.y - s.period_y() / 2);
+  ray.org_z = static_cast<float>(origin.z);
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
+  ray.tnear = 0;
+  ray.tfar = static_cast<float>(end);
+  ray.time = 0;
+  ray.mask = ~0u;
+  ray.id = ray.flags = 0;
+  return ray;
+}
+
+}  // namespace
+
+struct Tracer::Embree {
+  RTCDevice device;
+  RTCScene scene;
+
+  explicit Embree(const Surface& surface) : device(rtcNewDevice("threads=1")), scene(nullptr) {
+    if (!device) throw std::runtime_error("Embree found no device on this machine");
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // watertight along shared edges
+    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fill_mesh(surface, geometry);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+  }
+  ~Embree() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Embree(const Embree&) = delete;
+  Embree& operator=(const Embree&) = delete;
+};
+
+Tracer::Tracer(const Surface& surface) : surface_(surface), embree_(std::make_unique<Embree>(surface)) {
+  const double extent =
+      std::max({surface.period_x() / 2, surface.period_y() / 2, surface.z_max, -surface.z_min});
+  lift_ = 4 * std::numeric_limits<float>::epsilon() * extent;
+}
+
+Tracer::~Tracer() = default;
+
+Vec Tracer::entry(double u, double v) const {
+  return {u * surface_.period_x(), v * surface_.period_y(), surface_.z_max};
+}
+
+Vec Tracer::on_surface(double x, double y) const {
+  const Facet f = surface_.facet_at(x, y);
+  return {x, y, f.height(x, y) + lift_ * (1 + std::abs(f.slope_x) + std::abs(f.slope_y))};
+}
+
+Tracer::Segment Tracer::segment(const Vec& o, const Vec& d) const {
+  const double mx = kMarginCells * surface_.dx, my = kMarginCells * surface_.dy;
+  const auto to_plane = [](double from, double direction, double low, double high) {
+    if (direction == 0) return kInfinity;
+    return std::max(((direction > 0 ? high : low) - from) / direction, 0.0);
+  };
+  const double tx = to_plane(o.x, d.x, -mx, surface_.period_x() + mx);
+  const double ty = to_plane(o.y, d.y, -my, surface_.period_y() + my);
+  const double tz = to_plane(o.z, d.z, surface_.z_min - 100 * lift_, surface_.z_max + lift_);
+  if (tz <= tx && tz <= ty) return {tz, Segment::Limit::z};
+  return tx < ty ? Segment{tx, Segment::Limit::x} : Segment{ty, Segment::Limit::y};
+}
+
+void Tracer::continue_past(Vec& o, const Vec& d, const Segment& s) const {
+  o = o + d * std::max(s.end - kOverlap * std::min(surface_.dx, surface_.dy), 0.0);
+  if (s.limit == Segment::Limit::x) o.x += d.x > 0 ? -surface_.period_x() : surface_.period_x();
+  if (s.limit == Segment::Limit::y) o.y += d.y > 0 ? -surface_.period_y() : surface_.period_y();
+}
+
+Fate Tracer::close_hit(Vec& o, const Vec& d, double t, std::uint32_t primitive, Facet& facet) const {
+  const int columns = surface_.nx + 2;
+  const int cell = static_cast<int>(primitive / 2);
+  facet = surface_.facet(cell % columns - 1, cell / columns - 1, static_cast<int>(primitive % 2));
+  if (d.z - facet.slope_x * d.x - facet.slope_y * d.y >= 0) return Fate::lost;
+  o = o + d * t;
+  // Rounding may put the point under the neighbouring facet of a concave edge: the surface's own height
+  // decides.
+  const double lifted =
+      facet.height(o.x, o.y) + lift_ * (1 + std::abs(facet.slope_x) + std::abs(facet.slope_y));
+  o.z = std::max(lifted, on_surface(o.x, o.y).z);
+  return Fate::hit;
+}
+
+Fate Tracer::next(Vec& origin, const Vec& direction, Facet& facet) {
+  ++rays_;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (int period = 0; period < kMaxPeriods; ++period) {
+    const Segment s = segment(origin, direction);
+    if (s.end == kInfinity) return Fate::lost;
+    RTCRayHit query;
+    query.ray = make_ray(surface_, origin, direction, s.end);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(embree_->scene, &context, &query);
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+      return close_hit(origin, direction, query.ray.tfar, query.hit.primID, facet);
+    }
+    if (s.limit == Segment::Limit::z) return direction.z > 0 ? Fate::escaped : Fate::lost;
+    continue_past(origin, direction, s);
+  }
+  return Fate::lost;
+}
+
+bool Tracer::escapes(const Vec& start, const Vec& direction) {
+  ++rays_;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  Vec origin = start;
+  for (int period = 0; period < kMaxPeriods; ++period) {
+    const Segment s = segment(origin, direction);
+    if (s.end == kInfinity) return false;
+    RTCRay ray = make_ray(surface_, origin, direction, s.end);
+    rtcOccluded1(embree_->scene, &context, &ray);
+    if (ray.tfar < 0) return false;
+    if (s.limit == Segment::Limit::z) return direction.z > 0;
+    continue_past(origin, direction, s);
+  }
+  return false;
+}
+
+}  // namespace brdf::micro
