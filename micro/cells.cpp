@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "brdf/material.h"
 
 namespace brdf::micro {
-namespace {
-constexpr double kPi = std::numbers::pi;
-double squared_sine(double theta) {
-  return std::sin(theta) * std::sin(theta);
-}
-}  // namespace
 
 double Cell::projected_solid_angle() const {
-  return (phi_high - phi_low) * (squared_sine(theta_high) - squared_sine(theta_low)) / 2;
+  return (phi_high - phi_low) * (square(std::sin(theta_high)) - square(std::sin(theta_low))) / 2;
 }
 
 Vec Cell::centre() const {
@@ -21,7 +16,7 @@ Vec Cell::centre() const {
 }
 
 Vec Cell::point(double u, double v) const {
-  const double low = squared_sine(theta_low), high = squared_sine(theta_high);
+  const double low = square(std::sin(theta_low)), high = square(std::sin(theta_high));
   const double sine_squared = low + u * (high - low);
   const double theta = std::asin(std::sqrt(std::clamp(sine_squared, 0.0, 1.0)));
   return direction(theta, phi_low + v * (phi_high - phi_low));

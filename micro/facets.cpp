@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "brdf/scalar.h"
 
 namespace brdf::micro {
 namespace {
@@ -19,10 +20,6 @@ double fresnel(double eta, double cosine) {
 
 }  // namespace
 
-Vec direction(double theta, double phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 Vec turned(const Vec& v, double azimuth) {
   if (azimuth == 0) return v;
   const double c = std::cos(azimuth), s = std::sin(azimuth);
@@ -37,7 +34,7 @@ Vec normal(const Facet& f) {
 Vec cosine_direction(const Facet& facet, Random& random) {
   // A uniform point on the unit sphere around the normal's tip, as seen from the facet, is cosine
   // distributed.
-  const double z = 2 * random.uniform() - 1, phi = 2 * std::numbers::pi * random.uniform();
+  const double z = 2 * random.uniform() - 1, phi = 2 * kPi * random.uniform();
   const double r = std::sqrt(std::max(1 - z * z, 0.0));
   const Vec sum = normal(facet) + Vec{r * std::cos(phi), r * std::sin(phi), z};
   const double length = std::sqrt(dot(sum, sum));

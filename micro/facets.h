@@ -14,8 +14,6 @@ struct Facets {
   double rho = 1;  // Lambertian facets: albedo
 };
 
-/// Unit vector (sin theta cos phi, sin theta sin phi, cos theta); radians.
-Vec direction(double theta, double phi);
 /// v turned about the macroscopic normal by `azimuth` radians.
 Vec turned(const Vec& v, double azimuth);
 /// The facet's unit normal, pointing up.

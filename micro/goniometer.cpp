@@ -2,30 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "brdf/material.h"
+#include "micro/strata.h"
 
 namespace brdf::micro {
 namespace {
-
-enum Purpose : std::uint64_t { kGeometry, kScatter, kRadiance, kExchange };
-
-// Jittered points, one in each of side x side equal parts of the period, row by row: neighbouring rays meet
-// neighbouring triangles, and the plane is covered evenly.
-template <class Ray>
-void for_each_entry(std::int64_t rays, Random& random, const Ray& ray) {
-  const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(rays)))));
-  for (int j = 0; j < side; ++j) {
-    for (int i = 0; i < side; ++i) {
-      const double u = (i + random.uniform()) / side, v = (j + random.uniform()) / side;
-      ray(u, v);
-    }
-  }
-}
-
-std::int64_t entry_count(std::int64_t rays) {
-  const auto side = std::max<std::int64_t>(1, std::llround(std::sqrt(static_cast<double>(rays))));
-  return side * side;
-}
 
 void add_scaled(Account& sum, const Account& part, double scale) {
   sum.escaped.resize(part.escaped.size());
@@ -50,15 +32,15 @@ SurfaceScatter scatter_on(const Simulation& s, int index, const std::vector<Inci
                           const Cells& cells) {
   const Surface surface = make_surface(s, index);
   Tracer tracer(surface);
-  Random random(s.seed, index, kScatter);
+  Random random(s.seed, index, Stream::scatter);
   SurfaceScatter result;
-  const double share = 1.0 / entry_count(s.rays);
+  const double share = 1.0 / strata_count(s.rays);
   for (const Incidence& from : incidences) {
     Energies energies;
     energies.fill(std::vector<double>(cells.size()));
     Account account = empty_account(s), shares;
     const Vec wi = direction(from.theta, from.phi);
-    for_each_entry(s.rays, random, [&](double u, double v) {
+    for_each_stratum(s.rays, random, [&](double u, double v) {
       walk(tracer, s.facets, wi, u, v, random, account, [&](int order, const Vec& wo, double weight) {
         energies[order_class(order)][cells.find(wo, from.phi)] += weight * share;
       });
@@ -118,7 +100,7 @@ void view_path(Tracer& tracer, const Simulation& s, const Vec& wo, const std::ve
       const Vec wi = turned(sources[k], -azimuth);
       const double cosine = dot(n, wi);
       if (cosine <= 0 || !tracer.escapes(position, wi)) continue;
-      shares[k][order_class(order)] += weight * cosine / (std::numbers::pi * sources[k].z);
+      shares[k][order_class(order)] += weight * cosine / (kPi * sources[k].z);
     }
     travel = cosine_direction(facet, random);
   }
@@ -133,7 +115,7 @@ double Account::albedo() const {
 }
 
 Surface make_surface(const Simulation& simulation, int index) {
-  Random random(simulation.seed, index, kGeometry);
+  Random random(simulation.seed, index, Stream::geometry);
   if (const auto* field = std::get_if<HeightField>(&simulation.geometry))
     return make_height_field(*field, random);
   return make_grooves(std::get<Grooves>(simulation.geometry), random);
@@ -151,9 +133,10 @@ std::vector<Scatter> measure_scatter(const Simulation& s, const std::vector<Inci
       });
   std::vector<Scatter> result;
   for (std::size_t k = 0; k < incidences.size(); ++k) {
-    Scatter scatter{.incidence = incidences[k],
-                    .account = collectors[k].account,
-                    .albedo = collectors[k].albedo.estimate()};
+    Scatter scatter;
+    scatter.incidence = incidences[k];
+    scatter.account = collectors[k].account;
+    scatter.albedo = collectors[k].albedo.estimate();
     for (int order = 0; order < kOrderClasses; ++order) scatter.f[order] = estimates(collectors[k].f[order]);
     scatter.total = estimates(collectors[k].total);
     result.push_back(std::move(scatter));
@@ -172,17 +155,17 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
     Collector total;
   };
   std::vector<std::vector<Collected>> collected(sources.size(), std::vector<Collected>(views.size()));
-  const double share = 1.0 / entry_count(s.rays);
+  const double share = 1.0 / strata_count(s.rays);
   const auto job = [&](int index) {
     const Surface surface = make_surface(s, index);
     Tracer tracer(surface);
-    Random random(s.seed, index, kRadiance);
+    Random random(s.seed, index, Stream::radiance);
     std::vector<Shares> result;
     for (const Incidence& view : views) {
       const Vec wo = direction(view.theta, view.phi);
       Shares shares(sources.size());
-      for_each_entry(s.rays, random,
-                     [&](double u, double v) { view_path(tracer, s, wo, sources, u, v, random, shares); });
+      for_each_stratum(s.rays, random,
+                       [&](double u, double v) { view_path(tracer, s, wo, sources, u, v, random, shares); });
       result.push_back(std::move(shares));
     }
     return result;
@@ -215,14 +198,14 @@ Exchange measure_exchange(const Simulation& s, const Cell& a, const Cell& b, con
   const auto inside = [](const Cell& cell, const Vec& w) {
     const double theta = std::acos(std::min(w.z, 1.0));
     double phi = std::atan2(w.y, w.x);
-    while (phi < cell.phi_low) phi += 2 * std::numbers::pi;
+    while (phi < cell.phi_low) phi += 2 * kPi;
     return theta >= cell.theta_low && theta < cell.theta_high && phi < cell.phi_high;
   };
-  const double share = 1.0 / entry_count(s.rays);
+  const double share = 1.0 / strata_count(s.rays);
   const auto one_way = [&](Tracer& tracer, Random& random, const Cell& from, const Cell& to) {
     double power = 0;
     Account account = empty_account(s);
-    for_each_entry(s.rays, random, [&](double u, double v) {
+    for_each_stratum(s.rays, random, [&](double u, double v) {
       const double a1 = random.uniform(), a2 = random.uniform();
       walk(tracer, s.facets, from.point(a1, a2), u, v, random, account,
            [&](int, const Vec& wo, double weight) {
@@ -237,7 +220,7 @@ Exchange measure_exchange(const Simulation& s, const Cell& a, const Cell& b, con
       [&](int index) {
         const Surface surface = make_surface(s, index);
         Tracer tracer(surface);
-        Random random(s.seed, index, kExchange);
+        Random random(s.seed, index, Stream::exchange);
         const double there = one_way(tracer, random, a, b);
         return std::pair{there, one_way(tracer, random, b, a)};
       },

@@ -1,7 +1,8 @@
 #include "micro/grooves.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "brdf/scalar.h"
 
 namespace brdf::micro {
 namespace {
@@ -15,7 +16,7 @@ double oren_nayar_slope(double sigma, Random& random) {
   for (;;) {
     const double angle = sigma * std::sqrt(-2 * std::log1p(-random.uniform()));
     const double accept = random.uniform();
-    if (angle > 0 && angle < std::numbers::pi / 2 && accept * angle < std::sin(angle)) return std::tan(angle);
+    if (angle > 0 && angle < kPi / 2 && accept * angle < std::sin(angle)) return std::tan(angle);
   }
 }
 
@@ -35,7 +36,7 @@ Surface make_grooves(const Grooves& settings, Random& random) {
                                                                    : oren_nayar_slope(settings.width, random);
     surface.heights.push_back(0);
     surface.heights.push_back(static_cast<float>(-slope / 2));
-    surface.azimuths.push_back(2 * std::numbers::pi * random.uniform());
+    surface.azimuths.push_back(2 * kPi * random.uniform());
   }
   surface.find_range();
   return surface;

@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "brdf/scalar.h"
 
 namespace brdf::micro {
 namespace {
@@ -32,7 +33,7 @@ void inverse_rows(Spectrum& s, int n) {
 
 // Wave number of index k in radians per cell, in [-pi, pi).
 double wave_number(int k, int n) {
-  return 2 * std::numbers::pi * (k < n / 2 ? k : k - n) / n;
+  return 2 * kPi * (k < n / 2 ? k : k - n) / n;
 }
 
 }  // namespace

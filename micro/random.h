@@ -7,9 +7,11 @@
 
 namespace brdf::micro {
 
+enum class Stream : std::uint32_t { geometry, scatter, radiance, exchange, masking };
+
 class Random {
  public:
-  Random(std::uint64_t seed, std::uint64_t surface, std::uint64_t purpose) {
+  Random(std::uint64_t seed, std::uint64_t surface, Stream purpose) {
     std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                         static_cast<std::uint32_t>(surface), static_cast<std::uint32_t>(purpose)};
     engine_.seed(words);

@@ -97,8 +97,8 @@ Vec Tracer::entry(double u, double v) const {
 }
 
 Vec Tracer::on_surface(double x, double y) const {
-  const Facet f = surface_.facet_at(x, y);
-  return {x, y, f.height(x, y) + lift_ * (1 + std::abs(f.slope_x) + std::abs(f.slope_y))};
+  const Facet facet = surface_.facet_at(x, y);
+  return {x, y, facet.height(x, y) + clearance(facet)};
 }
 
 Tracer::Segment Tracer::segment(const Vec& o, const Vec& d) const {
@@ -120,18 +120,22 @@ void Tracer::continue_past(Vec& o, const Vec& d, const Segment& s) const {
   if (s.limit == Segment::Limit::y) o.y += d.y > 0 ? -surface_.period_y() : surface_.period_y();
 }
 
-Fate Tracer::close_hit(Vec& o, const Vec& d, double t, std::uint32_t primitive, Facet& facet) const {
+Facet Tracer::facet_of(std::uint32_t primitive) const {
   const int columns = surface_.nx + 2;
   const int cell = static_cast<int>(primitive / 2);
-  facet = surface_.facet(cell % columns - 1, cell / columns - 1, static_cast<int>(primitive % 2));
-  if (d.z - facet.slope_x * d.x - facet.slope_y * d.y >= 0) return Fate::lost;
-  o = o + d * t;
+  return surface_.facet(cell % columns - 1, cell / columns - 1, static_cast<int>(primitive % 2));
+}
+
+double Tracer::clearance(const Facet& facet) const {
+  return lift_ * (1 + std::abs(facet.slope_x) + std::abs(facet.slope_y));
+}
+
+void Tracer::raise(Vec& point, const Facet& facet) const {
   // Rounding may put the point under the neighbouring facet of a concave edge: the surface's own height
   // decides.
-  const double lifted =
-      facet.height(o.x, o.y) + lift_ * (1 + std::abs(facet.slope_x) + std::abs(facet.slope_y));
-  o.z = std::max(lifted, on_surface(o.x, o.y).z);
-  return Fate::hit;
+  const Facet here = surface_.facet_at(point.x, point.y);
+  point.z = std::max(facet.height(point.x, point.y) + clearance(facet),
+                     here.height(point.x, point.y) + clearance(here));
 }
 
 Fate Tracer::next(Vec& origin, const Vec& direction, Facet& facet) {
@@ -147,7 +151,14 @@ Fate Tracer::next(Vec& origin, const Vec& direction, Facet& facet) {
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embree_->scene, &context, &query);
     if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-      return close_hit(origin, direction, query.ray.tfar, query.hit.primID, facet);
+      facet = facet_of(query.hit.primID);
+      origin = origin + direction * query.ray.tfar;
+      raise(origin, facet);
+      // How fast the ray rises above the facet's plane: one that rises was below it.
+      const double rise = direction.z - facet.slope_x * direction.x - facet.slope_y * direction.y;
+      if (rise < 0) return Fate::hit;
+      if (rise * query.ray.tfar > 4 * clearance(facet)) return Fate::lost;
+      continue;  // below by rounding only (it started almost along the facet): go on from above
     }
     if (s.limit == Segment::Limit::z) return direction.z > 0 ? Fate::escaped : Fate::lost;
     continue_past(origin, direction, s);

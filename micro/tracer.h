@@ -47,7 +47,9 @@ class Tracer {
   };
   Segment segment(const Vec& origin, const Vec& direction) const;
   void continue_past(Vec& origin, const Vec& direction, const Segment& s) const;
-  Fate close_hit(Vec& origin, const Vec& direction, double t, std::uint32_t primitive, Facet& facet) const;
+  Facet facet_of(std::uint32_t primitive) const;
+  double clearance(const Facet& facet) const;
+  void raise(Vec& point, const Facet& facet) const;
 
   const Surface& surface_;
   std::unique_ptr<Embree> embree_;

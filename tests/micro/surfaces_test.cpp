@@ -1,0 +1,152 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/material.h"
+#include "micro/goniometer.h"
+#include "micro/masking.h"
+
+namespace brdf::micro {
+namespace {
+
+Simulation field(double alpha_x, double alpha_y, int size = 128, int surfaces = 64) {
+  Simulation s;
+  s.geometry = HeightField{.alpha_x = alpha_x, .alpha_y = alpha_y, .size = size};
+  s.surfaces = surfaces;
+  return s;
+}
+
+double z(const Estimate& e, double expected) {
+  return (e.mean - expected) / e.standard_error;
+}
+
+TEST(HeightField, MeshHasTheGivenSlope) {
+  for (const auto& [ax, ay] : {std::pair{0.3, 0.3}, {0.1, 0.5}, {0.005, 0.005}}) {
+    const Slopes slopes = measure_slopes(field(ax, ay), {});
+    EXPECT_LT(slopes.alpha_x.standard_error, 0.01 * ax);
+    EXPECT_LT(std::abs(z(slopes.alpha_x, ax)), 4) << ax << ' ' << slopes.alpha_x.mean;
+    EXPECT_LT(std::abs(z(slopes.alpha_y, ay)), 4) << ay << ' ' << slopes.alpha_y.mean;
+  }
+}
+
+TEST(HeightField, HasBeckmannsSlopes) {
+  const Slopes slopes = measure_slopes(field(0.2, 0.4), {0.5, 1, 3, 6});
+  const double q[] = {0.5, 1, 3, 6};
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_LT(std::abs(z(slopes.outside[k], std::exp(-q[k]))), 4) << q[k];
+    EXPECT_LT(slopes.outside[k].standard_error, 0.12 * std::exp(-q[k]));
+  }
+}
+
+// The heights' correlation falls to 1/e at the given distance.
+TEST(HeightField, HasTheGivenCorrelation) {
+  Collector correlation;
+  Simulation s = field(0.3, 0.3);
+  for (int index = 0; index < 64; ++index) {
+    const Surface surface = make_surface(s, index);
+    double product = 0, square_sum = 0;
+    for (int j = 0; j < surface.ny; ++j) {
+      for (int i = 0; i < surface.nx; ++i) {
+        product += surface.vertex(i, j) * surface.vertex((i + 8) % surface.nx, j);
+        square_sum += square(surface.vertex(i, j));
+      }
+    }
+    correlation.add(product / square_sum);
+  }
+  EXPECT_NEAR(correlation.estimate().mean, std::exp(-1.0), 4 * correlation.estimate().standard_error);
+}
+
+// Any two triangles that share a vertex give it the same height, across the period's border too.
+TEST(Surface, HasNoGaps) {
+  const Surface s = make_surface(field(0.5, 0.25, 16), 0);
+  for (int j = -2; j < 20; ++j) {
+    for (int i = -2; i < 20; ++i) {
+      const double x = i * s.dx, y = j * s.dy;
+      const double height = s.vertex((i + 16) % 16, (j + 16) % 16);
+      for (const double side_x : {-1e-9, 1e-9}) {
+        for (const double side_y : {-1e-9, 0.5e-9, 2e-9}) {
+          EXPECT_NEAR(s.facet_at(x + side_x, y + side_y).height(x, y), height, 1e-6);
+        }
+      }
+    }
+  }
+}
+
+// Shares of grooves below given angles against the density's integral.
+TEST(Grooves, HaveTheStatedAngles) {
+  const double sigma = 0.5, alpha = 0.6;
+  const auto share_below = [](const Surface& s, double angle) {
+    int below = 0;
+    for (int k = 0; k < s.nx / 2; ++k) below += std::atan(-2 * s.vertex(2 * k + 1, 0)) < angle;
+    return below / (s.nx / 2.0);
+  };
+  const auto integral = [&](double to) {
+    double sum = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const double t = (k + 0.5) / 2000 * to;
+      sum += std::exp(-t * t / (2 * sigma * sigma)) * std::sin(t) * to / 2000;
+    }
+    return sum;
+  };
+  constexpr int kCount = 40000;
+  Random random(1, 0, Stream::geometry);
+  const Surface diffuse = make_grooves({GrooveAngles::oren_nayar, sigma, kCount}, random);
+  const Surface mirrors = make_grooves({GrooveAngles::beckmann, alpha, kCount}, random);
+  for (const double angle : {0.2, 0.5, 1.0, 1.4}) {
+    const double p = integral(angle) / integral(kPi / 2);
+    EXPECT_NEAR(share_below(diffuse, angle), p, 4 * std::sqrt(p * (1 - p) / kCount));
+    const double q = 1 - std::exp(-square(std::tan(angle) / alpha));
+    EXPECT_NEAR(share_below(mirrors, angle), q, 4 * std::sqrt(q * (1 - q) / kCount) + 1e-9);
+  }
+}
+
+// The tracer against a march in small steps over the endless surface, which knows nothing of periods or
+// Embree.
+TEST(Tracer, FindsWhatAMarchFinds) {
+  const Surface s = make_surface(field(0.6, 0.4, 32), 3);
+  Tracer tracer(s);
+  Random random(5, 0, Stream::scatter);
+  int hits = 0, escapes = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec start = tracer.on_surface(s.period_x() * random.uniform(), s.period_y() * random.uniform());
+    const Vec w = direction(kPi / 2 * (0.7 + 0.35 * random.uniform()), 2 * kPi * random.uniform());
+    const Facet at_start = s.facet_at(start.x, start.y);
+    if (w.z - at_start.slope_x * w.x - at_start.slope_y * w.y < 0.02) continue;
+    Vec p = start;
+    double t = 0;
+    const double step = 2e-3;
+    while (p.z > s.facet_at(p.x, p.y).height(p.x, p.y) && p.z <= s.z_max + 0.1) p = start + w * (t += step);
+    Vec found = start;
+    Facet facet;
+    const Fate fate = tracer.next(found, w, facet);
+    if (p.z > s.z_max) {
+      ++escapes;
+      EXPECT_EQ(fate, Fate::escaped) << trial;
+      EXPECT_TRUE(tracer.escapes(start, w)) << trial;
+      continue;
+    }
+    ++hits;
+    ASSERT_EQ(fate, Fate::hit) << trial;
+    EXPECT_FALSE(tracer.escapes(start, w)) << trial;
+    EXPECT_NEAR(std::remainder(found.x - p.x, s.period_x()), 0, 2 * step) << trial;
+    EXPECT_NEAR(std::remainder(found.y - p.y, s.period_y()), 0, 2 * step) << trial;
+  }
+  EXPECT_GT(hits, 50);
+  EXPECT_GT(escapes, 30);
+}
+
+// Whatever the surface, a direction sees cos theta of area per macroscopic area.
+TEST(Masking, SeesTheProjectedAreaOfThePlane) {
+  Simulation s = field(0.5, 0.5, 256, 8);
+  s.rays = 40000;
+  for (const Masking& m : measure_masking(s, {0.5, 1.2, 1.45})) {
+    EXPECT_LT(m.projected_area.standard_error, 0.02 * std::cos(m.theta));
+    EXPECT_LT(std::abs(z(m.projected_area, std::cos(m.theta))), 5) << m.theta;
+    EXPECT_LT(std::abs(z(m.facing_area, std::cos(m.theta) * (1 + smith_lambda(0.5, m.theta)))), 5) << m.theta;
+  }
+}
+
+}  // namespace
+}  // namespace brdf::micro
