@@ -1,0 +1,53 @@
+// Draws a prepared scene without a window; the viewer records the same passes into its own frames.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/passes.h"
+
+namespace brdf::render {
+
+enum class Path { deferred, forward };
+
+struct RendererOptions {
+  int gbuffer_bits = 16;  // 8, 16 or 32
+  Path path = Path::deferred;
+};
+
+class Renderer {
+ public:
+  // Throws InputError when the picture is too large for the device or for its memory limit.
+  Renderer(Device& device, const PreparedScene& scene, const RendererOptions& options = {});
+  // Camera, lights and items changed; the picture's size, meshes and textures did not.
+  void update(const PreparedScene& scene);
+  void record(VkCommandBuffer commands);
+  // Records, runs and waits.
+  void draw();
+
+  Image& color() { return color_; }
+  // Reads the lighting back: RGB, and A = 1 where there is a surface.
+  std::vector<float> read_color();
+  // Reads a target of the first layer back; only after draw().
+  std::vector<float> read_target(int target);
+  Image& target(int k) { return gbuffer_->targets[std::size_t(k)]; }
+  const PreparedScene& scene() const { return scene_; }
+
+ private:
+  Device* device_;
+  PreparedScene scene_;
+  RendererOptions options_;
+  GpuScene gpu_;
+  Image color_;
+  std::optional<GBuffer> gbuffer_;
+  Image depth_;  // of the forward path
+  SkyPass sky_;
+  std::optional<DeferredPass> deferred_;
+  std::optional<ForwardPass> forward_;
+};
+
+// Bytes of device memory that pictures of this size take.
+std::uint64_t picture_bytes(VkExtent2D extent, const RendererOptions& options);
+
+}  // namespace brdf::render

@@ -1,0 +1,82 @@
+// What a scene file says, and its reader. Units: metres do not matter, angles in degrees in the file,
+// radiance and irradiance in any one unit.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+
+namespace brdf::render {
+
+struct Camera {
+  glm::vec3 position{0, 0, 4}, target{0, 0, 0}, up{0, 1, 0};
+  float vertical_fov = 32;  // degrees
+  int width = 512, height = 512;
+};
+
+struct Light {
+  bool point = false;
+  glm::vec3 vector{1, -1,
+                   -1};  // the position of a point light, else the direction in which the light travels
+  glm::vec3 color{1};
+  float intensity = 1;  // directional: irradiance on a surface facing it; point: the same at distance 1
+};
+inline constexpr std::size_t kMostLights = 64;
+
+enum class TextureSlot { albedo, normal, roughness, metallic };
+inline constexpr std::array<const char*, 4> kTextureNames{"albedo", "normal", "roughness", "metallic"};
+
+struct Object {
+  std::string mesh = "sphere";
+  Material material;
+  std::string material_name;                                     // for labels: the file's stem or the form
+  std::array<std::optional<std::filesystem::path>, 4> textures;  // by TextureSlot
+  glm::vec3 position{0};
+  glm::vec3 rotation{0};  // degrees about x, then y, then z
+  glm::vec3 scale{1};
+};
+
+enum class Shading { vertex_color, flat, gouraud, phong, phong_blinn, brdf, lookup };
+inline constexpr std::array<const char*, 7> kShadingNames{"vertex_color", "flat", "gouraud", "phong",
+                                                          "phong_blinn",  "brdf", "lookup"};
+// none: the value as it stands; srgb: clamped, then encoded; reinhard: c/(1+c), then encoded as sRGB; thesis:
+// c/(1+c) to the power 1/2.2.
+enum class ToneMap { none, srgb, reinhard, thesis };
+inline constexpr std::array<const char*, 4> kToneMapNames{"none", "srgb", "reinhard", "thesis"};
+
+struct Scene {
+  Camera camera;
+  glm::vec3 ambient{0};
+  glm::vec3 background{0};              // at the horizon where there is a sky
+  std::optional<glm::vec3> sky_zenith;  // a sky: background at the horizon, this above
+  glm::vec3 back_color{0.5f};           // of surfaces seen from behind
+  std::vector<Light> lights;
+  std::vector<Object> objects;
+  std::filesystem::path folder;  // that relative file names start from
+  Shading shading = Shading::brdf;
+  bool per_vertex = false;  // lookup: texture coordinates per vertex instead of per pixel
+  bool as_coded = false;    // with the articles' slips
+  ToneMap tone_map = ToneMap::srgb;
+  float exposure = 0;  // factor 2^exposure before the tone map
+};
+
+// Throws InputError with file, JSON path, value and rule.
+Scene load_scene(const std::filesystem::path& file);
+// The same from text; `name` stands for the file in messages.
+Scene parse_scene(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+// The scene as a file's text, readable again.
+std::string scene_text(const Scene& scene);
+
+// A row of spheres, one per material, under one light and a little ambient: what `brdf render MATERIAL...`
+// shows.
+Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials);
+
+// Rotation and scale of an object, and the same for normals.
+glm::mat3 linear_part(const Object& object);
+
+}  // namespace brdf::render

@@ -1,0 +1,46 @@
+#include "render/shader_code.h"
+
+namespace brdf::render::shader_code {
+namespace {
+
+constexpr std::uint32_t kMeshVertex[] =
+#include "mesh.vert.inc"
+    ;
+constexpr std::uint32_t kScreenVertex[] =
+#include "screen.vert.inc"
+    ;
+constexpr std::uint32_t kGBuffer[] =
+#include "gbuffer.frag.inc"
+    ;
+constexpr std::uint32_t kLighting[] =
+#include "lighting.frag.inc"
+    ;
+constexpr std::uint32_t kForward[] =
+#include "forward.frag.inc"
+    ;
+constexpr std::uint32_t kSky[] =
+#include "sky.frag.inc"
+    ;
+
+}  // namespace
+
+Spirv mesh_vertex() {
+  return kMeshVertex;
+}
+Spirv screen_vertex() {
+  return kScreenVertex;
+}
+Spirv gbuffer() {
+  return kGBuffer;
+}
+Spirv lighting() {
+  return kLighting;
+}
+Spirv forward() {
+  return kForward;
+}
+Spirv sky() {
+  return kSky;
+}
+
+}  // namespace brdf::render::shader_code

@@ -1,0 +1,15 @@
+// SPIR-V of the shaders in render/shaders, compiled at build time.
+#pragma once
+
+#include "render/vulkan/pipeline.h"
+
+namespace brdf::render::shader_code {
+
+Spirv mesh_vertex();
+Spirv screen_vertex();
+Spirv gbuffer();
+Spirv lighting();
+Spirv forward();
+Spirv sky();
+
+}  // namespace brdf::render::shader_code

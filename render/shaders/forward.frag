@@ -1,0 +1,21 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+layout(constant_id = 0) const int kForm = 0;
+layout(constant_id = 1) const bool kTextured = false;
+#include "frame.glsl"
+#include "texture_rule.glsl"
+#include "surface.glsl"
+#include "brdf.glsl"
+#include "shade.glsl"
+layout(location = 0) out vec4 color;
+
+void main() {
+  const Surface s = surface(kTextured);
+  if (!s.front) {
+    color = vec4(frame.back_color.rgb, 1.0);
+    return;
+  }
+  color = vec4(shade(kForm, items[s.item].model[3].xyz + s.relative, s.normal, s.tangent, s.bitangent, s.weights[0],
+                     s.weights[1], s.weights[2], s.shape),
+               1.0);
+}

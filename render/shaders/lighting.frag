@@ -1,0 +1,46 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+layout(constant_id = 0) const int kForm = 0;  // one pipeline per form: a uniform branch would evaluate all of them
+layout(constant_id = 1) const int kBits = 16;
+#include "frame.glsl"
+#include "brdf.glsl"
+#include "shade.glsl"
+layout(set = 1, binding = 0) uniform sampler2D targets[7];  // in the order of gbuffer.frag
+layout(location = 0) out vec4 color;
+
+void main() {
+  const ivec2 pixel = ivec2(gl_FragCoord.xy);
+  const vec4 place = texelFetch(targets[3], pixel, 0);
+  const int id = int((kBits == 8 ? place.a * 255.0 : place.a) + 0.5) - 1;
+  if (id < 0 || items[id].form.x != kForm) discard;
+  const vec4 albedo = texelFetch(targets[0], pixel, 0);
+  if (albedo.a < 0.5) {
+    color = vec4(frame.back_color.rgb, 1.0);
+    return;
+  }
+  vec4 normal = texelFetch(targets[1], pixel, 0);
+  vec4 tangent = texelFetch(targets[5], pixel, 0);
+  vec4 bitangent = texelFetch(targets[6], pixel, 0);
+  vec4 shape = texelFetch(targets[4], pixel, 0);
+  vec3 w0 = albedo.rgb, w1 = texelFetch(targets[2], pixel, 0).rgb;
+  vec3 relative = place.xyz;
+  if (kBits == 8) {
+    normal.xyz = normal.xyz * 2.0 - 1.0;
+    tangent.xyz = tangent.xyz * 2.0 - 1.0;
+    bitangent.xyz = bitangent.xyz * 2.0 - 1.0;
+    relative = (relative * 2.0 - 1.0) * items[id].weights[2].a;
+    w0 *= items[id].weight_scale.x;
+    w1 *= items[id].weight_scale.x;
+    shape = mix(items[id].shape_low, items[id].shape_high, shape);
+    for (int k = 0; k < 4; ++k) {
+      if ((items[id].form.y >> k & 1) != 0) shape[k] = exp2(shape[k]);
+    }
+  }
+  // Repair the frame: rounding took its unit lengths and right angles; the bitangent still says which hand it is.
+  const vec3 n = normalize(normal.xyz);
+  const vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
+  vec3 b = cross(n, t);
+  if (dot(b, bitangent.xyz) < 0.0) b = -b;
+  const vec3 w2 = vec3(normal.a, tangent.a, bitangent.a);
+  color = vec4(shade(kForm, items[id].model[3].xyz + relative, n, t, b, w0, w1, w2, shape), 1.0);
+}

@@ -1,0 +1,68 @@
+// The surface at a fragment: parameters and frame, with textures applied. C++ counterpart: surface.cpp.
+layout(push_constant) uniform Push { int item; } push;
+layout(location = 0) in vec3 in_relative;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in vec4 in_tangent;
+layout(location = 3) in vec2 in_uv;
+layout(set = 1, binding = 0) uniform sampler2D maps[4];  // albedo, normal, roughness, metallic
+
+struct Surface {
+  int item;
+  bool front;
+  vec3 weights[3];
+  vec4 shape;
+  vec3 relative;
+  vec3 normal, tangent, bitangent;
+};
+
+vec4 bilinear(int slot) {
+  const ivec2 size = textureSize(maps[slot], 0);
+  const vec2 p = vec2(in_uv.x - floor(in_uv.x), 1.0 - (in_uv.y - floor(in_uv.y))) * vec2(size) - 0.5;
+  const vec2 base = floor(p);
+  const vec2 t = p - base;
+  const ivec2 low = (ivec2(base) + size) % size;
+  const ivec2 high = (ivec2(base) + 1) % size;
+  const vec4 a = texelFetch(maps[slot], low, 0), b = texelFetch(maps[slot], ivec2(high.x, low.y), 0);
+  const vec4 c = texelFetch(maps[slot], ivec2(low.x, high.y), 0), d = texelFetch(maps[slot], high, 0);
+  return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);
+}
+
+void apply_maps(const Item item, inout Surface s) {
+  const int present = item.weight_roles.w;
+  const vec3 albedo = (present & 1) != 0 ? bilinear(0).rgb : s.weights[0];
+  const float roughness = (present & 4) != 0 ? bilinear(2).r : 0.0;
+  const float metallic = (present & 8) != 0 ? bilinear(3).r : 0.0;
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 0; c < 3; ++c) {
+      s.weights[k][c] = driven(item.weight_roles[k], s.weights[k][c], albedo[c], roughness, metallic);
+    }
+  }
+  for (int k = 0; k < 4; ++k) s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0, roughness, metallic);
+  if ((present & 2) != 0) {
+    const vec3 m = bilinear(1).rgb * 2.0 - 1.0;
+    const vec3 n = normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    const float hand = sign(dot(cross(s.normal, s.tangent), s.bitangent));
+    s.tangent = normalize(s.tangent - n * dot(n, s.tangent));
+    s.bitangent = cross(n, s.tangent) * hand;
+    s.normal = n;
+  }
+}
+
+Surface surface(bool textured) {
+  const Item item = items[push.item];
+  Surface s;
+  s.item = push.item;
+  s.front = gl_FrontFacing;
+  for (int k = 0; k < 3; ++k) s.weights[k] = item.weights[k].rgb;
+  s.shape = item.shape;
+  s.relative = in_relative;
+  s.normal = normalize(in_normal);
+  s.tangent = normalize(in_tangent.xyz - s.normal * dot(s.normal, in_tangent.xyz));
+  s.bitangent = cross(s.normal, s.tangent) * (in_tangent.w < 0.0 ? -1.0 : 1.0);
+  if (textured) apply_maps(item, s);
+  const float c = item.weights[0].a, turn = item.weights[1].a;
+  const vec3 t = s.tangent;
+  s.tangent = t * c + s.bitangent * turn;
+  s.bitangent = s.bitangent * c - t * turn;
+  return s;
+}

@@ -1,0 +1,84 @@
+#include "render/surface.h"
+
+namespace brdf::render {
+namespace {
+
+void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, Surface& s) {
+  glm::vec3 albedo = s.weights[0];
+  if (maps[0]) albedo = maps[0]->sample_srgb(uv);
+  const float roughness = maps[2] ? maps[2]->sample(uv).r : 0;
+  const float metallic = maps[3] ? maps[3]->sample(uv).r : 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (int c = 0; c < 3; ++c) {
+      s.weights[k][c] = driven(item.weight_roles[k], s.weights[k][c], albedo[c], roughness, metallic);
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0f, roughness, metallic);
+  if (maps[1]) {
+    const glm::vec3 m = glm::vec3(maps[1]->sample(uv)) * 2.0f - 1.0f;
+    const glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
+    s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
+    s.bitangent = glm::cross(n, s.tangent) * hand;
+    s.normal = n;
+  }
+}
+
+template <Form F>
+glm::vec3 eval_form(F form, const Surface& s, const Geometry<float>& g) {
+  using Weights = typename F::template Weights<float>;
+  using Shape = typename F::template Shape<float>;
+  const Shape shape = from_values<Shape>(std::span<const float>(s.shape));
+  std::array<Weights, 3> weights;
+  for (int c = 0; c < 3; ++c) {
+    const std::array values{s.weights[0][c], s.weights[1][c], s.weights[2][c]};
+    weights[std::size_t(c)] = from_values<Weights>(std::span<const float>(values));
+  }
+  glm::vec3 out;
+  for (int c = 0; c < 3; ++c) out[c] = eval_cos(form, weights[std::size_t(c)], weights[0], shape, g);
+  return out;
+}
+
+}  // namespace
+
+Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle, float u, float v,
+                   const glm::vec3& ray) {
+  const Mesh& mesh = *scene.meshes[item.object];
+  const Vertex& a = mesh.vertices[mesh.indices[3 * triangle]];
+  const Vertex& b = mesh.vertices[mesh.indices[3 * triangle + 1]];
+  const Vertex& c = mesh.vertices[mesh.indices[3 * triangle + 2]];
+  const float w = 1 - u - v;
+  Surface s;
+  s.weights = item.weights;
+  s.shape = item.shape;
+  const glm::vec3 relative = item.linear * (a.position * w + b.position * u + c.position * v);
+  s.position = item.origin + relative;
+  // Counter-clockwise seen from the front, also under a mirroring transform: as the rasteriser decides.
+  const glm::vec3 face =
+      glm::cross(item.linear * (b.position - a.position), item.linear * (c.position - a.position));
+  s.front = glm::dot(face, ray) < 0;
+  s.normal = glm::normalize(item.normals * (a.normal * w + b.normal * u + c.normal * v));
+  const glm::vec4 tangent = a.tangent * w + b.tangent * u + c.tangent * v;
+  const glm::vec3 t = item.linear * glm::vec3(tangent);
+  s.tangent = glm::normalize(t - s.normal * glm::dot(s.normal, t));
+  s.bitangent = glm::cross(s.normal, s.tangent) * (tangent.w < 0 ? -1.0f : 1.0f);
+  const TextureSet& maps = scene.textures[item.object];
+  if (maps[0] || maps[1] || maps[2] || maps[3]) apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, s);
+  const glm::vec3 turned = s.tangent * item.cos_turn + s.bitangent * item.sin_turn;
+  s.bitangent = s.bitangent * item.cos_turn - s.tangent * item.sin_turn;
+  s.tangent = turned;
+  return s;
+}
+
+glm::vec3 eval_cos_at(int form, const Surface& s, const glm::vec3& wi, const glm::vec3& wo) {
+  const Geometry<float> g = geometry(Vec3<float>{wi.x, wi.y, wi.z}, Vec3<float>{wo.x, wo.y, wo.z});
+  glm::vec3 out(0);
+  int index = 0;
+  for_each_form([&](auto f) {
+    if (index++ == form) out = eval_form(f, s, g);
+  });
+  return out;
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,73 @@
+// The Vulkan instance and device: headless by default, with a surface when the viewer names its instance
+// extensions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/vulkan/handle.h"
+
+namespace brdf::render {
+
+struct DeviceOptions {
+  std::vector<const char*> instance_extensions;  // of the window system; empty: headless
+  std::uint64_t memory_limit = 0;                // bytes of device memory, 0: no limit
+  bool validation = false;  // validation and synchronisation layers; counts their messages
+};
+
+class Device {
+ public:
+  // Takes the first device with Vulkan 1.3, dynamic rendering and synchronization2 (VK_DRIVER_FILES chooses
+  // the driver). Throws EnvironmentError when there is none, or when validation is wanted and the layer is
+  // not installed.
+  explicit Device(const DeviceOptions& options = {});
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  VkInstance instance() const { return instance_; }
+  VkPhysicalDevice physical() const { return physical_; }
+  VkDevice get() const { return device_; }
+  VkQueue queue() const { return queue_; }
+  std::uint32_t queue_family() const { return queue_family_; }
+  VkCommandPool command_pool() const { return pool_; }
+  const std::string& name() const { return name_; }
+  double timestamp_period_ns() const { return timestamp_period_; }
+  std::uint32_t max_image_size() const { return max_image_size_; }
+  // Messages of the validation layers so far; always 0 without validation.
+  unsigned validation_messages() const { return validation_messages_; }
+
+  // Records commands, submits them and waits until they have run.
+  void run(const std::function<void(VkCommandBuffer)>& record) const;
+
+  // Throws InputError when `bytes` more would exceed the memory limit; every allocation of ours goes through
+  // here.
+  VkDeviceMemory allocate(const VkMemoryAllocateInfo& info);
+  void release(VkDeviceMemory memory, std::uint64_t bytes);
+  std::uint64_t memory_used() const { return memory_used_; }
+  // The limit alone: for a look ahead before anything is allocated.
+  void require_memory(std::uint64_t bytes, const std::string& what) const;
+  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags) const;
+
+ private:
+  void create_instance(const DeviceOptions& options);
+  void pick_physical_device();
+  void create_device(bool window);
+
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  std::uint32_t queue_family_ = 0;
+  std::uint32_t max_image_size_ = 0;
+  double timestamp_period_ = 1;
+  std::string name_;
+  std::uint64_t memory_limit_ = 0, memory_used_ = 0;
+  unsigned validation_messages_ = 0;
+};
+
+}  // namespace brdf::render

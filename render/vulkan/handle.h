@@ -1,0 +1,55 @@
+// Move-only owners of Vulkan objects, and the check that turns a failed call into an exception.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <utility>
+
+namespace brdf::render {
+
+// Throws EnvironmentError naming the call when result is an error code.
+void check(VkResult result, const char* call);
+
+// A child of a device, destroyed by the vkDestroy... function it was made with.
+template <class T>
+class Owned {
+ public:
+  using Destroy = void(VKAPI_PTR*)(VkDevice, T, const VkAllocationCallbacks*);
+
+  Owned() = default;
+  Owned(VkDevice device, T handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
+  Owned(Owned&& other) noexcept { swap(other); }
+  Owned& operator=(Owned&& other) noexcept {
+    Owned taken(std::move(other));
+    swap(taken);
+    return *this;
+  }
+  ~Owned() {
+    if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, nullptr);
+  }
+  T get() const { return handle_; }
+  explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
+
+ private:
+  void swap(Owned& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(handle_, other.handle_);
+    std::swap(destroy_, other.destroy_);
+  }
+  VkDevice device_ = VK_NULL_HANDLE;
+  T handle_ = VK_NULL_HANDLE;
+  Destroy destroy_ = nullptr;
+};
+
+// owned(device, vkCreateSampler, vkDestroySampler, info)
+template <class T, class Info>
+Owned<T> owned(VkDevice device,
+               VkResult(VKAPI_PTR* create)(VkDevice, const Info*, const VkAllocationCallbacks*, T*),
+               void(VKAPI_PTR* destroy)(VkDevice, T, const VkAllocationCallbacks*), const Info& info,
+               const char* call) {
+  T handle = VK_NULL_HANDLE;
+  check(create(device, &info, nullptr, &handle), call);
+  return Owned<T>(device, handle, destroy);
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,50 @@
+// Graphics pipelines for dynamic rendering, and descriptor sets.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/vulkan/device.h"
+
+namespace brdf::render {
+
+using Spirv = std::span<const std::uint32_t>;
+
+enum class VertexInput { none, mesh };
+enum class Blend { replace, add };
+
+struct PipelineDescription {
+  Spirv vertex, fragment;
+  std::vector<std::uint32_t> constants;  // specialisation constants 0, 1, ... of the fragment shader
+  VertexInput input = VertexInput::none;
+  std::vector<VkFormat> colors;
+  bool depth = false;  // D32, reversed: nearer is greater
+  Blend blend = Blend::replace;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  VkRenderPass render_pass = VK_NULL_HANDLE;  // null: dynamic rendering into `colors`
+};
+
+Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription& description);
+
+struct Binding {
+  VkDescriptorType type;
+  std::uint32_t count = 1;
+};
+// Bindings 0, 1, ... visible to vertex and fragment shaders.
+Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings);
+Owned<VkPipelineLayout> make_pipeline_layout(const Device& device,
+                                             std::span<const VkDescriptorSetLayout> sets,
+                                             std::uint32_t push_constant_bytes);
+Owned<VkSampler> make_sampler(const Device& device, VkFilter filter, VkSamplerAddressMode address);
+
+// A pool that holds exactly `sets` sets of these bindings.
+Owned<VkDescriptorPool> make_descriptor_pool(const Device& device, std::span<const Binding> bindings,
+                                             std::uint32_t sets);
+VkDescriptorSet allocate_set(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
+void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type,
+                  VkBuffer buffer);
+void write_image(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view,
+                 VkSampler sampler, std::uint32_t element = 0);
+
+}  // namespace brdf::render

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/error.h"
+#include "render/reference.h"
+#include "render/renderer.h"
+
+namespace brdf::render {
+namespace {
+
+Scene sphere_scene(const Material& material, int size = 256) {
+  Scene scene = material_scene({{"m", material}});
+  scene.camera.width = scene.camera.height = size;
+  return scene;
+}
+
+Picture drawn(Device& device, const PreparedScene& scene, const RendererOptions& options) {
+  Renderer renderer(device, scene, options);
+  renderer.draw();
+  return picture_from(scene.scene.camera.width, scene.scene.camera.height, renderer.read_color());
+}
+
+TEST(Deferred, EveryFormEqualsTheReference) {
+  Device device;
+  for_each_form([&](auto form) {
+    const PreparedScene scene = prepare(sphere_scene(make_material(form)));
+    const Picture reference = render_reference(scene);
+    const Difference half = compare(drawn(device, scene, {.gbuffer_bits = 16}), reference);
+    const Difference full = compare(drawn(device, scene, {.gbuffer_bits = 32}), reference);
+    EXPECT_LT(full.rel_mse, 1e-11) << info(form).name;
+    EXPECT_LT(half.rel_mse, 1e-6) << info(form).name;
+    EXPECT_GT(half.rel_mse, full.rel_mse) << info(form).name;
+    EXPECT_LT(half.coverage_mismatch, 1e-4) << info(form).name;
+  });
+}
+
+TEST(Deferred, SumsAndPerChannelShapesAreAddedUp) {
+  Material material = make_material(*find_form("cook_torrance"));
+  material.terms.push_back(make_term(*find_form("ward"), 3));
+  material.terms.push_back(make_term(*find_form("oren_nayar"), 3));
+  const auto shape = material.terms[0].shape[0];
+  material.terms[0].shape = {shape, shape, shape};
+  material.terms[0].shape[1][0] = 0.1;
+  material.terms[1].tangent_phi = 0.5;
+  const PreparedScene scene = prepare(sphere_scene(material));
+  Device device;
+  EXPECT_LT(compare(drawn(device, scene, {.gbuffer_bits = 32}), render_reference(scene)).rel_mse, 1e-11);
+}
+
+TEST(Deferred, SeveralFormsAndPointLightsShareOnePicture) {
+  std::vector<std::pair<std::string, Material>> row;
+  for_each_form([&](auto form) { row.emplace_back(info(form).name, make_material(form)); });
+  Scene scene = material_scene(row);
+  scene.camera.width = 512;
+  scene.camera.height = 128;
+  scene.sky_zenith = glm::vec3(0.2f, 0.4f, 0.8f);
+  for (int k = 0; k < 7; ++k) scene.lights.push_back({true, {float(k) - 3, 2, 3}, {0.2f, 0.5f, 0.3f}, 4});
+  const PreparedScene prepared = prepare(scene);
+  Device device;
+  const Picture picture = drawn(device, prepared, {.gbuffer_bits = 32});
+  const Picture reference = render_reference(prepared);
+  EXPECT_LT(compare(picture, reference).rel_mse, 3e-11);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(0, 0)[c], reference.at(0, 0)[c], 1e-5);  // the sky
+  EXPECT_LT(compare(drawn(device, prepared, {.path = Path::forward}), reference).rel_mse, 3e-11);
+}
+
+TEST(Deferred, EightBitTargetsAreCoarseButRight) {
+  const PreparedScene scene = prepare(sphere_scene(make_material(*find_form("cook_torrance"))));
+  Device device;
+  const Difference byte = compare(drawn(device, scene, {.gbuffer_bits = 8}), render_reference(scene));
+  EXPECT_LT(byte.rel_mse, 1e-3);
+  EXPECT_GT(byte.rel_mse, 1e-6);
+}
+
+TEST(Deferred, ValidationAndSynchronisationLayersAreSilent) {
+  Device device({.validation = true});
+  Material material = make_material(*find_form("cook_torrance"));
+  material.terms.push_back(make_term(*find_form("ward"), 3));
+  const PreparedScene scene = prepare(sphere_scene(material, 64));
+  for (const int bits : {8, 16, 32}) {
+    Renderer renderer(device, scene, {.gbuffer_bits = bits});
+    renderer.draw();
+    renderer.draw();
+    for (int k = 0; k < kTargetCount; ++k) renderer.read_target(k);
+    renderer.read_color();
+  }
+  const PreparedScene plain = prepare(sphere_scene(make_material(*find_form("phong")), 64));
+  drawn(device, plain, {.path = Path::forward});
+  EXPECT_EQ(device.validation_messages(), 0u);
+}
+
+TEST(Deferred, TooLargeForTheMemoryLimitIsRefusedBeforeAnythingIsAllocated) {
+  Device device({.memory_limit = 1u << 30});
+  const PreparedScene scene = prepare(sphere_scene(make_material(*find_form("lambert")), 16384));
+  try {
+    Renderer renderer(device, scene, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("16384 x 16384 needs"), std::string::npos);
+  }
+  EXPECT_EQ(device.memory_used(), 0u);
+}
+
+}  // namespace
+}  // namespace brdf::render

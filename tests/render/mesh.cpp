@@ -1,0 +1,146 @@
+#include "render/mesh/mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "io/error.h"
+
+namespace brdf::render {
+namespace {
+
+// Area and outward volume: both are wrong as soon as a triangle is missing, doubled or turned round.
+struct Measure {
+  double area = 0, volume = 0;
+};
+Measure measure(const Mesh& mesh) {
+  Measure m;
+  for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
+    const glm::dvec3 a(mesh.vertices[mesh.indices[f]].position),
+        b(mesh.vertices[mesh.indices[f + 1]].position), c(mesh.vertices[mesh.indices[f + 2]].position);
+    m.area += glm::length(glm::cross(b - a, c - a)) / 2;
+    m.volume += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  return m;
+}
+
+void expect_sound_frames(const Mesh& mesh) {
+  for (const Vertex& v : mesh.vertices) {
+    ASSERT_NEAR(glm::length(v.normal), 1, 1e-5);
+    ASSERT_NEAR(glm::length(glm::vec3(v.tangent)), 1, 1e-5);
+    ASSERT_EQ(std::abs(v.tangent.w), 1);
+  }
+}
+
+std::filesystem::path write(const char* name, const std::string& text) {
+  const auto file = std::filesystem::path(testing::TempDir()) / name;
+  std::ofstream(file) << text;
+  return file;
+}
+
+std::string message_of(const std::filesystem::path& file) {
+  try {
+    load_model(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr const char* kQuad =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
+    "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
+
+TEST(Mesh, SphereIsClosedAndApproachesTheTrueOne) {
+  const Mesh sphere = make_sphere_of(kSphereTriangles);
+  EXPECT_EQ(sphere.triangles(), 50176u);
+  const Measure m = measure(sphere);
+  const double volume = 4.0 / 3 * std::acos(-1.0);
+  EXPECT_LT(1 - m.volume / volume, 1e-3);
+  EXPECT_GT(1 - m.volume / volume, 1e-4);
+  expect_sound_frames(sphere);
+}
+
+TEST(Mesh, IcosphereHasTwentyTimesFourToTheLevelTriangles) {
+  for (int level = 0; level < 5; ++level) EXPECT_EQ(make_icosphere(level).triangles(), 20u << (2 * level));
+  const Measure m = measure(make_icosphere(4));
+  EXPECT_GT(m.volume, 0.99 * 4.0 / 3 * std::acos(-1.0));
+  expect_sound_frames(make_icosphere(3));
+}
+
+TEST(Mesh, PlaneFacesUpAndItsTextureRunsAlongX) {
+  const Mesh plane = make_plane(3);
+  EXPECT_NEAR(measure(plane).area, 4, 1e-5);
+  for (std::size_t f = 0; f < plane.indices.size(); f += 3) {
+    const glm::vec3 a = plane.vertices[plane.indices[f]].position,
+                    b = plane.vertices[plane.indices[f + 1]].position,
+                    c = plane.vertices[plane.indices[f + 2]].position;
+    EXPECT_GT(glm::cross(b - a, c - a).y, 0);
+  }
+}
+
+TEST(Mesh, CarIsClosedAndItsNormalsPointOutwards) {
+  const Mesh car = make_car();
+  expect_sound_frames(car);
+  EXPECT_GT(measure(car).volume, 3);
+  std::size_t agreeing = 0;
+  for (std::size_t f = 0; f < car.indices.size(); f += 3) {
+    const Vertex &a = car.vertices[car.indices[f]], &b = car.vertices[car.indices[f + 1]],
+                 &c = car.vertices[car.indices[f + 2]];
+    if (glm::dot(glm::cross(b.position - a.position, c.position - a.position),
+                 a.normal + b.normal + c.normal) > 0) {
+      ++agreeing;
+    }
+  }
+  EXPECT_GT(double(agreeing) / double(car.triangles()), 0.99);
+}
+
+TEST(Mesh, TextLiesOnTheSphereAndFacesOutwards) {
+  const Mesh text = make_text_sphere("BRDF");
+  EXPECT_GT(text.triangles(), 200u);
+  for (const Vertex& v : text.vertices) ASSERT_NEAR(glm::length(v.position), 1, 1e-5);
+  EXPECT_GT(measure(text).volume, 0);
+  // Letters with holes cover less than the filled outlines; B, R and D have four.
+  EXPECT_LT(measure(text).area, 1.6);
+  EXPECT_GT(measure(text).area, 0.4);
+  EXPECT_THROW(make_text_sphere("  "), InputError);
+  EXPECT_THROW(make_text_sphere("\xff"), InputError);
+}
+
+TEST(Mesh, ModelKeepsMirroredHandedness) {
+  const Mesh plain = load_model(write("quad.obj", kQuad));
+  std::string mirrored = kQuad;
+  for (const auto& [from, to] :
+       {std::pair{"vt 0 0", "vt 1 0 "}, {"vt 1 0\nvt 1 1\nvt 0 1", "vt 0 0\nvt 0 1\nvt 1 1"}}) {
+    mirrored.replace(mirrored.find(from), std::string(from).size(), to);
+  }
+  const Mesh turned = load_model(write("mirrored.obj", mirrored));
+  for (const Vertex& v : plain.vertices) EXPECT_EQ(v.tangent.w, 1);
+  for (const Vertex& v : turned.vertices) EXPECT_EQ(v.tangent.w, -1);
+}
+
+TEST(Mesh, ModelWithoutTextureCoordinatesGetsFramesFromItsNormals) {
+  const Mesh mesh = load_model(write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_EQ(mesh.triangles(), 1u);
+  expect_sound_frames(mesh);
+}
+
+TEST(Mesh, BrokenModelsAreRefusedInOneLine) {
+  EXPECT_NE(message_of("absent.obj").find("absent.obj: no such model file"), std::string::npos);
+  EXPECT_NE(message_of(write("broken.obj", "this is no model")).find("broken.obj"), std::string::npos);
+  EXPECT_NE(
+      message_of(write("flat.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n")).find("no triangle with an area"),
+      std::string::npos);
+  EXPECT_NE(message_of(write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).find("not finite"),
+            std::string::npos);
+}
+
+TEST(Mesh, TrianglesWithoutAreaAreDropped) {
+  const Mesh mesh = load_model(write("sliver.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n"));
+  EXPECT_EQ(mesh.triangles(), 1u);
+}
+
+}  // namespace
+}  // namespace brdf::render

@@ -1,0 +1,104 @@
+#include "render/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/error.h"
+#include "render/prepared.h"
+
+namespace brdf::render {
+namespace {
+
+const std::string kMaterial =
+    R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],"weights":{"rho":[0,0.5,1]}})";
+
+// A scene with these further keys and this object.
+std::string scene_with(const std::string& keys, const std::string& object = "") {
+  return R"({"format":"brdf-scene","version":1,)" + keys + R"("objects":[{"material":)" + kMaterial + object +
+         "}]}";
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    prepare(parse_scene(text, "s.json", "."));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Scene, ReadsWhatItWrote) {
+  const std::string text = scene_with(
+      R"("camera":{"position":[1,2,3],"vertical_fov":40,"width":64,"height":32},"ambient":[0.1,0.2,0.3],
+         "background":{"horizon":[1,1,1],"zenith":[0,0,1]},"lights":[{"type":"point","position":[1,2,3],"intensity":2},
+         {"type":"directional","direction":[0,-1,0],"color":[1,0,0]}],"shading":"phong","as_coded":true,)",
+      R"(,"mesh":"icosphere:2","rotation":[10,20,30],"scale":[1,2,1])");
+  const Scene once = parse_scene(text, "s", ".");
+  const std::string written = scene_text(once);
+  EXPECT_EQ(scene_text(parse_scene(written, "s", ".")), written);
+  EXPECT_TRUE(once.as_coded);
+  EXPECT_EQ(once.tone_map, ToneMap::none);  // the articles' colours are shown as they are
+  EXPECT_EQ(once.lights.size(), 2u);
+  EXPECT_TRUE(once.sky_zenith.has_value());
+}
+
+TEST(Scene, RefusesWhatItDoesNotKnowByItsPath) {
+  EXPECT_NE(message_of(scene_with(R"("colour":1,)")).find("s.json: $: unknown key \"colour\""),
+            std::string::npos);
+  EXPECT_NE(message_of(scene_with(R"("lights":[{"type":"spot"}],)")).find("$.lights[0].type"),
+            std::string::npos);
+  EXPECT_NE(
+      message_of(scene_with(R"("lights":[{"type":"point","position":[0,1]}],)")).find("$.lights[0].position"),
+      std::string::npos);
+  EXPECT_NE(message_of(scene_with(R"("lights":[{"type":"directional","direction":[0,0,0]}],)"))
+                .find("must not be zero"),
+            std::string::npos);
+  EXPECT_NE(message_of(scene_with(R"("camera":{"width":0},)")).find("$.camera.width"), std::string::npos);
+  EXPECT_NE(message_of(scene_with("", R"(,"scale":0)")).find("$.objects[0].scale"), std::string::npos);
+  EXPECT_NE(message_of(scene_with("", R"(,"textures":{"albedo":"absent.png"})"))
+                .find("absent.png: no such texture"),
+            std::string::npos);
+  EXPECT_NE(message_of(scene_with("", R"(,"mesh":"sphere:many")")).find("sphere:many"), std::string::npos);
+}
+
+TEST(Scene, EveryShippedSceneLoads) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
+    if (entry.path().extension() != ".json" || entry.path().stem().string().starts_with("material_"))
+      continue;
+    SCOPED_TRACE(entry.path().string());
+    EXPECT_NO_THROW(prepare(load_scene(entry.path())));
+    ++count;
+  }
+  EXPECT_GE(count, 1);
+}
+
+TEST(Scene, PerChannelShapesBecomeOneItemPerChannel) {
+  Material material = make_material(*find_form("cook_torrance"));
+  const auto shape = material.terms[0].shape[0];
+  material.terms[0].shape = {shape, shape, shape};
+  material.terms[0].shape[2][0] = 0.1;
+  Scene scene = material_scene({{"m", material}});
+  scene.objects[0].mesh = "icosphere:1";
+  const PreparedScene prepared = prepare(scene);
+  ASSERT_EQ(prepared.layers.size(), 3u);
+  EXPECT_EQ(prepared.layers[0][0].weights[0].g, 0);
+  EXPECT_EQ(prepared.layers[2][0].weights[0].b, 0.5f);
+  EXPECT_EQ(prepared.layers[2][0].shape[0], 0.1f);
+}
+
+TEST(Scene, MaterialRowFitsIntoThePicture) {
+  const Material material = make_material(*find_form("lambert"));
+  for (std::size_t count = 1; count <= 12; ++count) {
+    const Scene scene = material_scene(std::vector(count, std::pair{std::string("m"), material}));
+    const float aspect = float(scene.camera.width) / float(scene.camera.height);
+    const float reach =
+        scene.camera.position.z * std::tan(glm::radians(scene.camera.vertical_fov) / 2) * aspect;
+    EXPECT_GT(reach, scene.objects.back().position.x + 1) << count;
+  }
+}
+
+}  // namespace
+}  // namespace brdf::render
