@@ -15,6 +15,13 @@ constexpr double kRounding = 4e-15;  // relative, of a sum of ten thousand terms
 
 using PanelRule = Sums (*)(const Integrand&, const FixedDirection&, int);
 
+// Relative, of directions stored in double precision: near grazing a lobe of width a spans a cos (at the
+// horizon a^2) of the half vector's components, each rounded to 1e-16; over many points that averages out.
+double stored_directions(const Integrand& integrand, const FixedDirection& fixed, long evaluations) {
+  const double width = std::min(integrand.features().width_x, integrand.features().width_y);
+  return 1e-15 / (width * std::max(std::sin(fixed.elevation), width / 4) * std::sqrt(double(evaluations)));
+}
+
 double distance(double a, double b) {
   return std::abs(a - b);
 }
@@ -28,11 +35,12 @@ std::vector<AlbedoResult> escalate(PanelRule rule, Rule name, const Integrand& i
     const Sums sums = rule(integrand, fixed, n);
     evaluations += sums.evaluations;
     const std::vector<double> values = integrand.combine(sums.columns);
+    const double rounding = kRounding + stored_directions(integrand, fixed, sums.evaluations);
     bool all = true;
     for (std::size_t k = 0; k < results.size(); ++k) {
       const double change = previous.empty() ? HUGE_VAL : distance(values[k], previous[k]);
       const double earlier = before.empty() ? HUGE_VAL : 0.1 * distance(previous[k], before[k]);
-      const double error = std::max(change, earlier) + kRounding * std::abs(values[k]);
+      const double error = std::max(change, earlier) + rounding * std::abs(values[k]);
       results[k] = {values[k], error, evaluations,
                     n >= kFirstAccepted && error <= options.tolerance * std::abs(values[k]), name};
       if (values[k] == 0 && error == 0) results[k].converged = true;

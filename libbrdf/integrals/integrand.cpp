@@ -23,58 +23,10 @@ Kink kink_of(const AnyForm& form, double width) {
   return Kink::none;
 }
 
-// Directions whose half vector has this slope along one axis, from below the normal's other side.
-double sum_at(const Integrand& integrand, const Vec3<double>& fixed, const Vec3<double>& moving) {
-  std::vector<double> out(integrand.columns());
-  integrand.evaluate(fixed, 1, &moving.x, &moving.y, &moving.z, out.data());
-  double sum = 0;
-  for (const double v : out) sum += std::abs(v);
-  return sum / moving.z;
-}
-
-// The slope at which the form has fallen to 1/e of the way from its peak to its floor, at normal incidence.
-double measured_width(const Integrand& integrand) {
-  const Vec3<double> normal{0, 0, 1};
-  const double peak = sum_at(integrand, normal, normal);
-  const auto at_slope = [&](double slope) {
-    const double angle = 2 * std::atan(slope);
-    return sum_at(integrand, normal, {std::sin(angle), 0, std::cos(angle)});
-  };
-  const double floor = at_slope(0.999);
-  if (!(peak - floor > 1e-3 * peak)) return 1;
-  for (double slope = 1e-5; slope < 0.999; slope *= 1.2)
-    if (at_slope(slope) - floor < std::exp(-1.0) * (peak - floor)) return slope;
-  return 1;
-}
-
-// f cos of one column goes as sqrt(cos) where its logarithmic slope near the horizon is a half. (A diffuse
-// lobe beside it goes as cos, so the columns are looked at one by one.)
-bool measured_root(const Integrand& integrand) {
-  const Vec3<double> fixed{0, 0.6, 0.8};
-  const auto at = [&](double z) {
-    std::vector<double> out(integrand.columns());
-    const double x = std::sqrt(1 - z * z), y = 0;
-    integrand.evaluate(fixed, 1, &x, &y, &z, out.data());
-    return out;
-  };
-  const auto low = at(1e-8), high = at(1e-6);
-  for (std::size_t c = 0; c < low.size(); ++c)
-    if (high[c] > 0 && std::abs(std::log(low[c] / high[c]) / std::log(1e-2) - 0.5) < 0.1) return true;
-  return false;
-}
-
-Features features_of(const Integrand& integrand, const AnyForm& form, std::span<const double> shape) {
-  Features found;
-  const FormInfo& f = info(form);
-  if (f.anisotropic()) {
-    found.width_x = shape[std::size_t(f.shape_index("alpha_x"))];
-    found.width_y = shape[std::size_t(f.shape_index("alpha_y"))];
-  } else {
-    found.width_x = found.width_y = measured_width(integrand);
-  }
-  found.root_at_horizon = measured_root(integrand);
-  found.kink = kink_of(form, found.width_x);
-  return found;
+// Moving direction whose half vector with the normal has this slope.
+Vec3<double> at_slope(double slope) {
+  const double angle = 2 * std::atan(slope);
+  return {std::sin(angle), 0, std::cos(angle)};
 }
 
 }  // namespace
@@ -93,7 +45,7 @@ Integrand::Integrand(const Term& term, std::vector<std::size_t> channels, Fixed 
           return channels_.size();
       },
       form_);
-  features_ = features_of(*this, form_, shape_);
+  look();
 }
 
 Integrand::Integrand(const AnyForm& form, std::span<const double> shape, Fixed fixed)
@@ -106,11 +58,93 @@ Integrand::Integrand(const AnyForm& form, std::span<const double> shape, Fixed f
           return 0;
       },
       form_);
-  if (columns_ > 0) features_ = features_of(*this, form_, shape_);
+  if (columns_ > 0) look();
 }
 
-std::vector<double> Integrand::combine(std::span<const double> columns) const {
-  if (lobes_only_) return {columns.begin(), columns.end()};
+// Sum of the varying columns' magnitudes, f without cosine.
+double Integrand::sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) const {
+  std::vector<double> out(columns_);
+  evaluate(fixed, 1, &moving.x, &moving.y, &moving.z, out.data());
+  double sum = 0;
+  for (std::size_t c = 0; c < columns_; ++c)
+    if (constants_.empty() || std::isnan(constants_[c])) sum += std::abs(out[c]);
+  return sum / moving.z;
+}
+
+// A column that has one and the same value at seven unrelated pairs of directions is taken for constant.
+void Integrand::find_constants() {
+  constexpr std::array<std::array<double, 4>, 7> kPairs{{{0, 0, 0, 0},
+                                                         {0.3, 0.1, 0.35, 3.2},
+                                                         {0.9, 2.0, 0.85, 5.1},
+                                                         {1.2, 1.0, 1.21, 4.13},
+                                                         {0.6, 4.0, 1.5, 0.5},
+                                                         {1.54, 0.2, 1.3, 0.2},
+                                                         {0.05, 5.5, 0.7, 2.5}}};
+  std::vector<double> first(columns_), out(columns_);
+  std::vector<bool> same(columns_, true);
+  for (const auto& [theta_f, phi_f, theta_m, phi_m] : kPairs) {
+    const Vec3<double> m = direction(theta_m, phi_m);
+    evaluate(direction(theta_f, phi_f), 1, &m.x, &m.y, &m.z, out.data());
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const double f = out[c] / m.z;
+      if (theta_m == 0) first[c] = f;
+      same[c] = same[c] && std::abs(f - first[c]) <= 4e-16 * std::abs(first[c]);
+    }
+  }
+  constants_.assign(columns_, NAN);
+  for (std::size_t c = 0; c < columns_; ++c)
+    if (same[c]) constants_[c] = first[c];
+}
+
+// The slope at which the form has fallen to 1/e of the way from its peak to its floor, at normal incidence.
+double Integrand::measured_width() const {
+  const Vec3<double> normal{0, 0, 1};
+  const double peak = sum_at(normal, normal), floor = sum_at(normal, at_slope(0.999));
+  if (!(peak - floor > 1e-3 * peak)) return 1;
+  for (double slope = 1e-5; slope < 0.999; slope *= 1.2)
+    if (sum_at(normal, at_slope(slope)) - floor < std::exp(-1.0) * (peak - floor)) return slope;
+  return 1;
+}
+
+// f cos of one column goes as sqrt(cos) where its logarithmic slope near the horizon is a half. (A lobe
+// beside it may go as cos, so the columns are looked at one by one.) Both directions within the lobe's width
+// of grazing, so that an exponential lobe is not 0 there.
+bool Integrand::measured_root() const {
+  const double z_fixed = 0.25 * std::min(features_.width_x, features_.width_y);
+  const auto at = [&](double z) {
+    std::vector<double> out(columns_);
+    const double x = std::sqrt(1 - z * z), y = 0;
+    evaluate({-std::sqrt(1 - z_fixed * z_fixed), 0, z_fixed}, 1, &x, &y, &z, out.data());
+    return out;
+  };
+  const auto low = at(1e-6 * z_fixed), high = at(1e-5 * z_fixed);
+  for (std::size_t c = 0; c < low.size(); ++c)
+    if (high[c] > 0 && std::abs(std::log10(high[c] / low[c]) - 0.5) < 0.1) return true;
+  return false;
+}
+
+void Integrand::look() {
+  find_constants();
+  const FormInfo& f = info(form_);
+  if (f.anisotropic()) {
+    features_.width_x = shape_[std::size_t(f.shape_index("alpha_x"))];
+    features_.width_y = shape_[std::size_t(f.shape_index("alpha_y"))];
+  } else {
+    features_.width_x = features_.width_y = measured_width();
+  }
+  features_.root_at_horizon = measured_root();
+  features_.kink = kink_of(form_, features_.width_x);
+  features_.mirror_lobe = f.family == "phong";
+  const double reach = kReach * std::max(features_.width_x, features_.width_y);
+  const Vec3<double> normal{0, 0, 1};
+  features_.compact = reach < 0.9 && sum_at(normal, at_slope(reach)) < 1e-24 * sum_at(normal, normal);
+}
+
+std::vector<double> Integrand::combine(std::span<const double> sums) const {
+  std::vector<double> columns(sums.begin(), sums.end());
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (!std::isnan(constants_[c])) columns[c] = kPi * constants_[c];
+  if (lobes_only_) return columns;
   return std::visit(
       [&](auto f) -> std::vector<double> {
         using F = decltype(f);
@@ -126,7 +160,7 @@ std::vector<double> Integrand::combine(std::span<const double> columns) const {
           }
           return values;
         } else {
-          return {columns.begin(), columns.end()};
+          return columns;
         }
       },
       form_);

@@ -21,9 +21,15 @@ enum class Kink {
 struct Features {
   double width_x = 1, width_y = 1;  // of the lobe, in the half vector's slope
   bool root_at_horizon = false;     // f cos behaves as sqrt(cos) there
+  bool mirror_lobe = false;         // about the mirror direction, not about the half vector
+  // Nothing but constants beyond kReach widths: an exponential tail, which the rules cut off there.
+  bool compact = false;
   Kink kink = Kink::none;
   bool anisotropic() const { return width_x != width_y; }
 };
+
+// exp(-kReach^2) = 9e-27.
+inline constexpr double kReach = 7.745966692414834;
 
 // The fixed direction. The elevation, not the polar angle, because accuracy is needed near grazing.
 struct FixedDirection {
@@ -40,7 +46,7 @@ class Integrand {
   const Features& features() const { return features_; }
   std::size_t columns() const { return columns_; }  // integrals done side by side
   std::size_t outputs() const { return lobes_only_ ? columns_ : channels_.size(); }
-  // Outputs from the integrals of the columns.
+  // Outputs from the integrals of the columns. A column that does not vary is pi times its value, exactly.
   std::vector<double> combine(std::span<const double> columns) const;
 
   // f cos of column c at n moving unit directions: out[c n + j]. `fixed` in the tangent's frame.
@@ -55,7 +61,14 @@ class Integrand {
   Fixed fixed_;
   bool lobes_only_ = false;
   std::size_t columns_ = 0;
+  std::vector<double> constants_;  // of the columns that do not vary, else NaN
   Features features_;
+
+  void look();
+  double sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) const;
+  void find_constants();
+  double measured_width() const;
+  bool measured_root() const;
 };
 
 // Collects weighted directions and sums the integrand over them, a block at a time.

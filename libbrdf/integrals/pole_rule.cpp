@@ -56,33 +56,36 @@ class PoleRule {
   Sums run() {
     const double theta_o = kPi / 2 - e_o_;
     const bool limit = e_o_ < kGrazing;
+    // No part of a compact lobe is farther than this from theta_o.
+    const double reach = features_.compact ? 2 * std::atan(kReach * a_) : kPi;
     // From the normal to theta_o.
     const double b = limit ? a_ : std::min(a_, std::tan(e_o_));
     const bool root = limit && features_.kink == Kink::mirror_edge;  // the row goes as sin^n
-    outer(-std::asinh(std::tan(theta_o / 2) / b), 0, root, [&](double s, double& jacobian) {
-      const double t = b * std::sinh(s);
-      jacobian = 2 * b * std::cosh(s) / (1 + t * t);
-      const double delta = 2 * std::atan(t);
-      return Polar{e_o_ - delta, delta};
-    });
+    outer(-std::asinh(std::tan(std::min(theta_o, reach) / 2) / b), 0, root,
+          [&](double s, double& jacobian) { return from_mirror(b, s, jacobian); });
     if (limit) return {sum_.sums(), sum_.evaluations()};
     // From theta_o half way to the horizon, and from the horizon up to there.
-    outer(0, std::asinh(std::tan(e_o_ / 4) / a_), false, [&](double s, double& jacobian) {
-      const double t = a_ * std::sinh(s);
-      jacobian = 2 * a_ * std::cosh(s) / (1 + t * t);
-      const double delta = 2 * std::atan(t);
-      return Polar{e_o_ - delta, delta};
-    });
-    outer(0, std::asinh(std::tan(e_o_ / 2) / a_), features_.root_at_horizon, [&](double s, double& jacobian) {
-      const double t = a_ * std::sinh(s);
-      jacobian = a_ * std::cosh(s) / (1 + t * t);
-      const double e = std::atan(t);
-      return Polar{e, e_o_ - e};
-    });
+    outer(0, std::asinh(std::tan(std::min(e_o_ / 2, reach) / 2) / a_), false,
+          [&](double s, double& jacobian) { return from_mirror(a_, s, jacobian); });
+    const double lowest = std::max(e_o_ - reach, 0.0);
+    outer(std::asinh(std::tan(lowest) / a_), std::asinh(std::tan(e_o_ / 2) / a_),
+          features_.root_at_horizon && lowest == 0, [&](double s, double& jacobian) {
+            const double t = a_ * std::sinh(s);
+            jacobian = a_ * std::cosh(s) / (1 + t * t);
+            const double e = std::atan(t);
+            return Polar{e, e_o_ - e};
+          });
     return {sum_.sums(), sum_.evaluations()};
   }
 
  private:
+  Polar from_mirror(double scale, double s, double& jacobian) const {
+    const double t = scale * std::sinh(s);
+    jacobian = 2 * scale * std::cosh(s) / (1 + t * t);
+    const double delta = 2 * std::atan(t);
+    return {e_o_ - delta, delta};
+  }
+
   // Integrates over s in [low, high], split where the rows' kinks appear or vanish.
   template <class Map>
   void outer(double low, double high, bool root_low, Map&& map) {
@@ -139,12 +142,17 @@ class PoleRule {
   void row(const Polar& p, double weight) {
     const double sin_i = std::cos(p.elevation), cos_i = std::sin(p.elevation);
     const double sd = std::sin(p.delta / 2), cd = std::cos(p.delta / 2);
-    const double d = 4 * square(std::sin((p.elevation + e_o_) / 2)) * (sd * sd + a_ * a_ * cd * cd);
+    const double tilt = features_.mirror_lobe ? 1 : std::sin((p.elevation + e_o_) / 2);
+    const double d = 4 * square(tilt) * (sd * sd + a_ * a_ * cd * cd);
     const double ratio = std::sqrt(d / std::max(4 * sin_i * sin_o_, 1e-300));
     const double eta = std::min(2 * std::asinh(ratio), 1e6);  // theta_o = 0: every azimuth is alike
-    const double s_end = std::asinh(kPi / eta);
+    double s_end = std::asinh(kPi / eta);
+    if (features_.compact) {  // the exponent grows from (tan(D/2)/a)^2 by (phi/eta)^2 times one more
+      const double steepness = 1 + square(sd / (a_ * cd));
+      s_end = std::min(s_end, std::asinh(std::sqrt((kReach * kReach + 1) / steepness)));
+    }
     const RowKink kink = row_kink(features_.kink, sin_i, cos_i, sin_o_, cos_o_);
-    const double s_kink = kink.present() ? std::asinh(std::acos(kink.cosine) / eta) : s_end;
+    const double s_kink = kink.present() ? std::min(std::asinh(std::acos(kink.cosine) / eta), s_end) : s_end;
     // The row is even in phi: twice [0, pi].
     panel(0, s_kink, eta, sin_i, cos_i, 2 * weight * sin_i);
     if (s_kink < s_end) panel(s_kink, s_end, eta, sin_i, cos_i, 2 * weight * sin_i);

@@ -75,11 +75,43 @@ class SlopeRule {
     return std::max(oz_ < kGrazing ? width : std::min(width, oz_), 1e-14);
   }
 
-  std::vector<End> outer_ends() const {
+  std::vector<End> outer_ends() {
+    std::vector<End> ends = disc_ends();
+    if (!features_.compact) return ends;
+    const double reach = kReach * wp_;
+    std::erase_if(ends, [&](const End& end) { return std::abs(end.at) >= reach; });
+    // Beyond the reach there is nothing: the new ends have no feature of their own.
+    const auto insert = [&](double p) {
+      if (p > disc_low_ && p < disc_high_) ends.push_back({p, 1e300, false});
+    };
+    insert(-reach);
+    insert(reach);
+    return sorted(std::move(ends));
+  }
+
+  // An integrand cannot vary more slowly at one end than the distance to another end's pole.
+  static void limit_scales(std::vector<End>& ends) {
+    std::vector<double> scales;
+    for (const End& end : ends) {
+      double scale = end.scale;
+      for (const End& other : ends) scale = std::min(scale, std::hypot(end.at - other.at, other.scale));
+      scales.push_back(scale);
+    }
+    for (std::size_t k = 0; k < ends.size(); ++k) ends[k].scale = scales[k];
+  }
+
+  static std::vector<End> sorted(std::vector<End> ends) {
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+    return ends;
+  }
+
+  std::vector<End> disc_ends() {
     // The disc's extent, by the stable one of the two forms of each root.
     const double across = oy_ * oy_ + oz_ * oz_;
     const double p_low = ox_ <= 0 ? -(1 - ox_) / oz_ : -(across / (1 + ox_)) / oz_;
     const double p_high = ox_ >= 0 ? (1 + ox_) / oz_ : (across / (1 - ox_)) / oz_;
+    disc_low_ = p_low;
+    disc_high_ = p_high;
     std::vector<End> ends{{p_low, edge_scale(p_low), true}, {0, wp_, false}};
     const double along = std::hypot(ox_, oz_);
     for (const double sign : {-1.0, 1.0}) {
@@ -93,8 +125,8 @@ class SlopeRule {
     if (features_.kink == Kink::v_cavity)
       for (const double p : v_cavity_breaks(ox_, oy_, oz_, p_low, p_high)) ends.push_back({p, 1e300, true});
     ends.push_back({p_high, edge_scale(p_high), true});
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
-    return ends;
+    limit_scales(ends);
+    return sorted(std::move(ends));
   }
 
   // At the disc's left and right ends a row's length goes as the square root of the distance d.
@@ -113,28 +145,29 @@ class SlopeRule {
     const double t = oy_ + std::copysign(std::sqrt(discriminant), oy_);
     double q_low = t / oz_, q_high = c / t;
     if (q_high < q_low) std::swap(q_low, q_high);
-    const double length = q_high - q_low;
-    const bool root = features_.root_at_horizon;
-    const auto scale_at = [&](double q) {
+    const double length = q_high - q_low, ridge = ridge_width(p);
+    double from = q_low, to = q_high;
+    if (features_.compact) {
+      const double reach = wq_ * std::sqrt(std::max(square(kReach) - square(p / wp_), 0.0));
+      from = std::max(from, -reach);
+      to = std::min(to, reach);
+      if (!(from < to)) return;
+    }
+    const auto end_at = [&](double q) {
+      if (q != q_low && q != q_high) return End{q, 1e300, false};
       const double slope = oz_ * length / (1 + p * p + q * q);  // of the moving cosine, at the horizon
-      return std::max(horizon_cosine(p, q) / slope, 1e-14 * length);
+      double scale = std::max(horizon_cosine(p, q) / slope, 1e-14 * length);
+      // Where the ridge lies outside, nothing varies faster than the distance to it.
+      if (from > 0 || to < 0) scale = std::min(scale, std::hypot(q, ridge));
+      return End{q, scale, features_.root_at_horizon};
     };
     std::vector<End>& ends = row_ends_;
-    ends.assign({{q_low, scale_at(q_low), root}});
-    const double ridge = ridge_width(p);
-    if (q_low < 0 && q_high > 0) {
-      ends.push_back({0, ridge, false});
-    } else {  // the ridge lies outside: nothing varies faster than the distance to it
-      ends.front().scale = std::min(ends.front().scale, std::hypot(q_low, ridge));
-    }
+    ends.assign({end_at(from)});
+    if (from < 0 && to > 0) ends.push_back({0, ridge, false});
     if (features_.kink == Kink::v_cavity)
-      for (const double q : v_cavity_kinks(ox_, oy_, oz_, p, q_low, q_high))
-        ends.push_back({q, 1e300, false});
-    ends.push_back({q_high, scale_at(q_high), root});
-    if (!(q_low < 0 && q_high > 0))
-      ends.back().scale = std::min(ends.back().scale, std::hypot(q_high, ridge));
-    if (ends.size() > 3)
-      std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+      for (const double q : v_cavity_kinks(ox_, oy_, oz_, p, from, to)) ends.push_back({q, 1e300, false});
+    ends.push_back(end_at(to));
+    if (ends.size() > 3) ends = sorted(std::move(ends));
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       const double before = ends[k].at - q_low, after = q_high - ends[k + 1].at;
       segment(ends[k], ends[k + 1], [&](double q, double from_low, double to_high, double w) {
@@ -156,7 +189,7 @@ class SlopeRule {
   const Features features_;
   const bool swapped_;
   const double wp_, wq_, oz_;
-  double ox_ = 0, oy_ = 0;
+  double ox_ = 0, oy_ = 0, disc_low_ = 0, disc_high_ = 0;
   const GaussRule& rule_;
   NodeSum sum_;
   std::vector<End> row_ends_;

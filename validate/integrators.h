@@ -1,0 +1,39 @@
+// Are the integrals' error bounds honest? Random cases of each kind of integrand against a rule of much
+// higher order, and that against a rule of another kind.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "brdf/integrals.h"
+
+namespace brdf::validate {
+
+struct IntegratorRow {
+  std::string set;
+  double tolerance;  // relative
+  std::size_t cases;
+  std::size_t wrong;        // farther from the truth than the tolerance (unconverged: than its own bound)
+  std::size_t unconverged;  // and said so
+  double mean_evaluations;
+  double worst;  // largest error over what was allowed
+  std::string worst_case;
+};
+
+// One case: a term of one channel and the fixed direction (radians).
+struct IntegralCase {
+  Term term;
+  double theta, phi;
+};
+
+// The cases of a set: isotropic, grazing, anisotropic, ward, v_cavity.
+std::vector<IntegralCase> integral_cases(const std::string& set, std::uint64_t seed);
+std::vector<std::string> integral_sets();
+
+// Every set at 1e-4, 1e-6 and 1e-10, and "second_rule": the truth of 100 cases against the other rule.
+std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
+                                             const std::function<void(const IntegratorRow&)>& progress = {});
+
+}  // namespace brdf::validate
