@@ -41,10 +41,13 @@ S schlick_as_coded(const Albedo<S>& w, const S& metallic, const Geometry<G>& g) 
 }
 
 // kD = (1 - F)(1 - metallic), assigned to a scalar in the listing: the red component is used for all
-// channels.
+// channels. 1 - F = (1 - F0)(1 - (1 - c)^5) with the last factor expanded: it is 5c towards grazing.
 template <class S, class G>
 S diffuse_share_as_coded(const Albedo<S>& first, const S& metallic, const Geometry<G>& g) {
-  return (S(1) - schlick_as_coded(first, metallic, g)) * (S(1) - metallic);
+  const G c = at_most(g.cos_d, G(1));
+  const G y = G(1) - c;
+  const G left = c * (G(1) + y * (G(1) + y * (G(1) + y * (G(1) + y))));
+  return (S(1) - f0_as_coded(first, metallic)) * (S(1) - metallic) * left;
 }
 
 }  // namespace brdf

@@ -1,0 +1,125 @@
+// The accuracy contract: largest error of every form in float and double against 50 digits, over the grid of
+// validate/extremes.h, asserted on both sides.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brdf/material.h"
+#include "validate/exact.h"
+#include "validate/extremes.h"
+#include "validate/numerics.h"
+
+namespace brdf::validate {
+namespace {
+
+struct Errors {
+  double body, faint, tail;  // f >= 1e-6, >= 1e-12, >= 1e-30 of the lobe's peak
+};
+struct Contract {
+  std::string_view form;
+  Errors in_float, in_double;
+};
+// Bounds about 15 % above the measured error. The goal: 5e-6 | 1e-14, tails 5e-5 | 5e-14.
+const std::vector<Contract> kContracts{
+    {"lambert", {4.7e-8, 0, 0}, {5.2e-17, 0, 0}},
+    {"oren_nayar", {2.5e-7, 0, 0}, {4.3e-16, 4e-16, 0}},
+    {"oren_nayar_full", {4.4e-7, 1.2e-7, 0}, {7e-16, 7e-16, 2.4e-16}},
+    {"oren_nayar_energy", {2.8e-7, 2.6e-7, 4.7e-8}, {4.5e-16, 3.1e-16, 2.5e-16}},
+    {"oren_nayar_as_coded", {3e-7, 2.2e-7, 0}, {5.6e-16, 4.1e-16, 4.6e-16}},
+    {"phong", {1.9e-6, 4.1e-6, 4.7e-6}, {4.9e-15, 6.6e-15, 1.1e-14}},
+    {"phong_unnormalised", {1.8e-6, 4.2e-6, 4.8e-6}, {5e-15, 6.5e-15, 1.1e-14}},
+    {"phong_classic", {1.9e-6, 4.1e-6, 4.7e-6}, {4.8e-15, 6.7e-15, 1.1e-14}},
+    {"phong_as_coded", {1.2e-7, 0, 0}, {2.2e-16, 0, 0}},
+    {"blinn_phong", {2.3e-6, 4.8e-6, 1.1e-5}, {4.8e-15, 1.1e-14, 2.1e-14}},
+    {"blinn_phong_n8", {2.4e-6, 4.7e-6, 1.1e-5}, {4.8e-15, 1.1e-14, 2.1e-14}},
+    {"blinn_phong_unnormalised", {2.3e-6, 4.7e-6, 1.1e-5}, {4.8e-15, 1.1e-14, 2.1e-14}},
+    {"blinn_phong_as_coded", {5.4e-7, 0, 0}, {8.2e-16, 0, 0}},
+    {"ward", {3.2e-6, 9.3e-6, 1.8e-5}, {4.9e-15, 1.2e-14, 3.1e-14}},
+    {"ward_duer", {3.3e-6, 9.3e-6, 1.8e-5}, {4.8e-15, 1.2e-14, 3.1e-14}},
+    {"ward_bounded", {3.2e-6, 9.3e-6, 1.8e-5}, {6.5e-15, 1.4e-14, 3e-14}},
+    {"ward_as_coded", {3.5e-6, 9.3e-6, 1.9e-5}, {7e-15, 1.3e-14, 4.4e-14}},
+    {"cook_torrance", {1.8e-6, 2.5e-6, 4.9e-6}, {3.1e-15, 1.4e-15, 5.5e-15}},
+    {"cook_torrance_beckmann", {3e-6, 9.3e-6, 2.2e-5}, {6.3e-15, 1.4e-14, 3e-14}},
+    {"cook_torrance_dielectric", {1.9e-6, 2.9e-6, 5.3e-6}, {3.8e-15, 5.9e-15, 1.1e-14}},
+    {"cook_torrance_vcavity", {3.1e-6, 9.1e-6, 2.3e-5}, {6.9e-15, 1.4e-14, 3e-14}},
+    {"cook_torrance_1982", {2.9e-6, 9.2e-6, 2.2e-5}, {6.8e-15, 1.4e-14, 3e-14}},
+    {"cook_torrance_schlick_ggx", {1.7e-6, 1.7e-6, 2.7e-6}, {3.3e-15, 1.8e-15, 2.2e-15}},
+    {"cook_torrance_as_printed", {1.7e-6, 1.8e-6, 2.9e-6}, {4e-15, 2.4e-15, 2.3e-15}},
+    {"cook_torrance_as_coded", {2.4e-6, 2.7e-6, 0}, {7.5e-15, 5.9e-15, 0}},
+};
+
+void expect_close_below(double error, double bound, const NumericsRow& row) {
+  EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << " at " << row.where;
+  EXPECT_GE(error, bound / 2) << row.form << ' ' << row.scalar << " is better than stated";
+}
+
+class Accuracy : public ::testing::TestWithParam<Contract> {};
+
+TEST_P(Accuracy, IsWhatTheContractStates) {
+  const Contract& contract = GetParam();
+  const auto form = find_form(contract.form);
+  ASSERT_TRUE(form);
+  for (const NumericsRow& row : measure_numerics(*form)) {
+    const Errors& bounds = row.scalar == "float" ? contract.in_float : contract.in_double;
+    expect_close_below(row.max_error, bounds.body, row);
+    expect_close_below(row.faint_error, bounds.faint, row);
+    expect_close_below(row.tail_error, bounds.tail, row);
+    EXPECT_TRUE(meets_budget(row)) << row.form << ' ' << row.scalar;
+    EXPECT_EQ(row.nan, 0u);
+    EXPECT_EQ(row.inf, 0u);
+    EXPECT_EQ(row.negative > 0, row.form == "oren_nayar_full");
+    EXPECT_LT(double(row.as_stored), 0.07 * double(row.count)) << "the grid's directions are unit vectors";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryForm, Accuracy, ::testing::ValuesIn(kContracts),
+                         [](const auto& param) { return std::string(param.param.form); });
+
+TEST(AccuracyContracts, CoverTheCatalogue) {
+  ASSERT_EQ(kContracts.size(), kFormCount);
+  for_each_form([](auto form) {
+    EXPECT_TRUE(std::any_of(kContracts.begin(), kContracts.end(), [&](const Contract& c) {
+      return c.form == form.name;
+    })) << form.name;
+  });
+}
+
+TEST(ExtremeDirections, AreUnitVectorsToAHundredthOfAnUlp) {
+  for (const Vec3<double>& wi : extreme_lights()) {
+    const Vec3<float> w = nearly_unit<float>(wi);
+    const Vec3<Exact> v{Exact(w.x), Exact(w.y), Exact(w.z)};
+    EXPECT_LT(double(Exact(abs(dot(v, v) - 1))), 1.2e-9);
+    EXPECT_NEAR(w.x, wi.x, 1.3e-4 * std::abs(wi.x) + 1e-30);
+  }
+}
+
+// |h|/2 keeps the half-angle's cosine near grazing, for directions as they are stored; wi.h/|h| does not,
+// because stored vectors are not exactly unit.
+template <class T>
+std::pair<double, double> half_angle_errors() {
+  double ours = 0, dot_product = 0;
+  for (int k = 1; k < 400; ++k) {
+    const double theta = (89.9 + 0.09 * k / 400) * kPi / 180;
+    const Vec3<double> i = direction(theta, 0.3 + 0.001 * k),
+                       o = direction(theta - 1e-4, 0.3 + 0.001 * k + kPi);
+    const Vec3<T> wi{T(i.x), T(i.y), T(i.z)}, wo{T(o.x), T(o.y), T(o.z)};
+    const Geometry<T> g = geometry(wi, wo);
+    const Exact truth = geometry(exact_direction(wi), exact_direction(wo), kMinCosine<T>).cos_d;
+    const auto error = [&](T cosine) { return double(Exact(abs(Exact(cosine) / truth - 1))); };
+    ours = std::max(ours, error(g.cos_d));
+    dot_product = std::max(dot_product, error(dot(g.wi, g.h) / std::sqrt(g.h2)));
+  }
+  return {ours, dot_product};
+}
+
+TEST(HalfAngle, KeepsItsAccuracyNearGrazing) {
+  const auto [in_float, dot_float] = half_angle_errors<float>();
+  EXPECT_LT(in_float, 1e-3);
+  EXPECT_GT(dot_float, 30 * in_float);
+  const auto [in_double, dot_double] = half_angle_errors<double>();
+  EXPECT_LT(in_double, 2e-12);
+  EXPECT_GT(dot_double, 30 * in_double);
+}
+
+}  // namespace
+}  // namespace brdf::validate

@@ -1,0 +1,36 @@
+// The forms in 50 digits: the truth that float and double are measured against.
+//
+// The same templates run, so this measures rounding; that the templates are the published equations is tested
+// against plain transcriptions (tests/libbrdf/textbook_test.cpp).
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <span>
+#include <vector>
+
+#include "brdf/forms.h"
+
+namespace brdf::validate {
+
+using Exact =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+// The unit direction that a rounded one stands for.
+template <class T>
+Vec3<Exact> exact_direction(const Vec3<T>& w) {
+  const Vec3<Exact> v{Exact(w.x), Exact(w.y), Exact(w.z)};
+  return v * (Exact(1) / sqrt(dot(v, v)));
+}
+
+// f_r of one channel in 1/sr for each set of weights, parameters in table order; cosines below `min_cosine`
+// are evaluated there (it is the one of the scalar under test).
+std::vector<Exact> exact_eval(const AnyForm& form, std::span<const std::vector<Exact>> weights,
+                              std::span<const Exact> shape, const Vec3<Exact>& wi, const Vec3<Exact>& wo,
+                              double min_cosine);
+
+}  // namespace brdf::validate
+
+namespace boost::multiprecision {
+// exp(x^2) erfc(x) for x >= 0, found by the forms through argument-dependent lookup.
+brdf::validate::Exact erfcx(const brdf::validate::Exact& x);
+}  // namespace boost::multiprecision

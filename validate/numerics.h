@@ -1,0 +1,42 @@
+// How exactly float and double evaluate every form, measured against 50 digits.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brdf/forms.h"
+
+namespace brdf::validate {
+
+// Largest errors over the grid of extremes.h, relative to the exact value at the same rounded inputs with the
+// directions taken as unit vectors. Stored vectors are never exactly unit, and a lobe of width alpha seen
+// near grazing magnifies the difference of their lengths by 1/(alpha cos): where that alone moves the exact
+// value by more than a quarter of the budget, the exact value at the vectors as they stand is the truth
+// instead. Where a value is the difference of larger terms the error is relative to those: to the lobe at f0
+// = 1 for f0 = 0, to the lobe's peak where the mirror lobe's cosine is below 1/2, to |f| + rho/pi for
+// oren_nayar_full, whose direct term changes sign.
+struct NumericsRow {
+  std::string form;
+  std::string scalar;         // float | double
+  double max_error = 0;       // where f >= 1e-6 of the lobe's peak for that light
+  std::string where;          // parameters as --set takes them, then both directions
+  double faint_error = 0;     // where f is 1e-12..1e-6 of the peak: an exponent of 27 magnifies 6 ulp
+  double tail_error = 0;      // where f is 1e-30..1e-12 of the peak; below that nothing is promised
+  std::size_t count = 0;      // values
+  std::size_t as_stored = 0;  // of them judged at the vectors as they stand
+  std::size_t nan = 0, inf = 0, negative = 0;
+};
+
+// One row per scalar, float first.
+std::vector<NumericsRow> measure_numerics(const AnyForm& form);
+
+// What every form promises (the largest error is a row's own fact, asserted on both sides in the tests).
+struct NumericsBudget {
+  double max_error, faint_error, tail_error;
+};
+NumericsBudget numerics_budget(const std::string& scalar);
+
+// Within the budget, every value finite, and none negative unless the form declares it.
+bool meets_budget(const NumericsRow& row);
+
+}  // namespace brdf::validate
