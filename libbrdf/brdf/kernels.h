@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "brdf/scalar.h"
 
@@ -90,11 +91,14 @@ struct Precision<double> {
 template <class T>
 using precision_of = Precision<base_scalar_t<T>>;
 
-// sum of c[k] x^k
+// sum of c[k] x^k. Expanded, not looped: compilers unroll no loop this long, and one that holds a loop does
+// not vectorise.
 template <class T, std::size_t N>
 constexpr T polynomial(const T& x, const std::array<double, N>& c) {
   T y(c[N - 1]);
-  for (std::size_t k = N - 1; k-- > 0;) y = y * x + T(c[k]);
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    ((y = y * x + T(c[N - 2 - k])), ...);
+  }(std::make_index_sequence<N - 1>{});
   return y;
 }
 
