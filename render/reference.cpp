@@ -134,6 +134,30 @@ Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& 
   return picture;
 }
 
+std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
+  const Scene& scene = prepared.scene;
+  const Camera& camera = scene.camera;
+  const View view = make_view(camera);
+  const Tracer tracer(prepared);
+  std::vector<LitPoint> points;
+  for (int y = 0; y < camera.height; ++y)
+    for (int x = 0; x < camera.width; ++x) {
+      const glm::vec3 ray = view.ray(pixel_center(x, y, camera.width, camera.height));
+      const RTCRayHit hit = tracer.trace(camera.position, ray);
+      if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+      const Item& item = prepared.layers[0][hit.hit.geomID];
+      const Surface s = surface_at(prepared, item, hit.hit.primID, hit.hit.u, hit.hit.v, ray);
+      if (!s.front) continue;
+      const glm::vec3 wo = to_local(glm::normalize(camera.position - s.position), s);
+      for (const Light& light : scene.lights) {
+        const Lit lit = lit_by(light, s.position);
+        const glm::vec3 wi = to_local(lit.wi, s);
+        if (wi.z > 0 && wo.z > 0) points.push_back({x, y, item.object, wi, wo, lit.irradiance});
+      }
+    }
+  return points;
+}
+
 Probe probe(const PreparedScene& prepared, int x, int y) {
   const Scene& scene = prepared.scene;
   const glm::vec3 ray =

@@ -20,6 +20,16 @@ struct ReferenceOptions {
 
 Picture render_reference(const PreparedScene& scene, const ReferenceOptions& options = {});
 
+// What the shading of a pixel is asked for: one entry per pixel and light that reaches its surface's front,
+// in the order of the pixels. Directions in the surface's frame.
+struct LitPoint {
+  int x = 0, y = 0;
+  std::size_t object = 0;
+  glm::vec3 wi{0}, wo{0};
+  glm::vec3 irradiance{0};  // on a surface that faces the light
+};
+std::vector<LitPoint> lit_points(const PreparedScene& scene);
+
 // What a ray through the centre of a pixel meets: for the viewer's probe.
 struct Probe {
   bool hit = false;
