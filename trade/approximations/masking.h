@@ -1,0 +1,151 @@
+// Masking and shadowing terms beside the exact ones. Functors over widths and geometry give V = G/(4 cos_i
+// cos_o) as a fraction, as the forms carry it.
+#pragma once
+
+#include "brdf/microfacet.h"
+#include "trade/kernel.h"
+
+namespace brdf::trade {
+
+template <class T>
+Geometry<T> geometry_of(const Row<T>& x) {
+  return geometry(Vec3<T>{x[0], x[1], x[2]}, Vec3<T>{x[3], x[4], x[5]});
+}
+
+struct smith_correlated {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    return v_smith_ggx(a, g);
+  }
+};
+// Smith's G1 of both directions, multiplied as if they were independent (Walter et al. 2007).
+struct smith_separable {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    return {T(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
+  }
+};
+// Schlick's rational G1 with k = alpha/2 (Karis 2013, for image-based light).
+struct schlick_ggx_half {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    return v_schlick_ggx(T(0.5) * a.alpha_x, g);
+  }
+};
+// The same with k = (roughness + 1)^2/8, alpha = roughness^2 (Karis 2013, for analytic lights; the thesis's
+// listing).
+struct schlick_ggx_analytic {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    return v_schlick_ggx(T(0.125) * square(math::sqrt(a.alpha_x) + T(1)), g);
+  }
+};
+// Hammon 2017: the correlated denominator linear in the cosines, lerp(2 ci co, ci + co, alpha).
+struct hammon_correlated {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    const T product = T(2) * g.cos_i * g.cos_o;
+    return {T(0.5), product + a.alpha_x * (g.cos_i + g.cos_o - product)};
+  }
+};
+struct v_shaped_cavities {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>&, const Geometry<T>& g) const {
+    return v_cavities(g);
+  }
+};
+// G = 1 (the lookup-texture article calls G meaningless).
+struct masking_dropped {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>&, const Geometry<T>& g) const {
+    return {T(0.25), g.cos_i * g.cos_o};
+  }
+};
+
+struct smith_beckmann {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    return v_smith_beckmann(a, g);
+  }
+};
+
+// Walter et al. 2007: G1 = (3.535 c + 2.181 c^2)/(1 + 2.276 c + 2.577 c^2) for c = 1/(alpha tan) < 1.6,
+// else 1.
+template <class T>
+T rational_g1(const T& c) {
+  const T fit = (T(3.535) * c + T(2.181) * c * c) / (T(1) + T(2.276) * c + T(2.577) * c * c);
+  return select(c < T(1.6), fit, T(1));
+}
+// 1/(alpha tan(theta)) of a direction.
+template <class T>
+T inverse_scaled_tangent(const Roughness<T>& a, const Vec3<T>& w) {
+  return w.z / (a.alpha_x * math::sqrt(square(w.x) + square(w.y) + T(1e-30)));
+}
+struct rational_beckmann {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    const T g_i = rational_g1(inverse_scaled_tangent(a, g.wi)),
+            g_o = rational_g1(inverse_scaled_tangent(a, g.wo));
+    const T both = g_i * g_o;  // 1/(1 + L_i + L_o) with L = 1/G1 - 1
+    return {T(0.25) * both, g.cos_i * g.cos_o * (g_i + g_o - both)};
+  }
+};
+
+// G1 of one direction. Row: cos, alpha.
+struct g1_smith_ggx {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    const T sin2 = (T(1) - x[0]) * (T(1) + x[0]);
+    return T(2) * x[0] / (x[0] + math::sqrt(square(x[1]) * sin2 + square(x[0])));
+  }
+};
+template <class T>
+T g1_schlick(const T& k, const T& c) {
+  return c / (c * (T(1) - k) + k);
+}
+struct g1_schlick_half {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    return g1_schlick(T(0.5) * x[1], x[0]);
+  }
+};
+struct g1_schlick_analytic {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    return g1_schlick(T(0.125) * square(math::sqrt(x[1]) + T(1)), x[0]);
+  }
+};
+// The thesis's equation, with alpha where the listing has roughness.
+struct g1_schlick_printed {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    return g1_schlick(T(0.125) * square(x[1] + T(1)), x[0]);
+  }
+};
+struct g1_smith_beckmann {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    const T sine = math::sqrt((T(1) - x[0]) * (T(1) + x[0]));
+    return x[0] / (x[0] + cos_lambda_beckmann(Roughness<T>{x[1], x[1]}, Vec3<T>{sine, T(0), x[0]}));
+  }
+};
+struct g1_rational_beckmann {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    const T sine = math::sqrt((T(1) - x[0]) * (T(1) + x[0]));
+    return rational_g1(inverse_scaled_tangent(Roughness<T>{x[1], x[1]}, Vec3<T>{sine, T(0), x[0]}));
+  }
+};
+
+// V as a kernel. Row: wi, wo, alpha.
+template <class V>
+struct visibility {
+  V v;
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    const Fraction<T> f = v(Roughness<T>{x[6], x[6]}, geometry_of(x));
+    return f.num / f.den;
+  }
+};
+
+}  // namespace brdf::trade

@@ -1,0 +1,69 @@
+// A choice as a batched function: the same loop, vectorised alike, for the exact and the fast path.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace brdf::trade {
+
+// What a kernel may read of one point: a row of at most nine numbers, whose meaning the question states.
+inline constexpr std::size_t kInputs = 9;
+template <class T>
+using Row = std::array<T, kInputs>;
+
+// Points as structure of arrays: columns[input][point].
+template <class T>
+using Columns = std::array<std::vector<T>, kInputs>;
+
+// GCC's per-processor clones; clang has none that allow flattening and is correct, but slower, there.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define BRDF_TRADE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
+#else
+#define BRDF_TRADE_CLONES
+#endif
+
+// `kernel(row)` for every point. K is a small object: constants, or a view of a table.
+template <class K, class T>
+BRDF_TRADE_CLONES void evaluate(const K& kernel, const T* const* in, T* __restrict out, std::size_t count) {
+  const T* const x0 = in[0];
+  const T* const x1 = in[1];
+  const T* const x2 = in[2];
+  const T* const x3 = in[3];
+  const T* const x4 = in[4];
+  const T* const x5 = in[5];
+  const T* const x6 = in[6];
+  const T* const x7 = in[7];
+  const T* const x8 = in[8];
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = kernel(Row<T>{x0[k], x1[k], x2[k], x3[k], x4[k], x5[k], x6[k], x7[k], x8[k]});
+}
+
+// A kernel in both precisions, type erased.
+struct Kernel {
+  std::function<void(const Columns<double>&, std::span<double>)> in_double;
+  std::function<void(const Columns<float>&, std::span<float>)> in_float;
+};
+
+template <class T>
+std::array<const T*, kInputs> pointers(const Columns<T>& columns) {
+  std::array<const T*, kInputs> in;
+  for (std::size_t k = 0; k < kInputs; ++k) in[k] = columns[k].data();
+  return in;
+}
+
+template <class K>
+Kernel kernel(K k) {
+  const auto shared = std::make_shared<const K>(std::move(k));
+  return {[shared](const Columns<double>& in, std::span<double> out) {
+            evaluate(*shared, pointers(in).data(), out.data(), out.size());
+          },
+          [shared](const Columns<float>& in, std::span<float> out) {
+            evaluate(*shared, pointers(in).data(), out.data(), out.size());
+          }};
+}
+
+}  // namespace brdf::trade

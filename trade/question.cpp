@@ -1,0 +1,158 @@
+#include "trade/question.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trade/timing.h"
+
+namespace brdf::trade {
+namespace {
+
+constexpr std::size_t kTimedPoints = 1024;  // stays in the second-level cache
+
+std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, std::size_t count,
+                              Precision precision) {
+  std::vector<double> out(count);
+  if (precision == Precision::double_) {
+    kernel.in_double(in, out);
+    return out;
+  }
+  Columns<float> narrow;
+  for (std::size_t k = 0; k < kInputs; ++k) narrow[k].assign(in[k].begin(), in[k].end());
+  std::vector<float> result(count);
+  kernel.in_float(narrow, result);
+  std::copy(result.begin(), result.end(), out.begin());
+  return out;
+}
+
+// The first points of the domain, again and again until there are enough, in both precisions.
+struct TimedInputs {
+  Columns<double> wide;
+  Columns<float> narrow;
+  explicit TimedInputs(const Points& points) {
+    for (std::size_t k = 0; k < kInputs; ++k)
+      for (std::size_t n = 0; n < kTimedPoints; ++n) {
+        wide[k].push_back(points.columns[k][n % points.count()]);
+        narrow[k].push_back(float(wide[k].back()));
+      }
+  }
+};
+
+std::vector<timing::Timing> costs_of(const Question& question, const Points& points,
+                                     const MeasureOptions& options) {
+  const TimedInputs in(points);
+  std::vector<double> wide(kTimedPoints);
+  std::vector<float> narrow(kTimedPoints);
+  std::vector<std::function<void()>> calls;
+  for (const Choice& choice : question.choices) {
+    if (choice.cost == Precision::double_)
+      calls.push_back([&] {
+        choice.kernel.in_double(in.wide, wide);
+        timing::keep(wide[0]);
+      });
+    else
+      calls.push_back([&] {
+        choice.kernel.in_float(in.narrow, narrow);
+        timing::keep(narrow[0]);
+      });
+  }
+  timing::Options timing_options;
+  timing_options.rounds = options.rounds;
+  return timing::interleaved(calls, timing_options);
+}
+
+double largest(std::span<const double> values) {
+  double most = 0;
+  for (double v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+}  // namespace
+
+Error error_of(std::span<const double> values, std::span<const double> reference, Measure measure,
+               double floor, const Domain& domain, const Points& points) {
+  Error error;
+  error.measure = measure;
+  std::vector<double> distances;
+  const double peak = measure == Measure::of_peak ? largest(reference) : 1;
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (measure == Measure::relative && !(std::abs(reference[k]) > floor)) continue;
+    const double scale = measure == Measure::relative ? std::abs(reference[k]) : peak;
+    const double d = std::isfinite(values[k]) ? std::abs(values[k] - reference[k]) / scale : kNotFinite;
+    if (distances.empty() || d > error.max) error.max = d, worst = k;
+    error.mean += d;
+    distances.push_back(d);
+  }
+  if (distances.empty()) return error;
+  error.mean /= double(distances.size());
+  std::sort(distances.begin(), distances.end());
+  error.p99 = timing::quantile(distances, 0.99);
+  error.where = describe(domain, points.at[worst]);
+  return error;
+}
+
+double image_error(std::span<const double> f, std::span<const double> exact, const PicturePoints& picture) {
+  double difference = 0, total = 0;
+  for (std::size_t k = 0; k < picture.count();) {
+    double l = 0, l_exact = 0;
+    for (const std::size_t pixel = picture.pixel[k]; k < picture.count() && picture.pixel[k] == pixel; ++k) {
+      const double w = picture.weight[k] * picture.columns[2][k];
+      l += w * f[k];
+      l_exact += w * exact[k];
+    }
+    difference += std::abs(l - l_exact);
+    total += l_exact;
+  }
+  return total > 0 ? difference / total : 0;
+}
+
+std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& options) {
+  const Points points = sample(question.everyday, options.points);
+  const Choice& exact = question.choices.front();
+  const auto reference_of = [&](const Points& p) {
+    return values_of(question.reference.in_double ? question.reference : exact.kernel, p.columns, p.count(),
+                     Precision::double_);
+  };
+  const std::vector<double> reference = reference_of(points);
+  const std::vector<timing::Timing> costs = costs_of(question, points, options);
+  options.tick();
+
+  std::vector<double> exact_picture;
+  if (options.picture && exact.picture.in_double)
+    exact_picture =
+        values_of(exact.picture, options.picture->columns, options.picture->count(), Precision::double_);
+
+  std::vector<LedgerRow> rows;
+  for (std::size_t k = 0; k < question.choices.size(); ++k) {
+    const Choice& choice = question.choices[k];
+    LedgerRow row;
+    row.question = question.name;
+    row.choice = choice.name;
+    row.exact = exact.name;
+    row.cost = {costs[k].lower / double(kTimedPoints), costs[k].spread(), costs[k].rounds};
+    row.cost_ratio = costs[k].lower / costs[0].lower;
+    row.error = error_of(values_of(choice.kernel, points.columns, points.count(), choice.error), reference,
+                         question.measure, question.floor, question.everyday, points);
+    row.quantity = question.quantity;
+    row.domain = describe(question.everyday);
+    row.note = choice.note;
+    if (!exact_picture.empty() && choice.picture.in_double)
+      row.image_error = image_error(
+          values_of(choice.picture, options.picture->columns, options.picture->count(), choice.error),
+          exact_picture, *options.picture);
+    for (const Domain& extreme : question.extremes) {
+      const Points there = sample(extreme, options.points / 4);
+      row.extremes.push_back(
+          {describe(extreme), error_of(values_of(choice.kernel, there.columns, there.count(), choice.error),
+                                       reference_of(there), question.measure, question.floor, extreme, there)
+                                  .max});
+    }
+    rows.push_back(std::move(row));
+  }
+  mark_dominated(rows);
+  options.tick();
+  return rows;
+}
+
+}  // namespace brdf::trade
