@@ -71,7 +71,7 @@ Directions turned(const Directions& grid, const std::vector<double>& azimuths) {
 
 Directions outside_blind_zone(const Directions& grid, double blind_zone) {
   const io::UnitDirections d = io::unit_directions(grid);
-  const double cos_limit = io::cos_degrees(blind_zone);
+  const double cos_limit = io::cos_degrees(blind_zone) + 1e-12;  // a grid's step may fall on the limit
   Directions seen;
   for (std::size_t k = 0; k < grid.rows(); ++k) {
     const double cosine = d.wi_x[k] * d.wo_x[k] + d.wi_y[k] * d.wo_y[k] + d.wi_z[k] * d.wo_z[k];

@@ -19,7 +19,7 @@ struct ApertureNode {
 };
 
 // Cheap enough to fit with: 24 nodes. Seen through it, the peak of a Gaussian lobe whose half width at 1/e is
-// a quarter of the cone's width (a lobe half as wide as the aperture) is right to 1e-3, at the cone's own
+// a quarter of the cone's width (a lobe half as wide as the aperture) is right to 2e-3, at the cone's own
 // width to 1e-6.
 inline constexpr int kFitRings = 3;
 // For synthetic samples: 288 nodes.
