@@ -47,13 +47,32 @@ io::Json form_json(const FormInfo& form) {
   return json;
 }
 
+std::string range(const ParameterInfo& p) {
+  const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
+  return std::string(p.name) + " " + io::to_text(p.min) + ".." + io::to_text(p.max) + unit;
+}
+
+// Forms under their families: parameters with range and unit, then one line of what is known to be violated.
 void print_list(const std::vector<FormInfo>& forms) {
+  std::string_view family;
   for (const FormInfo& form : forms) {
-    std::cout << std::left << std::setw(28) << form.name << std::setw(15) << form.family
-              << (form.fittable ? "fittable " : "         ");
+    if (form.family != family) std::cout << (family.empty() ? "" : "\n") << form.family << '\n';
+    family = form.family;
+    std::cout << "  " << std::left << std::setw(27) << form.name
+              << (form.fittable ? "fittable  " : "          ");
+    const char* separator = "";
     for (const auto table : {form.weights, form.shape})
-      for (const ParameterInfo& p : table) std::cout << ' ' << p.name;
-    std::cout << '\n';
+      for (const ParameterInfo& p : table) {
+        std::cout << separator << range(p);
+        separator = ", ";
+      }
+    std::cout << "\n      violates: ";
+    separator = "";
+    for (const Violation& v : form.violations) {
+      std::cout << separator << v.check << " (" << v.statement << ")";
+      separator = "; ";
+    }
+    std::cout << (form.violations.empty() ? "nothing known" : "") << '\n';
   }
 }
 
