@@ -1,0 +1,143 @@
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <memory>
+
+#include "cli/options.h"
+#include "cli/verbs.h"
+#include "fit/fit.h"
+#include "fit/report.h"
+#include "io/error.h"
+#include "io/material_json.h"
+
+namespace brdf::cli {
+namespace {
+
+std::atomic<bool> interrupted = false;
+
+struct Options {
+  std::vector<std::string> samples, fix, start, bounds;
+  std::string form = "all", metric = "log", robust, weights = "auto", output;
+  bool json = false;
+  fit::FitOptions fit;
+};
+
+fit::Metric metric_of(const std::string& name) {
+  for (const auto metric :
+       {fit::Metric::kLog, fit::Metric::kCosineL2, fit::Metric::kCubeRoot, fit::Metric::kLogRelative})
+    if (name == fit::metric_name(metric)) return metric;
+  throw InputError("--metric " + name + ": must be log, cosine_l2, cube_root or log_relative");
+}
+
+// "all", "every", "ward" or "oren_nayar+ward".
+std::vector<std::vector<AnyForm>> models_of(const std::string& text) {
+  if (text == "all") return fit::canonical_models();
+  if (text == "every") return fit::every_model();
+  std::vector<AnyForm> forms;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find('+', begin), text.size());
+    forms.push_back(require_form(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return {forms};
+}
+
+void parse_robust(const std::string& text, fit::FitOptions& options) {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  if (name == "huber")
+    options.loss = fit::Loss::kHuber;
+  else if (name == "cauchy")
+    options.loss = fit::Loss::kCauchy;
+  else
+    throw InputError("--robust " + text + ": must be huber or cauchy, or huber:SCALE");
+  if (colon == std::string::npos) return;
+  const std::string scale = text.substr(colon + 1);
+  char* end = nullptr;
+  options.loss_scale = std::strtod(scale.c_str(), &end);
+  if (scale.empty() || *end != 0 || !(options.loss_scale > 0))
+    throw InputError("--robust " + text + ": the scale must be a number above 0");
+}
+
+// name=low:high
+fit::NamedRange parse_range(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':', equals == std::string::npos ? 0 : equals);
+  if (equals == std::string::npos || colon == std::string::npos)
+    throw InputError("--bounds " + text + ": must be NAME=LOW:HIGH");
+  const std::string name = text.substr(0, equals);
+  const std::string low = text.substr(equals + 1, colon - equals - 1), high = text.substr(colon + 1);
+  const auto values = parse_settings({name + "=" + low + "," + high}, "--bounds")[0].values;
+  if (!(values[0] < values[1])) throw InputError("--bounds " + text + ": low must be below high");
+  return {name, values[0], values[1]};
+}
+
+fit::FitOptions fit_options(Options& o) {
+  fit::FitOptions f = o.fit;
+  f.metric = metric_of(o.metric);
+  if (!o.robust.empty()) parse_robust(o.robust, f);
+  if (o.weights == "uniform")
+    f.weighting = fit::Weighting::kUniform;
+  else if (o.weights == "sigma")
+    f.weighting = fit::Weighting::kSigma;
+  else if (o.weights == "solid_angle")
+    f.weighting = fit::Weighting::kSolidAngle;
+  else if (o.weights != "auto")
+    throw InputError("--weights " + o.weights + ": must be auto, uniform, sigma or solid_angle");
+  for (const Setting& s : parse_settings(o.fix, "--fix")) f.fix.push_back({s.name, s.values});
+  for (const Setting& s : parse_settings(o.start, "--start")) f.start.push_back({s.name, s.values});
+  for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
+  f.interrupted = &interrupted;
+  return f;
+}
+
+Exit run(Options& o) {
+  const fit::FitOptions options = fit_options(o);
+  const auto models = models_of(o.form);
+  const io::SampleTable table = io::read_samples(o.samples[0]);
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  const fit::FitResult result = fit::fit(table, models, options);
+  std::signal(SIGINT, SIG_DFL);
+  const fit::FormFit& best = result.ranking.front();
+  if (!o.output.empty())
+    io::write_material_file(o.output, {best.material, fit::material_block(best, result, table, options)});
+  if (o.json)
+    std::cout << io::to_text(fit::to_json(result, table, options)) << '\n';
+  else
+    fit::print(std::cout, result, table, options);
+  return fit::usable(best.verdict) ? Exit::kGood : Exit::kFailed;
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
+  CLI::App* verb = app.add_subcommand("fit", "Fit forms to samples");
+  verb->add_option("SAMPLES", o.samples, "Sample tables")->required();
+  verb->add_option("--form", o.form, "all, every, a form, or a sum as in oren_nayar+ward")
+      ->capture_default_str();
+  verb->add_option("--metric", o.metric, "Residual: log, cosine_l2, cube_root or log_relative")
+      ->capture_default_str();
+  verb->add_flag("--anisotropic", o.fit.anisotropic, "Two widths and the tangent's azimuth");
+  verb->add_flag("--per-channel", o.fit.per_channel, "A shape for every channel");
+  verb->add_option("--max-theta", o.fit.max_theta, "Degrees; rows with a steeper angle are left out")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 90.0));
+  add_repeated_option(*verb, "--fix", o.fix, "Hold a parameter: name=value (or one value per channel)");
+  add_repeated_option(*verb, "--start", o.start, "One more start: name=value");
+  add_repeated_option(*verb, "--bounds", o.bounds, "Restrict a parameter: name=low:high");
+  verb->add_option("--robust", o.robust, "huber or cauchy, with :SCALE to give its scale");
+  verb->add_option("--weights", o.weights, "auto (sigma columns), uniform, sigma or solid_angle")
+      ->capture_default_str();
+  verb->add_option("--starts", o.fit.random_starts, "Random starts besides the grid")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--seed", o.fit.seed, "Of the random starts")->capture_default_str();
+  verb->add_option("-o,--output", o.output, "Material file to write");
+  verb->add_flag("--json", o.json, "JSON on stdout");
+  verb->footer("Example: brdf fit samples.csv --form all -o material.json");
+  on_run(*verb, [options] { return run(*options); });
+}
+
+}  // namespace brdf::cli

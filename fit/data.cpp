@@ -1,0 +1,122 @@
+#include "fit/data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "io/error.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+// Whether a value has a residual under the metric.
+bool in_domain(Metric metric, double value, double cos_i, double cos_o) {
+  constexpr double margin = 1e-6;
+  switch (metric) {
+    case Metric::kLog:
+      return value * cos_i > -1 + margin;
+    case Metric::kLogRelative:
+      return value * cos_i * cos_o > -kLogRelativeFloor * (1 - margin);
+    default:
+      return true;
+  }
+}
+
+void append_row(const FitData& from, std::size_t k, FitData& to) {
+  to.wi_x.push_back(from.wi_x[k]), to.wi_y.push_back(from.wi_y[k]), to.wi_z.push_back(from.wi_z[k]);
+  to.wo_x.push_back(from.wo_x[k]), to.wo_y.push_back(from.wo_y[k]), to.wo_z.push_back(from.wo_z[k]);
+  for (std::size_t c = 0; c < from.values.size(); ++c) to.values[c].push_back(from.values[c][k]);
+  for (std::size_t c = 0; c < from.sigma.size(); ++c) to.sigma[c].push_back(from.sigma[c][k]);
+  if (!from.weight.empty()) to.weight.push_back(from.weight[k]);
+  to.row.push_back(from.row[k]);
+  to.incidence.push_back(from.incidence[k]);
+}
+
+FitData empty_like(const FitData& data) {
+  FitData out;
+  out.channels = data.channels;
+  out.values.resize(data.values.size());
+  out.sigma.resize(data.sigma.size());
+  return out;
+}
+
+Weighting chosen_weighting(const io::SampleTable& table, const FitOptions& options) {
+  bool sigma = !table.channels.empty();
+  for (std::size_t c = 0; c < table.channels.size(); ++c) sigma = sigma && table.has_sigma(c);
+  if (options.weighting == Weighting::kSigma && !sigma)
+    throw InputError(table.source + ": --weights sigma needs a sigma column for every channel");
+  if (options.weighting != Weighting::kAutomatic) return options.weighting;
+  return sigma ? Weighting::kSigma : Weighting::kUniform;
+}
+
+}  // namespace
+
+DirectionBlock FitData::directions(std::size_t first, std::size_t rows) const {
+  return {&wi_x[first], &wi_y[first], &wi_z[first], &wo_x[first], &wo_y[first], &wo_z[first], rows};
+}
+
+FitData prepare(const io::SampleTable& table, const FitOptions& options) {
+  if (table.rows() == 0) throw InputError(table.source + ": no rows to fit");
+  const std::size_t channels = table.channels.size();
+  const Weighting weighting = chosen_weighting(table, options);
+  FitData data;
+  data.channels = table.channels;
+  data.values.resize(channels);
+  if (weighting == Weighting::kSigma) data.sigma.resize(channels);
+  std::map<std::pair<double, double>, std::uint32_t> incidences;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (table.theta_i[k] > options.max_theta || table.theta_o[k] > options.max_theta) {
+      ++data.beyond_max_theta;
+      continue;
+    }
+    double wi[3], wo[3];
+    io::unit_vector(table.theta_i[k], table.phi_i[k], wi[0], wi[1], wi[2]);
+    io::unit_vector(table.theta_o[k], table.phi_o[k], wo[0], wo[1], wo[2]);
+    bool defined = true;
+    for (std::size_t c = 0; c < channels; ++c)
+      defined = defined && in_domain(options.metric, table.values[c][k], wi[2], wo[2]);
+    if (!defined) {
+      ++data.outside_domain;
+      continue;
+    }
+    data.wi_x.push_back(wi[0]), data.wi_y.push_back(wi[1]), data.wi_z.push_back(wi[2]);
+    data.wo_x.push_back(wo[0]), data.wo_y.push_back(wo[1]), data.wo_z.push_back(wo[2]);
+    for (std::size_t c = 0; c < channels; ++c) data.values[c].push_back(table.values[c][k]);
+    for (std::size_t c = 0; c < data.sigma.size(); ++c) data.sigma[c].push_back(table.sigma[c][k]);
+    if (weighting == Weighting::kSolidAngle)
+      data.weight.push_back(std::hypot(wi[0], wi[1]) * std::hypot(wo[0], wo[1]));
+    data.row.push_back(std::uint32_t(k));
+    const auto [it, added] =
+        incidences.try_emplace({table.theta_i[k], table.phi_i[k]}, std::uint32_t(incidences.size()));
+    data.incidence.push_back(it->second);
+  }
+  if (data.rows() == 0)
+    throw InputError(table.source + ": no row has both polar angles within --max-theta " +
+                     io::to_text(options.max_theta) + " degrees");
+  return data;
+}
+
+FitData subset(const FitData& data, const std::vector<bool>& keep) {
+  FitData out = empty_like(data);
+  for (std::size_t k = 0; k < data.rows(); ++k)
+    if (keep[k]) append_row(data, k, out);
+  return out;
+}
+
+FitData thinned(const FitData& data, std::size_t rows) {
+  FitData out = empty_like(data);
+  const double step = std::max(1.0, double(data.rows()) / double(rows));
+  // A step by the golden ratio's fraction keeps the choice off the grid's own period.
+  std::size_t taken = 0;
+  for (std::size_t k = 0; k < data.rows(); ++k) {
+    const double jitter = std::fmod(double(taken) * 0.6180339887498949, 1.0);
+    if (double(k) + 1 > (double(taken) + jitter) * step || step == 1.0) {
+      append_row(data, k, out);
+      ++taken;
+    }
+  }
+  return out;
+}
+
+}  // namespace brdf::fit

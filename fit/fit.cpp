@@ -1,0 +1,198 @@
+#include "fit/fit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "fit/assess.h"
+#include "fit/minima.h"
+#include "fit/select.h"
+#include "io/error.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr std::size_t kListedMinima = 10;
+constexpr double kNegligible = 1e-7;  // share of a lobe in the model below which it is absent
+
+Residual residual_of(const FitData& data, const FitOptions& options) {
+  Residual r;
+  r.metric = options.metric;
+  if (options.metric == Metric::kCubeRoot) {
+    if (options.loss != Loss::kNone)
+      throw InputError("--robust does not go with --metric cube_root, which is robust by itself");
+    // The cube root of a square has an infinite slope at 0: it is rounded off below a thousandth of the data.
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < data.values.size(); ++c)
+      for (std::size_t k = 0; k < data.rows(); ++k, ++count)
+        sum += std::pow(data.values[c][k] * data.wi_z[k] / (data.sigma.empty() ? 1 : data.sigma[c][k]), 2);
+    r.loss.kind = LossFunction::Kind::kCubeRoot;
+    r.loss.scale = std::max(1e-3 * std::sqrt(sum / double(count)), 1e-12);
+    return r;
+  }
+  if (options.loss == Loss::kHuber) r.loss.kind = LossFunction::Kind::kHuber;
+  if (options.loss == Loss::kCauchy) r.loss.kind = LossFunction::Kind::kCauchy;
+  r.loss.scale = options.loss_scale;
+  return r;
+}
+
+// Linear unknowns whose lobe adds next to nothing are exactly 0 and held there.
+void drop_negligible_lobes(const Stream& stream, Minimum& m) {
+  const Model& model = stream.model();
+  const NormalEquations n = stream.normal_equations(m.p);
+  for (std::size_t k = model.shape_slots(); k < model.size(); ++k) {
+    const Slot& slot = model.slots()[k];
+    if (slot.low != 0 || m.p[k] == 0) continue;
+    double all = 0;
+    for (std::size_t i = model.shape_slots(); i < model.size(); ++i)
+      if (model.slots()[i].group == slot.group) all += m.p[i] * m.p[i] * n.hessian(i, i);
+    if (m.p[k] * m.p[k] * n.hessian(k, k) <= kNegligible * kNegligible * all) {
+      m.p[k] = 0;
+      m.at_bound[k] = -1;
+    }
+  }
+}
+
+Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertainty& u, const Misfit& misfit) {
+  if (search.interrupted) return Verdict::kInterrupted;
+  if (m.termination != Termination::kConverged || !std::isfinite(m.cost)) return Verdict::kDiverged;
+  const auto any = [&](Estimate::Status s) {
+    return std::any_of(u.estimates.begin(), u.estimates.end(),
+                       [&](const Estimate& e) { return e.status == s; });
+  };
+  // What the directions cannot tell is said first; how uncertain a wrong model's parameters are, last.
+  if (u.singular) return Verdict::kNotIdentifiable;
+  if (misfit.misfit) return Verdict::kMisfit;
+  if (any(Estimate::Status::kUnidentified)) return Verdict::kNotIdentifiable;
+  if (any(Estimate::Status::kAtBound)) return Verdict::kAtBound;
+  return Verdict::kConverged;
+}
+
+double information_criterion(const Stream& stream, const Minimum& m) {
+  double free = 0;
+  for (int b : m.at_bound) free += b == 0;
+  const double n = double(stream.data().rows() * stream.data().channels.size());
+  return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
+}
+
+FormFit fit_model(const FitData& data, const std::vector<AnyForm>& forms, const FitOptions& options,
+                  std::optional<double> noise) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Model model(forms, data.channels, options);
+  Residual residual = residual_of(data, options);
+  SearchResult search = find_minima(data, model, residual, options);
+  FormFit out;
+  out.form = model.name();
+  out.starts = search.starts, out.iterations = search.iterations, out.passes = search.passes;
+  out.parameters = model.size();
+  if (search.minima.empty()) {
+    out.material = model.material(model.initial());
+    out.verdict = search.interrupted ? Verdict::kInterrupted : Verdict::kDiverged;
+    out.findings.push_back("no start gave a finite cost");
+    return out;
+  }
+  residual.loss.scale = out.loss_scale = search.loss_scale;
+  const Stream stream(data, model, residual, options.aperture);
+  Minimum& best = search.minima[0];
+  drop_negligible_lobes(stream, best);
+  const std::vector<std::vector<double>> values = stream.values(best.p);
+  out.metrics = measure(data, values);
+  out.median_relative_error = median_relative_error(data, values);
+  const Uncertainty u = uncertainty(stream, best);
+  const Misfit misfit = judge_misfit(data, values, noise);
+  out.verdict = verdict_of(best, search, u, misfit);
+  out.solver_message = best.message;
+  if (out.verdict == Verdict::kInterrupted) out.findings.push_back("interrupted: the best parameters so far");
+  if (out.verdict == Verdict::kDiverged) out.findings.push_back("the solver gave up: " + best.message);
+  if (misfit.misfit) out.findings.push_back(misfit.finding);
+  out.findings.insert(
+      misfit.misfit && out.verdict == Verdict::kNotIdentifiable ? out.findings.begin() : out.findings.end(),
+      u.findings.begin(), u.findings.end());
+  out.material = model.material(best.p);
+  out.estimates = u.estimates;
+  out.correlations = u.correlations;
+  out.condition = u.condition;
+  out.bic = information_criterion(stream, best);
+  for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)
+    out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
+  if (options.cross_validation && !options.stop() && out.verdict != Verdict::kDiverged) {
+    const CrossValidation cv = cross_validate(data, model, residual, best.p, options);
+    out.cross_validated_error = cv.error;
+    out.cross_validated_standard_error = cv.standard_error;
+  }
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return out;
+}
+
+}  // namespace
+
+std::string_view to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kConverged:
+      return "converged";
+    case Verdict::kAtBound:
+      return "at_bound";
+    case Verdict::kNotIdentifiable:
+      return "not_identifiable";
+    case Verdict::kMisfit:
+      return "misfit";
+    case Verdict::kDiverged:
+      return "diverged";
+    default:
+      return "interrupted";
+  }
+}
+
+bool usable(Verdict verdict) {
+  return verdict == Verdict::kConverged || verdict == Verdict::kAtBound;
+}
+
+std::string_view to_text(Estimate::Status status) {
+  switch (status) {
+    case Estimate::Status::kFree:
+      return "free";
+    case Estimate::Status::kFixed:
+      return "fixed";
+    case Estimate::Status::kAtBound:
+      return "at_bound";
+    default:
+      return "unidentified";
+  }
+}
+
+FitResult fit(const io::SampleTable& table, const std::vector<std::vector<AnyForm>>& models,
+              const FitOptions& options) {
+  const FitData data = prepare(table, options);
+  FitResult result;
+  result.rows = data.rows();
+  result.beyond_max_theta = data.beyond_max_theta;
+  result.outside_domain = data.outside_domain;
+  result.channels = data.channels;
+  result.noise_floor = noise_floor(data);
+  for (const auto& forms : models) {
+    if (options.stop() && !result.ranking.empty()) break;
+    result.ranking.push_back(fit_model(data, forms, options, result.noise_floor));
+  }
+  result.interrupted = options.stop();
+  rank(result);
+  return result;
+}
+
+std::vector<std::vector<AnyForm>> canonical_models() {
+  std::vector<std::vector<AnyForm>> models;
+  for_each_form([&](auto form) {
+    if (info(form).canonical && info(form).fittable) models.push_back({form});
+  });
+  return models;
+}
+
+std::vector<std::vector<AnyForm>> every_model() {
+  std::vector<std::vector<AnyForm>> models;
+  for_each_form([&](auto form) {
+    if (info(form).fittable) models.push_back({form});
+  });
+  return models;
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,373 @@
+#include "fit/stream.h"
+
+#include <algorithm>
+#include <functional>
+#include <thread>
+
+#include "fit/block.h"
+
+namespace brdf::fit {
+
+// The shapes of one group at the current parameters, ready to be evaluated.
+struct Stream::Shapes {
+  std::vector<std::vector<double>> shape;  // [term]
+  double tangent_phi = 0;
+  bool derivatives = true;
+};
+
+// Columns of one block. Entries beyond the last row stay 0 in `slope`, which every sum is multiplied by.
+struct Stream::Workspace {
+  Workspace(const Model& model, std::size_t channels)
+      : lobes(model.lobes()), derivatives(model.partials()), scaled(model.lobes() + model.partials() + 1) {
+    std::size_t columns = 0;
+    for (const TermModel& t : model.terms()) columns += (1 + t.partials) * t.lobes;
+    storage.resize((columns + scaled.size() + 6 + model.size() + channels) * kBlock);
+    double* next = storage.data();
+    const auto take = [&](std::size_t n) {
+      double* column = next;
+      next += n * kBlock;
+      return column;
+    };
+    for (const TermModel& t : model.terms()) {
+      double* base = take((1 + t.partials) * t.lobes);
+      term.push_back(base);
+      for (std::size_t k = 0; k < t.lobes; ++k) lobes[t.first_lobe + k] = base + k * kBlock;
+      for (std::size_t q = 0; q < t.partials; ++q)
+        for (std::size_t k = 0; k < t.lobes; ++k)
+          derivatives[t.first_partial + q].push_back(base + ((1 + q) * t.lobes + k) * kBlock);
+    }
+    for (double*& column : scaled) column = take(1);
+    f = take(1), r = take(1), slope = take(1), rho = take(1), root = take(1), curvature = take(1);
+    for (std::size_t k = 0; k < model.size() + channels; ++k) extra.push_back(take(1));
+  }
+
+  std::vector<double> storage;
+  std::vector<double*> term, lobes;
+  std::vector<std::vector<double*>> derivatives;  // [partial][lobe of its term]
+  std::vector<double*> scaled;                    // lobes, then partials, then the residual
+  double *f, *r, *slope, *rho, *root, *curvature;
+  std::vector<double*> extra;
+};
+
+namespace {
+
+// What one derivative column contributes to: the solver's parameters and the factors.
+struct Contribution {
+  std::size_t slot;
+  double factor;
+};
+using Contributions = std::vector<std::vector<Contribution>>;
+
+// Of the columns (lobes, partials, residual) of one channel; the residual has none.
+Contributions contributions(const Model& model, std::span<const double> p, std::size_t channel) {
+  Contributions out(model.lobes() + model.partials());
+  const std::size_t group = model.group_of(channel);
+  for (const TermModel& term : model.terms()) {
+    const LinearBlock& block = term.weights[channel];
+    for (std::size_t k = 0; k < block.lobes; ++k)
+      for (std::size_t u = 0; u < block.unknowns; ++u)
+        if (const double a = block.a[k * block.unknowns + u]; a != 0)
+          out[term.first_lobe + k].push_back({block.first_slot + u, a});
+  }
+  for (std::size_t q = 0; q < model.partials(); ++q) {
+    const std::size_t slot = model.slot_of_partial(q, group);
+    if (slot != kNoSlot) out[model.lobes() + q].push_back({slot, model.slots()[slot].slope(p[slot])});
+  }
+  return out;
+}
+
+void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out) {
+  for (std::size_t i = 0; i < map.size(); ++i)
+    for (std::size_t j = 0; j < map.size(); ++j) {
+      const double value = i <= j ? raw(i, j) : raw(j, i);
+      for (const Contribution& x : map[i])
+        for (const Contribution& y : map[j]) out(x.slot, y.slot) += x.factor * y.factor * value;
+    }
+}
+
+}  // namespace
+
+Stream::Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
+               unsigned threads)
+    : data_(data), model_(model), residual_(residual), aperture_(aperture), threads_(threads) {}
+
+Stream::Shapes Stream::shapes(std::span<const double> p, std::size_t group, bool derivatives) const {
+  Shapes s;
+  for (std::size_t t = 0; t < model_.terms().size(); ++t) s.shape.push_back(model_.shape(p, t, group));
+  s.tangent_phi = model_.tangent_phi(p);
+  s.derivatives = derivatives;
+  // On the square's scale the derivative is divided by the parameter itself: stay off 0.
+  for (const Slot& slot : model_.slots())
+    if (slot.scale == Scale::kSquare && slot.group == group)
+      for (std::size_t m : slot.members)
+        s.shape[slot.term][m] = std::max(s.shape[slot.term][m], kSquareFloor);
+  return s;
+}
+
+void Stream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
+  const DirectionBlock directions = data_.directions(first, rows);
+  for (std::size_t t = 0; t < model_.terms().size(); ++t) {
+    const TermModel& term = model_.terms()[t];
+    LobeRequest request{shapes.shape[t], {}, shapes.tangent_phi, -1, 0};
+    if (shapes.derivatives)
+      request = {shapes.shape[t], term.partial, shapes.tangent_phi, term.tangent_partial, term.partials};
+    evaluate_lobes(term.form, request, directions, w.term[t]);
+  }
+}
+
+// visit(thread, first, rows): every thread takes a contiguous run of blocks.
+template <class Visit>
+void Stream::for_each_block(Visit&& visit) const {
+  const std::size_t blocks = (data_.rows() + kBlock - 1) / kBlock;
+  const auto run = [&](unsigned thread) {
+    for (std::size_t b = blocks * thread / threads_; b < blocks * (thread + 1) / threads_; ++b)
+      visit(thread, b * kBlock, std::min(kBlock, data_.rows() - b * kBlock));
+  };
+  std::vector<std::thread> others;
+  for (unsigned t = 1; t < threads_; ++t) others.emplace_back(run, t);
+  run(0);
+  for (std::thread& t : others) t.join();
+}
+
+namespace {
+
+ResidualBlock residual_block(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
+                             const double* f) {
+  return {f,
+          &data.values[channel][first],
+          &data.wi_z[first],
+          &data.wo_z[first],
+          data.weight.empty() ? nullptr : &data.weight[first],
+          data.sigma.empty() ? nullptr : &data.sigma[channel][first],
+          rows};
+}
+
+}  // namespace
+
+NormalEquations Stream::accumulate(std::span<const double> p, const Residual& residual,
+                                   bool derivatives) const {
+  const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials() + 1;
+  struct Partial {
+    Workspace w;
+    std::vector<Matrix> raw;
+    double cost = 0;
+  };
+  std::vector<Partial> parts;
+  for (unsigned t = 0; t < threads_; ++t)
+    parts.push_back({Workspace(model_, 0), std::vector<Matrix>(channels, Matrix(columns, columns))});
+  std::vector<Shapes> group_shapes;
+  for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, derivatives));
+  Matrix weights(channels, model_.lobes());
+  for (std::size_t c = 0; c < channels; ++c)
+    model_.lobe_weights(p, c, std::span(&weights(c, 0), model_.lobes()));
+
+  for_each_block([&](unsigned thread, std::size_t first, std::size_t rows) {
+    Workspace& w = parts[thread].w;
+    std::fill(w.slope + rows, w.slope + kBlock, 0.0);
+    std::fill(w.r + rows, w.r + kBlock, 0.0);
+    for (std::size_t c = 0; c < channels; ++c) {
+      if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
+      mix(model_.lobes(), w.lobes.data(), &weights(c, 0), w.f);
+      residuals(residual, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
+      if (residual.loss.kind != LossFunction::Kind::kNone && !residual.linearised) {
+        apply_loss(residual.loss, rows, w.r, w.rho, w.root, w.curvature);
+        for (std::size_t j = 0; j < rows; ++j) {
+          parts[thread].cost += w.rho[j];
+          w.r[j] *= w.root[j];
+          w.slope[j] *= w.root[j];
+        }
+      }
+      for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
+      if (derivatives)
+        for (const TermModel& term : model_.terms())
+          for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
+            mix(term.lobes, w.derivatives[q].data(), &weights(c, term.first_lobe), w.f);
+            multiply(w.f, w.slope, w.scaled[model_.lobes() + q]);
+          }
+      std::copy(w.r, w.r + kBlock, w.scaled.back());
+      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, parts[thread].raw[c].a.data());
+    }
+  });
+
+  NormalEquations out;
+  out.hessian = Matrix(model_.size(), model_.size());
+  out.gradient.assign(model_.size(), 0);
+  double sum = 0;
+  for (std::size_t c = 0; c < channels; ++c) {
+    Matrix& raw = parts[0].raw[c];
+    for (unsigned t = 1; t < threads_; ++t)
+      for (std::size_t k = 0; k < raw.a.size(); ++k) raw.a[k] += parts[t].raw[c].a[k];
+    const Contributions map = contributions(model_, p, c);
+    add_mapped(map, raw, out.hessian);
+    for (std::size_t i = 0; i < map.size(); ++i)
+      for (const Contribution& x : map[i]) out.gradient[x.slot] += x.factor * raw(i, columns - 1);
+    sum += raw(columns - 1, columns - 1);
+  }
+  if (residual.loss.kind != LossFunction::Kind::kNone && !residual.linearised) {
+    sum = 0;
+    for (const Partial& part : parts) sum += part.cost;
+  }
+  out.cost = 0.5 * sum;
+  return out;
+}
+
+NormalEquations Stream::normal_equations(std::span<const double> p) const {
+  return accumulate(p, residual_, true);
+}
+
+NormalEquations Stream::linearised_weights(std::span<const double> p) const {
+  std::vector<double> q(p.begin(), p.end());
+  std::fill(q.begin() + std::ptrdiff_t(model_.shape_slots()), q.end(), 0.0);
+  Residual linear = residual_;
+  linear.linearised = true;
+  return accumulate(q, linear, false);
+}
+
+ScoreMatrices Stream::scores(std::span<const double> p) const {
+  const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
+  const std::size_t size = model_.size();
+  ScoreMatrices out{Matrix(size, size), Matrix(size, size)};
+  std::vector<Matrix> raw(channels, Matrix(columns, columns));
+  std::vector<Contributions> map;
+  std::vector<Shapes> group_shapes;
+  for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, true));
+  Matrix weights(channels, model_.lobes());
+  for (std::size_t c = 0; c < channels; ++c) {
+    model_.lobe_weights(p, c, std::span(&weights(c, 0), model_.lobes()));
+    map.push_back(contributions(model_, p, c));
+  }
+  Workspace w(model_, 0);
+  std::vector<double> curved(columns * kBlock);
+  std::vector<double*> curved_columns;
+  for (std::size_t k = 0; k < columns; ++k) curved_columns.push_back(&curved[k * kBlock]);
+  for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
+    const std::size_t rows = std::min(kBlock, data_.rows() - first);
+    for (double* column : w.extra) std::fill(column, column + kBlock, 0.0);
+    std::fill(w.slope + rows, w.slope + kBlock, 0.0);
+    for (std::size_t c = 0; c < channels; ++c) {
+      if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
+      mix(model_.lobes(), w.lobes.data(), &weights(c, 0), w.f);
+      residuals(residual_, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
+      apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
+      for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
+      for (const TermModel& term : model_.terms())
+        for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
+          mix(term.lobes, w.derivatives[q].data(), &weights(c, term.first_lobe), w.f);
+          multiply(w.f, w.slope, w.scaled[model_.lobes() + q]);
+        }
+      for (std::size_t k = 0; k < columns; ++k) {
+        for (std::size_t j = 0; j < rows; ++j) {
+          curved_columns[k][j] = w.scaled[k][j] * w.curvature[j];
+          const double score = w.scaled[k][j] * w.r[j] * w.root[j] * w.root[j];
+          for (const Contribution& x : map[c][k]) w.extra[x.slot][j] += x.factor * score;
+        }
+        std::fill(curved_columns[k] + rows, curved_columns[k] + kBlock, 0.0);
+      }
+      add_gram(columns, curved_columns.data(), columns, w.scaled.data(), true, raw[c].a.data());
+    }
+    add_gram(size, w.extra.data(), size, w.extra.data(), true, out.meat.a.data());
+  }
+  for (std::size_t c = 0; c < channels; ++c) add_mapped(map[c], raw[c], out.bread);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < i; ++j) out.meat(i, j) = out.meat(j, i);
+  return out;
+}
+
+LobeGram Stream::lobe_gram(std::span<const double> p, std::size_t group) const {
+  const std::size_t channels = data_.channels.size();
+  LobeGram out;
+  out.lobes = model_.lobes();
+  std::vector<std::size_t> members;
+  for (std::size_t c = 0; c < channels; ++c)
+    if (model_.group_of(c) == group) members.push_back(c);
+  for (const TermModel& term : model_.terms()) out.derivatives += term.partials * term.lobes;
+  const std::size_t columns = out.lobes + out.derivatives, all = columns + members.size();
+  const Shapes group_shapes = shapes(p, group, true);
+  struct Partial {
+    Workspace w;
+    std::vector<double> scaled;
+    std::vector<double*> column;
+    Matrix gram, square;
+  };
+  std::vector<Partial> parts;
+  for (unsigned t = 0; t < threads_; ++t) {
+    parts.push_back({Workspace(model_, 0),
+                     std::vector<double>(all * kBlock),
+                     {},
+                     Matrix(columns, all),
+                     Matrix(members.size(), 1)});
+    for (std::size_t k = 0; k < all; ++k) parts[t].column.push_back(&parts[t].scaled[k * kBlock]);
+  }
+  for_each_block([&](unsigned thread, std::size_t first, std::size_t rows) {
+    Partial& part = parts[thread];
+    Workspace& w = part.w;
+    fill_lobes(group_shapes, first, rows, w);
+    for (std::size_t j = 0; j < kBlock; ++j) w.slope[j] = j < rows ? data_.wi_z[first + j] : 0.0;
+    if (!data_.weight.empty())
+      for (std::size_t j = 0; j < rows; ++j) w.slope[j] *= std::sqrt(data_.weight[first + j]);
+    std::size_t next = 0;
+    for (double* lobe : w.lobes) multiply(lobe, w.slope, part.column[next++]);
+    for (const auto& partial : w.derivatives)
+      for (double* column : partial) multiply(column, w.slope, part.column[next++]);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const double* y = &data_.values[members[m]][first];
+      double* column = part.column[next++];
+      double square = 0;
+      for (std::size_t j = 0; j < rows; ++j) {
+        column[j] = y[j] * w.slope[j];
+        square += column[j] * column[j];
+      }
+      std::fill(column + rows, column + kBlock, 0.0);
+      part.square(m, 0) += square;
+    }
+    // Only j >= i counts for the lobes; measurements stand to their right, so every product is there.
+    add_gram(columns, part.column.data(), all, part.column.data(), true, part.gram.a.data());
+  });
+  out.gram = Matrix(columns, columns);
+  out.cross = Matrix(members.size(), columns);
+  out.square.assign(members.size(), 0);
+  for (const Partial& part : parts) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      for (std::size_t j = i; j < columns; ++j) out.gram(i, j) += part.gram(i, j);
+      for (std::size_t m = 0; m < members.size(); ++m) out.cross(m, i) += part.gram(i, columns + m);
+    }
+    for (std::size_t m = 0; m < members.size(); ++m) out.square[m] += part.square(m, 0);
+  }
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = 0; j < i; ++j) out.gram(i, j) = out.gram(j, i);
+  return out;
+}
+
+std::vector<std::vector<double>> Stream::values(std::span<const double> p) const {
+  const std::size_t channels = data_.channels.size();
+  std::vector out(channels, std::vector<double>(data_.rows()));
+  Workspace w(model_, 0);
+  std::vector<double> weights(model_.lobes());
+  std::vector<Shapes> group_shapes;
+  for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, false));
+  for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
+    const std::size_t rows = std::min(kBlock, data_.rows() - first);
+    for (std::size_t c = 0; c < channels; ++c) {
+      if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
+      model_.lobe_weights(p, c, weights);
+      mix(model_.lobes(), w.lobes.data(), weights.data(), w.f);
+      std::copy(w.f, w.f + rows, out[c].begin() + std::ptrdiff_t(first));
+    }
+  }
+  return out;
+}
+
+std::vector<std::vector<double>> Stream::residual_values(std::span<const double> p) const {
+  std::vector<std::vector<double>> out = values(p);
+  std::vector<double> r(kBlock), slope(kBlock);
+  for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
+    const std::size_t rows = std::min(kBlock, data_.rows() - first);
+    for (std::size_t c = 0; c < out.size(); ++c) {
+      residuals(residual_, residual_block(data_, c, first, rows, &out[c][first]), r.data(), slope.data());
+      std::copy(r.begin(), r.begin() + std::ptrdiff_t(rows), out[c].begin() + std::ptrdiff_t(first));
+    }
+  }
+  return out;
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,416 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "brdf/dual.h"
+#include "fit/assess.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Eigenvalues of the scaled normal matrix below this share of the largest are directions without effect.
+constexpr double kSingular = 1e-12;
+// A parameter whose direction lies in such a subspace by more than this share is not identified.
+constexpr double kInNullSpace = 1e-3;
+// A standard error above these is no information: e on a logarithmic scale, half of the range on others, a
+// quarter for f0, half of the channel's weights for a weight.
+constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
+
+// 97.5 % quantile of Student's t (Cornish-Fisher expansion, Abramowitz and Stegun 26.7.5; 1e-3 from 4 degrees
+// of freedom).
+double t_quantile(double freedom) {
+  constexpr double z = 1.959963984540054;
+  if (freedom < 1) return std::numeric_limits<double>::infinity();
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+}
+
+// A reported parameter as a function of the solver's: value and gradient by the slots.
+struct Reported {
+  Estimate estimate;
+  std::vector<std::pair<std::size_t, double>> gradient;
+  std::size_t slot = kNoSlot;  // a shape parameter's own
+  double min = 0, max = 0;
+  double weight_scale = 0;  // weights: the channel's sum
+  bool fresnel = false, weight = false;
+};
+
+std::string prefixed(const Model& model, std::size_t term, std::string_view name) {
+  if (model.terms().size() == 1) return std::string(name);
+  return "terms[" + std::to_string(term) + "]." + std::string(name);
+}
+
+void add_shape(const Model& model, std::span<const double> p, std::size_t t, std::vector<Reported>& out) {
+  const TermModel& term = model.terms()[t];
+  for (std::size_t g = 0; g < model.groups(); ++g) {
+    const std::vector<double> shape = model.shape(p, t, g);
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      Reported r;
+      r.estimate.name = prefixed(model, t, term.info->shape[k].name);
+      if (model.groups() > 1) r.estimate.channel = model.channels()[g];
+      r.estimate.value = shape[k];
+      for (std::size_t s = 0; s < model.shape_slots(); ++s) {
+        const Slot& slot = model.slots()[s];
+        if (slot.kind == Slot::Kind::kShape && slot.term == t && slot.group == g &&
+            std::find(slot.members.begin(), slot.members.end(), k) != slot.members.end()) {
+          r.slot = s;
+          r.gradient = {{s, slot.slope(p[s])}};
+          r.min = slot.min, r.max = slot.max;
+        }
+      }
+      out.push_back(std::move(r));
+    }
+  }
+}
+
+// The weights of one term and channel with their derivatives by the lobes' weights.
+struct TableWeight {
+  double value;
+  std::vector<double> by_lobe;
+};
+std::vector<TableWeight> table_weights(const AnyForm& form, std::span<const double> lobes) {
+  return std::visit(
+      [&](auto f) {
+        using F = decltype(f);
+        std::vector<TableWeight> out;
+        if constexpr (LinearForm<F>) {
+          constexpr std::size_t n = lobe_count<F>;
+          using D = Dual<double, int(n)>;
+          std::array<D, n> linear;
+          for (std::size_t k = 0; k < n; ++k) linear[k] = D::variable(lobes[k], k);
+          const auto w = F::template Weights<D>::from_linear(linear);
+          for (const auto& field : F::template Weights<D>::fields()) {
+            const D& x = w.*(field.member);
+            out.push_back({x.a, {x.v.d, x.v.d + n}});
+          }
+        }
+        return out;
+      },
+      form);
+}
+
+void add_weights(const Model& model, std::span<const double> p, std::size_t t, std::vector<Reported>& out) {
+  const TermModel& term = model.terms()[t];
+  std::vector<double> lobes(model.lobes());
+  for (std::size_t c = 0; c < model.channels().size(); ++c) {
+    model.lobe_weights(p, c, lobes);
+    double total = 0;
+    for (double w : lobes) total += w;
+    const LinearBlock& block = term.weights[c];
+    const auto table = table_weights(term.form, std::span(lobes).subspan(term.first_lobe, term.lobes));
+    for (std::size_t k = 0; k < table.size(); ++k) {
+      const ParameterInfo& info = term.info->weights[k];
+      Reported r;
+      r.estimate.name = prefixed(model, t, info.name);
+      r.estimate.channel = model.channels()[c];
+      r.estimate.value = table[k].value;
+      for (std::size_t u = 0; u < block.unknowns; ++u) {
+        double slope = 0, size = 0;
+        for (std::size_t l = 0; l < block.lobes; ++l) {
+          slope += table[k].by_lobe[l] * block.a[l * block.unknowns + u];
+          size += std::abs(table[k].by_lobe[l] * block.a[l * block.unknowns + u]);
+        }
+        if (std::abs(slope) > 1e-12 * size) r.gradient.push_back({block.first_slot + u, slope});
+      }
+      r.min = info.min, r.max = info.max;
+      r.weight = true;
+      r.fresnel = info.name == "f0";
+      r.weight_scale = total;
+      out.push_back(std::move(r));
+    }
+  }
+}
+
+std::vector<Reported> reported_parameters(const Model& model, std::span<const double> p) {
+  std::vector<Reported> out;
+  for (std::size_t t = 0; t < model.terms().size(); ++t) add_shape(model, p, t, out);
+  if (const std::size_t s = model.tangent_slot(); s != kNoSlot) {
+    Reported r;
+    r.estimate.name = "tangent_phi";
+    r.estimate.value = p[s] * 180 / kPi;
+    r.slot = s;
+    r.gradient = {{s, 180 / kPi}};
+    r.min = -180, r.max = 180;
+    out.push_back(std::move(r));
+  }
+  for (std::size_t t = 0; t < model.terms().size(); ++t) add_weights(model, p, t, out);
+  return out;
+}
+
+// Covariance of the solver's free parameters, and the directions without effect.
+struct Covariance {
+  RowMatrix matrix;       // of all slots; 0 for those held
+  RowMatrix null_space;   // columns, on the scaled axes
+  Eigen::VectorXd scale;  // of the axes: 1/sqrt(diagonal); 0 for slots without effect
+  RowMatrix weakest;      // the least certain direction, on the scaled axes
+  double condition = 1;
+};
+
+Covariance covariance(const Stream& stream, const Minimum& m) {
+  const Model& model = stream.model();
+  const Eigen::Index n = Eigen::Index(model.size());
+  const ScoreMatrices scores = stream.scores(m.p);
+  const Eigen::Map<const RowMatrix> bread(scores.bread.a.data(), n, n), meat(scores.meat.a.data(), n, n);
+  Covariance out;
+  out.scale = Eigen::VectorXd::Zero(n);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (m.at_bound[std::size_t(k)] == 0 && bread(k, k) > 0) {
+      free.push_back(k);
+      out.scale(k) = 1 / std::sqrt(bread(k, k));
+    }
+  const Eigen::Index f = Eigen::Index(free.size());
+  out.matrix = RowMatrix::Zero(n, n);
+  out.null_space = RowMatrix::Zero(n, f);
+  out.weakest = RowMatrix::Zero(n, 1);
+  if (f == 0) return out;
+  RowMatrix scaled(f, f), noise(f, f);
+  for (Eigen::Index i = 0; i < f; ++i)
+    for (Eigen::Index j = 0; j < f; ++j) {
+      const double s = out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
+      scaled(i, j) = bread(free[std::size_t(i)], free[std::size_t(j)]) * s;
+      noise(i, j) = meat(free[std::size_t(i)], free[std::size_t(j)]) * s;
+    }
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(scaled);
+  const double largest = eigen.eigenvalues()(f - 1);
+  RowMatrix inverse = RowMatrix::Zero(f, f);
+  Eigen::Index nulls = 0;
+  for (Eigen::Index k = 0; k < f; ++k) {
+    const auto v = eigen.eigenvectors().col(k);
+    if (eigen.eigenvalues()(k) <= kSingular * largest) {
+      for (Eigen::Index i = 0; i < f; ++i) out.null_space(free[std::size_t(i)], nulls) = v(i);
+      ++nulls;
+    } else {
+      inverse += v * v.transpose() / eigen.eigenvalues()(k);
+    }
+  }
+  for (Eigen::Index i = 0; i < f; ++i) out.weakest(free[std::size_t(i)], 0) = eigen.eigenvectors()(i, 0);
+  out.null_space.conservativeResize(n, nulls);
+  out.condition = std::sqrt(largest / std::max(eigen.eigenvalues()(0), largest * 1e-32));
+  const double rows = double(stream.data().rows());
+  const double correction = rows > double(f) ? rows / (rows - double(f)) : 0;
+  const RowMatrix c = inverse * noise * inverse * correction;
+  for (Eigen::Index i = 0; i < f; ++i)
+    for (Eigen::Index j = 0; j < f; ++j)
+      out.matrix(free[std::size_t(i)], free[std::size_t(j)]) =
+          c(i, j) * out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
+  return out;
+}
+
+Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  for (const auto& [slot, slope] : r.gradient) g(Eigen::Index(slot)) = slope;
+  return g;
+}
+
+// True where the parameter moves along a direction that changes nothing in the samples.
+bool without_effect(const Reported& r, const Minimum& m, const Covariance& c) {
+  double inside = 0, all = 0;
+  for (const auto& [slot, slope] : r.gradient) {
+    if (m.at_bound[slot] != 0) continue;
+    const double scale = c.scale(Eigen::Index(slot));
+    if (scale == 0) return true;
+    all += slope * slope * scale * scale;
+  }
+  for (Eigen::Index k = 0; k < c.null_space.cols(); ++k) {
+    double along = 0;
+    for (const auto& [slot, slope] : r.gradient)
+      along += slope * c.scale(Eigen::Index(slot)) * c.null_space(Eigen::Index(slot), k);
+    inside += along * along;
+  }
+  return all > 0 && inside > kInNullSpace * all;
+}
+
+bool at_bound(const Reported& r, const Minimum& m) {
+  if (r.gradient.empty()) return false;
+  bool all = true, any = false;
+  for (const auto& [slot, slope] : r.gradient) {
+    all = all && m.at_bound[slot] != 0;
+    any = any || m.at_bound[slot] != 0;
+  }
+  const double v = r.estimate.value, reach = 1e-9 * (r.max - r.min);
+  return all || (any && (v <= r.min + reach || v >= r.max - reach));
+}
+
+bool no_information(const Reported& r, const Model& model, double error, double solver_error) {
+  if (r.fresnel) return error > kFresnelError;
+  if (r.weight) return error > kWeightError * std::max(std::abs(r.estimate.value), r.weight_scale);
+  const Slot& slot = model.slots()[r.slot];
+  if (slot.kind == Slot::Kind::kTangent) return error > 22.5;
+  if (slot.scale == Scale::kLog || slot.scale == Scale::kLog1p) return solver_error > kLogError;
+  return error > kRangeError * (r.max - r.min);
+}
+
+// Intervals are symmetric on the solver's scale: alpha's on the logarithmic one.
+void set_interval(Reported& r, const Model& model, const Minimum& m, double error, double solver_error,
+                  double t) {
+  Estimate& e = r.estimate;
+  e.standard_error = error;
+  if (r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::kShape) {
+    const Slot& slot = model.slots()[r.slot];
+    e.low = slot.to_natural(m.p[r.slot] - t * solver_error);
+    e.high = slot.to_natural(m.p[r.slot] + t * solver_error);
+  } else {
+    e.low = std::max(e.value - t * error, r.min);
+    e.high = std::min(e.value + t * error, r.max);
+  }
+}
+
+std::string label(const Estimate& e) {
+  return e.channel.empty() ? e.name : e.name + "[" + e.channel + "]";
+}
+
+std::string_view base_name(std::string_view name) {
+  const auto dot = name.rfind('.');
+  return dot == std::string_view::npos ? name : name.substr(dot + 1);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  return text;
+}
+
+// "ks (r, g)" for every name with the given status.
+std::vector<std::string> names_with(const std::vector<Reported>& all, Estimate::Status status,
+                                    std::size_t channels) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> grouped;
+  for (const Reported& r : all) {
+    if (r.estimate.status != status) continue;
+    auto it = std::find_if(grouped.begin(), grouped.end(),
+                           [&](const auto& g) { return g.first == r.estimate.name; });
+    if (it == grouped.end()) it = grouped.insert(grouped.end(), {r.estimate.name, {}});
+    if (!r.estimate.channel.empty()) it->second.push_back(r.estimate.channel);
+  }
+  std::vector<std::string> out;
+  for (const auto& [name, list] : grouped) {
+    std::string text = name;
+    if (!list.empty() && list.size() < channels) {
+      text += " (";
+      for (std::size_t k = 0; k < list.size(); ++k) text += (k ? ", " : "") + list[k];
+      text += ")";
+    }
+    out.push_back(std::move(text));
+  }
+  return out;
+}
+
+std::string advice(const std::vector<Reported>& all, const Model& model) {
+  const auto unidentified = [&](std::string_view name) {
+    return std::any_of(all.begin(), all.end(), [&](const Reported& r) {
+      return r.estimate.status == Estimate::Status::kUnidentified && base_name(r.estimate.name) == name;
+    });
+  };
+  const auto zero = [&](std::string_view name) {
+    bool any = false;
+    for (const Reported& r : all)
+      if (base_name(r.estimate.name) == name) {
+        if (r.estimate.status != Estimate::Status::kAtBound || r.estimate.value > 0) return false;
+        any = true;
+      }
+    return any;
+  };
+  const bool width = unidentified("alpha_x") || unidentified("alpha_y") || unidentified("exponent");
+  if (width && zero("ks")) return "the samples show no specular lobe: leave it out, or fix its width";
+  if (unidentified("tangent_phi"))
+    return "measure more azimuths with the sample rotated, or fit without --anisotropic";
+  if (unidentified("sigma"))
+    return "measure more azimuths on the side of the light (phi_o - phi_i below 90 degrees), or fix sigma";
+  if (unidentified("f0") && !width)
+    return "only ks f0 is seen where the light is nearly head-on: measure towards grazing (theta_d above 40 "
+           "degrees), or fix f0";
+  if (width) return "measure closer to the mirror direction, or fix the width";
+  if (model.terms().size() > 1) return "fit fewer terms, or fix some of them";
+  return "measure more directions, or fix one of them";
+}
+
+}  // namespace
+
+Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
+  const Model& model = stream.model();
+  const Eigen::Index n = Eigen::Index(model.size());
+  Uncertainty out;
+  std::vector<Reported> all = reported_parameters(model, m.p);
+  const Covariance c = covariance(stream, m);
+  out.condition = c.condition;
+  double free = 0;
+  for (int b : m.at_bound) free += b == 0;
+  const double freedom = double(stream.data().rows()) - free;
+  const double t = t_quantile(freedom);
+  // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
+  const std::size_t per_channel =
+      (model.size() - model.shape_slots()) / model.channels().size() + model.shape_slots() / model.groups();
+  const bool few = stream.data().rows() < 3 * per_channel;
+  if (few) {
+    out.singular = true;
+    out.findings.push_back(std::to_string(stream.data().rows()) + " rows are too few for " +
+                           std::to_string(per_channel) + " parameters: measure at least " +
+                           std::to_string(3 * per_channel) + ", or fix some of them");
+  }
+  std::vector<std::size_t> certain;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Reported& r = all[k];
+    Estimate& e = r.estimate;
+    const Eigen::VectorXd g = gradient_vector(r, n);
+    const double variance = g.dot(c.matrix * g);
+    const double error = std::sqrt(std::max(variance, 0.0));
+    const double solver_error =
+        r.slot == kNoSlot ? error
+                          : std::sqrt(std::max(c.matrix(Eigen::Index(r.slot), Eigen::Index(r.slot)), 0.0));
+    if (r.fresnel && !(all[k - 1].estimate.value > 0)) {
+      e.status = Estimate::Status::kUnidentified;  // f0 of a lobe without weight
+    } else if (r.gradient.empty()) {
+      e.status = Estimate::Status::kFixed;
+    } else if (few) {
+      e.status = Estimate::Status::kUnidentified;
+    } else if (at_bound(r, m)) {
+      e.status = Estimate::Status::kAtBound;
+    } else if (without_effect(r, m, c)) {
+      e.status = Estimate::Status::kUnidentified;
+      out.singular = true;
+    } else if (no_information(r, model, error, solver_error)) {
+      e.status = Estimate::Status::kUnidentified;
+    } else {
+      set_interval(r, model, m, error, solver_error, t);
+      certain.push_back(k);
+    }
+  }
+  for (std::size_t k : certain) out.correlations.names.push_back(label(all[k].estimate));
+  out.correlations.matrix = Matrix(certain.size(), certain.size());
+  for (std::size_t i = 0; i < certain.size(); ++i)
+    for (std::size_t j = 0; j < certain.size(); ++j) {
+      const double both = all[certain[i]].estimate.standard_error * all[certain[j]].estimate.standard_error;
+      const double shared =
+          gradient_vector(all[certain[i]], n).dot(c.matrix * gradient_vector(all[certain[j]], n));
+      out.correlations.matrix(i, j) = i == j ? 1 : both > 0 ? std::clamp(shared / both, -1.0, 1.0) : 0;
+    }
+
+  const std::size_t channels = model.channels().size();
+  if (const auto names = names_with(all, Estimate::Status::kUnidentified, channels); !few && !names.empty())
+    out.findings.push_back(joined(names) + (names.size() > 1 ? " are" : " is") +
+                           " not identified: " + advice(all, model));
+  std::map<std::string, std::vector<std::string>> bounds;
+  for (const Reported& r : all) {
+    if (r.estimate.status != Estimate::Status::kAtBound) continue;
+    const bool lower = r.estimate.value - r.min <= r.max - r.estimate.value;
+    bounds[r.estimate.name + " is at its " + (lower ? "lower" : "upper") + " bound " +
+           io::to_text(lower ? r.min : r.max)]
+        .push_back(r.estimate.channel);
+  }
+  for (const auto& [text, list] : bounds) {
+    std::string channel_list;
+    if (!list[0].empty() && list.size() < channels)
+      for (const std::string& c_name : list) channel_list += (channel_list.empty() ? " in " : ", ") + c_name;
+    out.findings.push_back(text + channel_list);
+  }
+  for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
+  return out;
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "samples.h"
+
+namespace brdf::fit {
+namespace {
+
+// Fits of real measurements. Bounds are two-sided: an error that drops by half is as suspicious as one that
+// grows.
+class Measured : public ::testing::Test {
+ protected:
+  std::map<std::string, FormFit> fit_all(const std::string& sample) {
+    const char* folder = std::getenv("BRDF_DATA_DIR");
+    result_ =
+        fit(io::read_samples(std::string(folder) + "/measured/" + sample + ".csv"), canonical_models(), {});
+    std::map<std::string, FormFit> by_form;
+    for (const FormFit& f : result_.ranking) by_form[f.form] = f;
+    return by_form;
+  }
+  void SetUp() override {
+    if (!std::getenv("BRDF_DATA_DIR")) GTEST_SKIP() << "BRDF_DATA_DIR is unset: no measured samples";
+  }
+  static const Estimate& estimate(const FormFit& f, const std::string& name) {
+    for (const Estimate& e : f.estimates)
+      if (e.name == name) return e;
+    throw std::runtime_error("no estimate of " + name);
+  }
+  FitResult result_;
+};
+
+TEST_F(Measured, WhitePaperIsCookTorranceWithinItsNoise) {
+  auto fits = fit_all("rgl_paper_white");
+  EXPECT_EQ(fits.size(), 6u);
+  EXPECT_LT(fits["cook_torrance"].median_relative_error, 0.026);
+  EXPECT_GT(fits["cook_torrance"].median_relative_error, 0.020);
+  EXPECT_NEAR(fits["lambert"].median_relative_error, 0.041, 0.002);
+  EXPECT_EQ(fits["cook_torrance"].verdict, Verdict::kConverged);
+  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::kAtBound);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kAtBound);
+  EXPECT_EQ(result_.ranking.front().form, "cook_torrance");
+}
+
+TEST_F(Measured, SatinPaint) {
+  auto fits = fit_all("rgl_satin_rosaline");
+  EXPECT_LT(result_.ranking.front().median_relative_error, 0.060);
+  EXPECT_GT(result_.ranking.front().median_relative_error, 0.040);
+  EXPECT_TRUE(usable(result_.ranking.front().verdict));
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kAtBound);
+}
+
+TEST_F(Measured, BlackCoating) {
+  auto fits = fit_all("ua_AnoBlackNiTEonINVAR");
+  EXPECT_LT(result_.ranking.front().median_relative_error, 0.125);
+  EXPECT_GT(result_.ranking.front().median_relative_error, 0.080);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kAtBound);
+  EXPECT_EQ(fits["lambert"].verdict, Verdict::kMisfit);
+}
+
+TEST_F(Measured, InPlaneAluminiumCannotTellSigmaFromReflectance) {
+  auto fits = fit_all("jsss_aluminium_sandblasted");
+  EXPECT_LT(result_.ranking.front().median_relative_error, 0.17);
+  EXPECT_GT(result_.ranking.front().median_relative_error, 0.12);
+  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::kNotIdentifiable);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kUnidentified);
+}
+
+}  // namespace
+}  // namespace brdf::fit

@@ -1,0 +1,70 @@
+// Samples for the tests: known materials on known directions.
+#pragma once
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "fit/fit.h"
+#include "synth/instrument.h"
+
+namespace brdf::fit {
+
+inline io::SampleTable measured(const Material& material, std::vector<std::string> grid = {"hemisphere"},
+                                double noise = 0, std::uint64_t seed = 1, double step = 10) {
+  synth::Instrument instrument;
+  instrument.grid.parts = std::move(grid);
+  instrument.grid.step = step;
+  instrument.grid.theta_i = {10, 30, 45, 60, 70};
+  instrument.noise = noise;
+  instrument.seed = seed;
+  return synth::measure(material, instrument);
+}
+
+inline std::vector<AnyForm> forms(std::initializer_list<const char*> names) {
+  std::vector<AnyForm> out;
+  for (const char* name : names) out.push_back(*find_form(name));
+  return out;
+}
+
+inline FormFit fit_one(const io::SampleTable& table, std::initializer_list<const char*> names,
+                       const FitOptions& options = {}) {
+  return fit(table, {forms(names)}, options).ranking.front();
+}
+
+// Parameters drawn from their tables' usual ranges, alpha >= .02, ks >= .05, f0 .02 to .9.
+inline Material random_material(const AnyForm& form, std::mt19937_64& random, std::size_t channels = 1,
+                                bool tied = true) {
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (double(random() >> 11) * 0x1p-53);
+  };
+  const FormInfo& f = info(form);
+  Material m = make_material(
+      form, channels == 3 ? std::vector<std::string>{"r", "g", "b"} : std::vector<std::string>{"f"});
+  for (std::size_t k = 0; k < f.shape.size(); ++k) {
+    const ParameterInfo& p = f.shape[k];
+    double low = p.min, high = p.usual_max;
+    if (p.name.starts_with("alpha")) low = 0.02;
+    if (p.name == "exponent") low = 1;
+    m.terms[0].shape[0][k] =
+        p.log_scale ? std::exp(uniform(std::log(low), std::log(high))) : uniform(low, high);
+  }
+  if (tied && f.shape_index("alpha_y") >= 0)
+    m.terms[0].shape[0][std::size_t(f.shape_index("alpha_y"))] =
+        m.terms[0].shape[0][std::size_t(f.shape_index("alpha_x"))];
+  for (auto& weights : m.terms[0].weights)
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const std::string_view name = f.weights[k].name;
+      weights[k] = name == "f0" ? uniform(0.02, 0.9) : uniform(name == "kd" ? 0.02 : 0.05, 1);
+    }
+  return m;
+}
+
+inline double largest_relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double worst = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) worst = std::max(worst, std::abs(a[k] - b[k]) / std::abs(b[k]));
+  return worst;
+}
+
+}  // namespace brdf::fit

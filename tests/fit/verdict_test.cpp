@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include "io/error.h"
+#include "samples.h"
+
+namespace brdf::fit {
+namespace {
+
+io::SampleTable constant_table(double value) {
+  io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}));
+  for (double& v : table.values[0]) v = value;
+  return table;
+}
+
+TEST(Verdict, ConstantDataIsLambertAndLeavesWardUnidentified) {
+  const FitResult result = fit(constant_table(0.2), canonical_models(), {});
+  EXPECT_EQ(result.ranking.front().form, "lambert");
+  EXPECT_EQ(result.ranking.front().verdict, Verdict::kConverged);
+  for (const FormFit& f : result.ranking) {
+    if (f.form != "ward") continue;
+    EXPECT_EQ(f.verdict, Verdict::kNotIdentifiable);
+    EXPECT_FALSE(usable(f.verdict));
+  }
+}
+
+TEST(Verdict, NoisyConstantDataIsStillLambert) {
+  Material white = make_material(*find_form("lambert"));
+  const FitResult result = fit(measured(white, {"hemisphere"}, 0.05), canonical_models(), {});
+  EXPECT_EQ(result.ranking[result.recommended].form, "lambert");
+}
+
+// A lobe back to the light beside one in the mirror direction: no form has both.
+TEST(Verdict, RetroReflectorIsAMisfit) {
+  Material material = make_material(*find_form("cook_torrance"), {"f"});
+  material.terms[0].shape[0] = {0.15, 0.15};
+  material.terms[0].weights[0] = {0.05, 0.5, 0.5};
+  io::SampleTable table = measured(material, {"hemisphere"}, 0, 1, 5);
+  io::SampleTable mirrored = table;  // seen from the light's side, the mirror lobe is a retro-reflection
+  for (double& phi : mirrored.phi_o) phi += 180;
+  const io::UnitDirections d = io::unit_directions(mirrored);
+  std::vector<double> value(1);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    eval(material, {d.wi_x[k], d.wi_y[k], d.wi_z[k]}, {d.wo_x[k], d.wo_y[k], d.wo_z[k]}, value);
+    table.values[0][k] += value[0];
+  }
+  for (const FormFit& f : fit(table, canonical_models(), {}).ranking)
+    EXPECT_EQ(f.verdict, Verdict::kMisfit) << f.form;
+}
+
+TEST(Verdict, AllZerosFitWithZeroAndNameWhatIsUnknown) {
+  const FormFit lambert = fit_one(constant_table(0), {"lambert"});
+  EXPECT_EQ(lambert.material.terms[0].weights[0][0], 0);
+  EXPECT_EQ(lambert.verdict, Verdict::kAtBound);
+  EXPECT_EQ(fit_one(constant_table(0), {"ward"}).verdict, Verdict::kNotIdentifiable);
+}
+
+TEST(Verdict, FiveRowsAreTooFewForThreeParameters) {
+  io::SampleTable table = measured(make_material(*find_form("ward"), {"f"}));
+  for (auto* column : {&table.theta_i, &table.phi_i, &table.theta_o, &table.phi_o, &table.values[0]})
+    column->resize(5);
+  table.lines.clear();
+  const FormFit f = fit_one(table, {"cook_torrance"});
+  EXPECT_FALSE(usable(f.verdict)) << to_text(f.verdict);
+}
+
+TEST(Verdict, OrderAndDuplicatesOfRowsDoNotMatter) {
+  const io::SampleTable table = measured(make_material(*find_form("ward"), {"f"}), {"hemisphere"}, 0.03);
+  io::SampleTable shuffled = table;
+  const std::size_t n = table.rows();
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t from = (k * 7919 + 13) % n;
+    shuffled.theta_i[k] = table.theta_i[from], shuffled.phi_i[k] = table.phi_i[from];
+    shuffled.theta_o[k] = table.theta_o[from], shuffled.phi_o[k] = table.phi_o[from];
+    shuffled.values[0][k] = table.values[0][from];
+  }
+  io::SampleTable doubled = table;
+  for (std::size_t k = 0; k < n; ++k) {
+    doubled.theta_i.push_back(table.theta_i[k]), doubled.phi_i.push_back(table.phi_i[k]);
+    doubled.theta_o.push_back(table.theta_o[k]), doubled.phi_o.push_back(table.phi_o[k]);
+    doubled.values[0].push_back(table.values[0][k]);
+  }
+  const double alpha = fit_one(table, {"ward"}).material.terms[0].shape[0][0];
+  EXPECT_NEAR(fit_one(shuffled, {"ward"}).material.terms[0].shape[0][0], alpha, 1e-7);
+  EXPECT_NEAR(fit_one(doubled, {"ward"}).material.terms[0].shape[0][0], alpha, 1e-7);
+}
+
+TEST(Verdict, ManyChannelsShareAShape) {
+  Material truth = make_material(*find_form("ward"), std::vector<std::string>(31, ""));
+  for (std::size_t c = 0; c < 31; ++c) {
+    truth.channels[c] = "nm" + std::to_string(400 + 10 * c);
+    truth.terms[0].weights[c] = {0.1 + 0.01 * double(c), 0.3 + 0.01 * double(c)};
+  }
+  const FormFit f = fit_one(measured(truth), {"ward"});
+  EXPECT_EQ(f.verdict, Verdict::kConverged);
+  for (std::size_t c = 0; c < 31; ++c)
+    EXPECT_LT(largest_relative_difference(f.material.terms[0].weights[c], truth.terms[0].weights[c]), 1e-8);
+}
+
+TEST(Verdict, UnknownParametersAndImpossibleCutsAreRefused) {
+  const io::SampleTable table = constant_table(0.1);
+  FitOptions options;
+  options.fix = {{"alpha", {0.1}}};
+  EXPECT_THROW(fit_one(table, {"lambert"}, options), InputError);
+  options = {};
+  options.max_theta = 5;
+  EXPECT_THROW(fit_one(table, {"lambert"}, options), InputError);
+  options = {};
+  options.fix = {{"rho", {-1}}};
+  EXPECT_THROW(fit_one(table, {"lambert"}, options), InputError);
+}
+
+TEST(Verdict, AnInterruptedFitReturnsItsBestAndSaysSo) {
+  std::atomic<bool> stop = true;
+  FitOptions options;
+  options.interrupted = &stop;
+  const FormFit f = fit_one(constant_table(0.2), {"ward"}, options);
+  EXPECT_EQ(f.verdict, Verdict::kInterrupted);
+  EXPECT_FALSE(usable(f.verdict));
+}
+
+}  // namespace
+}  // namespace brdf::fit
