@@ -65,6 +65,13 @@ void unit_vector(double theta, double phi, double& x, double& y, double& z) {
   z = cos_degrees(theta);
 }
 
+void polar_degrees(double x, double y, double z, double& theta, double& phi) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  theta = std::atan2(std::sqrt(x * x + y * y), z) / kDegree;
+  phi = std::atan2(y, x) / kDegree;
+  if (phi < 0) phi += 360.0;
+}
+
 UnitDirections unit_directions(const SampleTable& table) {
   const std::size_t n = table.rows();
   UnitDirections d;

@@ -30,12 +30,6 @@ std::array<SineCosine, n> table_of(Angle degrees) {
   return table;
 }
 
-void to_polar(double x, double y, double z, double& theta, double& phi) {
-  theta = std::atan2(std::sqrt(x * x + y * y), z) / kDegree;
-  phi = std::atan2(y, x) / kDegree;
-  if (phi < 0) phi += 360.0;
-}
-
 std::size_t clamped(double index, int count) {
   return static_cast<std::size_t>(std::clamp(static_cast<int>(index), 0, count - 1));
 }
@@ -52,8 +46,8 @@ CellDirections cell_directions(std::size_t cell) {
   // The light in the frame of the half vector, turned to the surface's; the viewer is its mirror image.
   const double x = d.sine * p.cosine, y = d.sine * p.sine, z = d.cosine;
   CellDirections c;
-  to_polar(h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x, c.theta_i, c.phi_i);
-  to_polar(h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x, c.theta_o, c.phi_o);
+  polar_degrees(h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x, c.theta_i, c.phi_i);
+  polar_degrees(h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x, c.theta_o, c.phi_o);
   return c;
 }
 

@@ -1,6 +1,10 @@
 #include "io/samples.h"
 
+#include "io/astm.h"
 #include "io/csv.h"
+#include "io/merl.h"
+#include "io/rgl.h"
+#include "io/zemax.h"
 
 namespace brdf::io {
 
@@ -21,6 +25,10 @@ void SampleTable::reserve(std::size_t rows) {
 }
 
 SampleTable read_samples(const std::filesystem::path& path) {
+  if (rgl::recognises(path)) return rgl::read(path);
+  if (merl::recognises(path)) return merl::read(path);
+  if (zemax::recognises(path)) return zemax::read(path);
+  if (astm::recognises(path)) return astm::read(path);
   return read_csv(path, true);
 }
 

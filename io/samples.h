@@ -57,6 +57,10 @@ UnitDirections unit_directions(const SampleTable& table);
 // x, y, z of a direction given in degrees. Built on sin_degrees, so it is the same on every machine.
 void unit_vector(double theta, double phi, double& x, double& y, double& z);
 
+// The polar angle in [0, 180] and the azimuth in [0, 360) of a direction, in degrees; its length does not
+// matter.
+void polar_degrees(double x, double y, double z, double& theta, double& phi);
+
 // Sine and cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp of the true
 // value for |degrees| <= 1e6. Plain arithmetic only: the C library's differ in the last bit between
 // processors, and seeded samples must not.

@@ -1,0 +1,121 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "brdf/integrals.h"
+#include "cli/options.h"
+#include "cli/verbs.h"
+#include "io/error.h"
+#include "io/json.h"
+#include "io/provenance.h"
+#include "io/text.h"
+
+namespace brdf::cli {
+namespace {
+
+struct Options {
+  MaterialChoice material;
+  std::vector<double> theta;
+  double phi = 0, tolerance = 1e-6;
+  std::string fixed = "i", rule = "automatic";
+  bool json = false;
+};
+
+struct Row {
+  double theta;
+  std::string channel;
+  AlbedoResult result;
+};
+
+AlbedoOptions checked(const Options& o) {
+  AlbedoOptions options;
+  if (!(o.tolerance >= 1e-14 && o.tolerance <= 1))
+    throw InputError("--tolerance " + io::to_text(o.tolerance) + ": must be between 1e-14 and 1");
+  if (!std::isfinite(o.phi)) throw InputError("--phi: must be finite");
+  for (const double theta : o.theta)
+    if (!(theta >= 0 && theta <= 90))
+      throw InputError("--theta " + io::to_text(theta) + ": must be between 0 and 90 degrees");
+  options.tolerance = o.tolerance;
+  options.fixed = o.fixed == "o" ? Fixed::viewer : Fixed::light;
+  const std::optional<Rule> rule = find_rule(o.rule);
+  if (!rule) throw InputError("--rule '" + o.rule + "': must be automatic, pole, slope or adaptive");
+  options.rule = *rule;
+  return options;
+}
+
+io::Json row_json(const Row& row, const Options& o) {
+  io::Json json;
+  json["theta"] = row.theta;
+  json["phi"] = o.phi;
+  json["fixed"] = o.fixed;
+  json["channel"] = row.channel;
+  json["value"] = row.result.value;
+  json["error_bound"] = row.result.error_bound;
+  json["evaluations"] = row.result.evaluations;
+  json["converged"] = row.result.converged;
+  json["rule"] = rule_name(row.result.rule);
+  return json;
+}
+
+void print(const Row& row) {
+  std::cout << std::setw(8) << row.theta << "  " << std::left << std::setw(10) << row.channel << std::right
+            << std::setprecision(15) << std::setw(20) << row.result.value << std::setprecision(2) << "  +- "
+            << std::left << std::setw(9) << row.result.error_bound << std::right << std::setw(9)
+            << row.result.evaluations << "  " << rule_name(row.result.rule)
+            << (row.result.converged ? "" : "  NOT CONVERGED") << std::setprecision(6) << '\n';
+}
+
+Exit run(const Options& o) {
+  const AlbedoOptions options = checked(o);
+  const Material material = choose_material(o.material);
+  std::vector<Row> rows;
+  bool converged = true;
+  for (const double theta : o.theta) {
+    const auto results = directional_albedo(material, theta * (kPi / 180), o.phi * (kPi / 180), options);
+    for (std::size_t c = 0; c < results.size(); ++c) {
+      rows.push_back({theta, material.channels[c], results[c]});
+      converged &= results[c].converged;
+    }
+  }
+  if (o.json) {
+    io::Json json;
+    json["form"] = material.terms.size() == 1 ? info(material.terms[0].form).name : std::string_view("sum");
+    json["results"] = io::Json::array();
+    for (const Row& row : rows) json["results"].push_back(row_json(row, o));
+    json["provenance"] = io::to_json(io::provenance());
+    std::cout << io::to_text(json);
+  } else {
+    std::cout << "   theta  channel                  albedo     bound    evaluations  rule\n";
+    for (const Row& row : rows) print(row);
+  }
+  return converged ? Exit::kGood : Exit::kFailed;
+}
+
+}  // namespace
+
+void add_albedo(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("albedo", "Directional albedo of a material, with an error bound");
+  add_material_options(*verb, options->material);
+  verb->add_option("--theta", options->theta,
+                   "Polar angles of the fixed direction, degrees, separated by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->required();
+  verb->add_option("--phi", options->phi, "Azimuth of the fixed direction, degrees")->capture_default_str();
+  verb->add_option("--fixed", options->fixed, "Which direction is fixed: i (light) or o (viewer)")
+      ->check(CLI::IsMember({"i", "o"}))
+      ->capture_default_str();
+  verb->add_option("--tolerance", options->tolerance, "Relative error aimed at")->capture_default_str();
+  verb->add_option("--rule", options->rule, "automatic, pole, slope or adaptive")->capture_default_str();
+  verb->add_flag("--json", options->json, "JSON on stdout");
+  verb->footer(
+      "Exit code 1 where an integral did not converge.\n"
+      "Example: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "
+      "0,60");
+  on_run(*verb, [options] { return run(*options); });
+}
+
+}  // namespace brdf::cli

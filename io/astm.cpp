@@ -1,0 +1,180 @@
+#include "io/astm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "io/error.h"
+#include "io/text.h"
+
+namespace brdf::io::astm {
+namespace {
+
+constexpr std::string_view kAngles[] = {"theta_i", "phi_i", "theta_s", "phi_s"};
+constexpr std::string_view kKeyword = "VARS";
+
+bool is_keyword_line(std::string_view line, std::string_view keyword) {
+  return line.starts_with(keyword) && line.size() > keyword.size() &&
+         (line[keyword.size()] == ' ' || line[keyword.size()] == '\t');
+}
+
+class AstmReader {
+ public:
+  explicit AstmReader(const std::filesystem::path& path) : reader_(path) {
+    table_.source = path.string();
+    table_.format = "astm_e1392";
+  }
+
+  SampleTable read() {
+    read_keywords();
+    std::string_view line;
+    while (reader_.next(line)) {
+      line = trimmed(line);
+      if (line.empty()) continue;
+      split(line, ',', fields_);
+      if (!is_laid_out_) lay_out();
+      read_row();
+    }
+    if (table_.rows() == 0) throw InputError(table_.source + ": no rows after VARS");
+    to_degrees();
+    return std::move(table_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
+
+  void read_keywords() {
+    std::string_view line;
+    while (reader_.next(line)) {
+      line = trimmed(line);
+      if (is_keyword_line(line, kKeyword)) {
+        split(line.substr(kKeyword.size()), ',', fields_);
+        for (const std::string_view name : fields_)
+          names_.emplace_back(name == "theta_o" ? "theta_s" : name == "phi_o" ? "phi_s" : name);
+        return;
+      }
+      const std::size_t blank = line.find_first_of(" \t");
+      if (blank == line.npos) continue;
+      std::string_view value = trimmed(line.substr(blank));
+      if (value.size() > 1 && value.front() == '"' && value.back() == '"')
+        value = value.substr(1, value.size() - 2);
+      table_.metadata.emplace_back(line.substr(0, blank), value);
+    }
+    throw InputError(table_.source + ": no VARS line");
+  }
+
+  // Finds each angle's column from the names and the first row's length.
+  void lay_out() {
+    is_laid_out_ = true;
+    std::size_t missing = 0;
+    for (const std::string_view angle : kAngles)
+      missing += std::find(names_.begin(), names_.end(), angle) == names_.end();
+    if (missing > 1) fail("VARS names fewer than three of theta_i, phi_i, theta_s, phi_s");
+    if (missing == 1 && fields_.size() == names_.size() + 1) insert_missing_angle();
+    if (fields_.size() != names_.size())
+      fail(std::to_string(fields_.size()) + " columns where VARS names " + std::to_string(names_.size()));
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      const auto angle = std::find(std::begin(kAngles), std::end(kAngles), names_[k]);
+      if (angle != std::end(kAngles)) {
+        column_[angle - kAngles] = static_cast<int>(k);
+      } else {
+        value_columns_.push_back(k);
+        table_.channels.push_back(names_[k]);
+      }
+    }
+    if (column_[0] < 0 || column_[2] < 0) fail("the polar angles theta_i and theta_s are both needed");
+    if (value_columns_.empty()) fail("VARS names no values");
+    for (const int k : {1, 3}) {
+      if (column_[k] >= 0) continue;
+      table_.warnings.push_back(std::string(kAngles[k]) + " is not in the file: taken as " +
+                                (k == 1 ? "180 degrees" : "0 degrees"));
+    }
+    table_.values.resize(table_.channels.size());
+    table_.sigma.resize(table_.channels.size());
+  }
+
+  void insert_missing_angle() {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (std::find(names_.begin(), names_.end(), kAngles[k]) != names_.end()) continue;
+      names_.insert(names_.begin() + static_cast<std::ptrdiff_t>(k), std::string(kAngles[k]));
+      table_.warnings.push_back("VARS omits the name " + std::string(kAngles[k]) + ": column " +
+                                std::to_string(k + 1) + " taken for it");
+      return;
+    }
+  }
+
+  double number(std::size_t column) const {
+    double value;
+    if (!parse_number(fields_[column], value) || !std::isfinite(value))
+      fail("column " + std::to_string(column + 1) + " (" + names_[column] + "): '" +
+           std::string(fields_[column]) + "' is not a finite number");
+    return value;
+  }
+
+  void read_row() {
+    if (fields_.size() != names_.size())
+      fail(std::to_string(fields_.size()) + " columns where the first row has " +
+           std::to_string(names_.size()));
+    std::vector<double>* const angles[] = {&table_.theta_i, &table_.phi_i, &table_.theta_o, &table_.phi_o};
+    for (std::size_t k = 0; k < 4; ++k)
+      angles[k]->push_back(column_[k] < 0 ? 0.0 : number(static_cast<std::size_t>(column_[k])));
+    for (std::size_t c = 0; c < value_columns_.size(); ++c)
+      table_.values[c].push_back(number(value_columns_[c]));
+    table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
+  }
+
+  void to_degrees() {
+    constexpr double kRightAngle = std::numbers::pi / 2 * (1 + 1e-6);  // files print few digits
+    double largest = 0;
+    for (const auto* thetas : {&table_.theta_i, &table_.theta_o})
+      for (const double theta : *thetas) largest = std::max(largest, std::abs(theta));
+    const bool is_radians = largest <= kRightAngle;
+    const double scale = is_radians ? 180 / std::numbers::pi : 1.0;
+    table_.warnings.push_back(std::string("angles taken for ") + (is_radians ? "radians" : "degrees"));
+    for (std::size_t k = 0; k < table_.rows(); ++k) {
+      table_.phi_i[k] = column_[1] < 0 ? 180.0 : table_.phi_i[k] * scale;
+      table_.phi_o[k] = column_[3] < 0 ? 0.0 : table_.phi_o[k] * scale;
+      unfold(table_.theta_i[k], table_.phi_i[k], scale, k);
+      unfold(table_.theta_o[k], table_.phi_o[k], scale, k);
+    }
+  }
+
+  void unfold(double& theta, double& phi, double scale, std::size_t row) const {
+    theta *= scale;
+    if (theta < 0) {
+      theta = -theta;
+      phi += 180;
+    }
+    if (theta > 90 * (1 + 1e-6))
+      throw InputError(table_.where(row) + ": polar angle " + to_text(theta) + " is below the horizon");
+    theta = std::min(theta, 90.0);
+  }
+
+  LineReader reader_;
+  SampleTable table_;
+  std::vector<std::string> names_;
+  std::vector<std::string_view> fields_;
+  std::vector<std::size_t> value_columns_;
+  int column_[4] = {-1, -1, -1, -1};
+  bool is_laid_out_ = false;
+};
+
+}  // namespace
+
+bool recognises(const std::filesystem::path& path) {
+  constexpr std::size_t kLongestHeader = 1000;  // lines
+  LineReader reader(path);
+  std::string_view line;
+  while (reader.line() < kLongestHeader && reader.next(line)) {
+    line = trimmed(line);
+    if (is_keyword_line(line, kKeyword)) return true;
+    if (line.starts_with('#') || line.starts_with("theta_i")) return false;  // a CSV
+  }
+  return false;
+}
+
+SampleTable read(const std::filesystem::path& path) {
+  return AstmReader(path).read();
+}
+
+}  // namespace brdf::io::astm

@@ -1,0 +1,74 @@
+#include "io/exr_table.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "io/error.h"
+#include "io/output.h"
+
+namespace brdf::io {
+namespace {
+
+constexpr std::size_t kWidth = 1024;
+
+struct Column {
+  std::string name;
+  const std::vector<double>* values;
+};
+
+std::vector<Column> columns_of(const SampleTable& table) {
+  std::vector<Column> columns = {{"theta_i", &table.theta_i},
+                                 {"phi_i", &table.phi_i},
+                                 {"theta_o", &table.theta_o},
+                                 {"phi_o", &table.phi_o}};
+  for (std::size_t c = 0; c < table.channels.size(); ++c) {
+    columns.push_back({table.channels[c], &table.values[c]});
+    if (table.has_sigma(c)) columns.push_back({"sigma_" + table.channels[c], &table.sigma[c]});
+  }
+  return columns;
+}
+
+void write(const std::filesystem::path& path, const SampleTable& table) {
+  const std::size_t width = std::min(kWidth, table.rows()), height = (table.rows() + width - 1) / width;
+  Imf::Header header(static_cast<int>(width), static_cast<int>(height));
+  Imf::FrameBuffer frame;
+  const std::vector<Column> columns = columns_of(table);
+  std::vector<std::vector<float>> planes;
+  planes.reserve(columns.size());
+  for (const Column& column : columns) {
+    std::vector<float>& plane = planes.emplace_back(width * height, std::numeric_limits<float>::quiet_NaN());
+    std::transform(column.values->begin(), column.values->end(), plane.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    header.channels().insert(column.name, Imf::Channel(Imf::FLOAT));
+    frame.insert(column.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float),
+                                         sizeof(float) * width));
+  }
+  for (const auto& [key, value] : table.metadata)
+    if (!key.empty() && header.find(key.c_str()) == header.end())
+      header.insert(key, Imf::StringAttribute(value));
+  Imf::OutputFile file(path.c_str(), header);
+  file.setFrameBuffer(frame);
+  file.writePixels(static_cast<int>(height));
+}
+
+}  // namespace
+
+std::vector<std::string> write_exr_table(const std::filesystem::path& path, const SampleTable& table) {
+  if (table.rows() == 0) throw InputError(table.source + ": holds no rows");
+  write_path_atomically(path, [&](const std::filesystem::path& temporary) {
+    try {
+      write(temporary, table);
+    } catch (const std::exception& error) {
+      throw InputError(path.string() + ": cannot be written: " + error.what());
+    }
+  });
+  return {"digits beyond 32-bit float (7 significant ones)", "free-text comments and line numbers"};
+}
+
+}  // namespace brdf::io
