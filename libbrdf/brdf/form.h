@@ -1,13 +1,16 @@
 // What a form is, and how any form is evaluated.
 //
 // A form is an empty struct with static members:
-//   name, family                     strings
-//   Weights<T>, Shape<T>             parameter structs with their tables; weights are per channel
-//   violations                       what it is known to violate, with the witness
+//   name, family         strings
+//   Weights<T>, Shape<T> parameter structs with their tables; weights are per channel
+//   violations           what it is known to violate, with the witness
+//   v_cavity = true      (optional) its masking has the kinks of V-cavities: the integrals split there
 //   and one of
-//   lobes(shape, g)                  K lobes: f = sum of weights.linear()[k] * lobe[k]   (a LinearForm: can
-//   be fitted) value(w, first, shape, g)        f of one channel; `first` are the first channel's weights,
-//   for the listings that value_cos(w, first, shape, g)    mix channels; value_cos is f cos_i
+//   lobes(shape, g)               K lobes: f = sum of weights.linear()[k] * lobe[k] (a LinearForm: can be
+//                                 fitted)
+//   value(w, first, shape, g)     f of one channel; `first` are the first channel's weights, for the
+//                                 listings that mix channels
+//   value_cos(w, first, shape, g) the same times cos_i
 // Functions are templates over S (shape, weights) and G (geometry); G is plain or equal to S.
 #pragma once
 

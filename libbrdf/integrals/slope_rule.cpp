@@ -90,14 +90,14 @@ class SlopeRule {
   }
 
   // An integrand cannot vary more slowly at one end than the distance to another end's pole.
-  static void limit_scales(std::vector<End>& ends) {
-    std::vector<double> scales;
+  void limit_scales(std::vector<End>& ends) {
+    limited_.clear();
     for (const End& end : ends) {
       double scale = end.scale;
       for (const End& other : ends) scale = std::min(scale, std::hypot(end.at - other.at, other.scale));
-      scales.push_back(scale);
+      limited_.push_back(scale);
     }
-    for (std::size_t k = 0; k < ends.size(); ++k) ends[k].scale = scales[k];
+    for (std::size_t k = 0; k < ends.size(); ++k) ends[k].scale = limited_[k];
   }
 
   static std::vector<End> sorted(std::vector<End> ends) {
@@ -124,6 +124,10 @@ class SlopeRule {
     }
     if (features_.kink == Kink::v_cavity)
       for (const double p : v_cavity_breaks(ox_, oy_, oz_, p_low, p_high)) ends.push_back({p, 1e300, true});
+    if (features_.kink == Kink::v_cavity)
+      for (const Crossing& c : v_cavity_crossings(ox_, oy_, oz_))
+        if (c.p > p_low && c.p < p_high)
+          ends.push_back({c.p, std::max(ridge_width(c.p) * c.steepness, 1e-14 * (1 + std::abs(c.p))), false});
     ends.push_back({p_high, edge_scale(p_high), true});
     limit_scales(ends);
     return sorted(std::move(ends));
@@ -168,6 +172,7 @@ class SlopeRule {
       for (const double q : v_cavity_kinks(ox_, oy_, oz_, p, from, to)) ends.push_back({q, 1e300, false});
     ends.push_back(end_at(to));
     if (ends.size() > 3) ends = sorted(std::move(ends));
+    limit_scales(ends);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       const double before = ends[k].at - q_low, after = q_high - ends[k + 1].at;
       segment(ends[k], ends[k + 1], [&](double q, double from_low, double to_high, double w) {
@@ -193,6 +198,7 @@ class SlopeRule {
   const GaussRule& rule_;
   NodeSum sum_;
   std::vector<End> row_ends_;
+  std::vector<double> limited_;
 };
 
 }  // namespace

@@ -52,63 +52,95 @@ Branches branches(double ox, double oy, double oz, double p, double q) {
   return {2 * oz / w, 4 / (1 + p * p + q * q) - 2 * oz / w};
 }
 
-}  // namespace
+// The kinks of a row, and its branches in order as the digits of one number.
+struct Row {
+  std::vector<double> kinks;
+  int branches = 0;
+};
 
-std::vector<double> v_cavity_kinks(double ox, double oy, double oz, double p, double q_low, double q_high) {
+Row row_of(double ox, double oy, double oz, double p, double q_low, double q_high) {
   const double c = oz + ox * p, m = 1 + p * p;
   std::vector<double> roots;
   if (oy != 0) roots.push_back((2 * oz - c) / oy);                                   // fixed = 1
   add_quadratic_roots(oz, -oy, oz * m - c, roots);                                   // fixed = moving
   add_cubic_roots(-oy, -2 * oz - c, (4 - m) * oy, (4 - m) * c - 2 * oz * m, roots);  // moving = 1
+  std::erase_if(roots, [&](double q) { return !(q > q_low && q < q_high); });
   std::sort(roots.begin(), roots.end());
-  std::vector<double> kinks;
-  const double length = q_high - q_low;
-  // A root is a kink where the branch differs on its two sides.
-  double previous = q_low;
-  for (std::size_t k = 0; k < roots.size(); ++k) {
-    if (!(roots[k] > q_low && roots[k] < q_high)) continue;
-    double next = q_high;
-    for (std::size_t j = k + 1; j < roots.size(); ++j)
-      if (roots[j] - roots[k] > 1e-13 * length) {
-        next = std::min(next, roots[j]);
-        break;
-      }
-    if (branches(ox, oy, oz, p, (previous + roots[k]) / 2).taken() !=
-        branches(ox, oy, oz, p, (roots[k] + next) / 2).taken())
-      kinks.push_back(roots[k]);
-    previous = roots[k];
+  roots.push_back(q_high);
+  Row row;
+  double from = q_low;
+  int previous = -1;
+  for (const double root : roots) {
+    if (root - from < 1e-13 * (q_high - q_low)) continue;
+    const int taken = branches(ox, oy, oz, p, (from + root) / 2).taken();
+    if (taken != previous) {
+      if (previous >= 0) row.kinks.push_back(from);
+      row.branches = 4 * row.branches + taken + 1;
+    }
+    previous = taken;
+    from = root;
   }
-  return kinks;
+  return row;
+}
+
+}  // namespace
+
+std::vector<double> v_cavity_kinks(double ox, double oy, double oz, double p, double q_low, double q_high) {
+  return row_of(ox, oy, oz, p, q_low, q_high).kinks;
 }
 
 std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_low, double p_high) {
-  const auto count = [&](double p) {
+  const double scale = 0.1 * oz;
+  const auto branches_at = [&](double s) {
+    const double p = scale * std::sinh(s);
     const double c = oz * (p * p - 1) - 2 * ox * p, d = oy * oy - oz * c;
-    if (!(d > 0)) return std::size_t{0};
+    if (!(d > 0)) return 0;
     const double t = oy + std::copysign(std::sqrt(d), oy);
-    return v_cavity_kinks(ox, oy, oz, p, std::min(t / oz, c / t), std::max(t / oz, c / t)).size();
+    return row_of(ox, oy, oz, p, std::min(t / oz, c / t), std::max(t / oz, c / t)).branches;
   };
-  // The slopes span decades when the fixed direction grazes: a grid in asinh.
+  // The slopes span decades when the fixed direction grazes, from o_z to 1/o_z: a grid in asinh.
   constexpr int kGrid = 400;
-  const double s_low = std::asinh(p_low), s_high = std::asinh(p_high);
+  const double s_low = std::asinh(p_low / scale), s_high = std::asinh(p_high / scale);
   std::vector<double> breaks;
   double left = s_low;
-  std::size_t before = 0;
+  int before = 0;
   for (int k = 1; k <= kGrid; ++k) {
     const double right = s_low + (s_high - s_low) * k / kGrid;
-    const std::size_t after = k == kGrid ? 0 : count(std::sinh(right));
+    const int after = k == kGrid ? 0 : branches_at(right);
     if (after != before) {
       double a = left, b = right;
       for (int step = 0; step < 55; ++step) {
         const double middle = (a + b) / 2;
-        (count(std::sinh(middle)) == before ? a : b) = middle;
+        (branches_at(middle) == before ? a : b) = middle;
       }
-      if (b < right || k < kGrid) breaks.push_back(std::sinh((a + b) / 2));
+      breaks.push_back(scale * std::sinh((a + b) / 2));
     }
     left = right;
     before = after;
   }
   return breaks;
+}
+
+std::vector<Crossing> v_cavity_crossings(double ox, double oy, double oz) {
+  // The curves' values and gradients; w = o_z + o_x p + o_y q, m = 1 + p^2 + q^2.
+  std::vector<double> roots;
+  if (ox != 0) roots = {oz / ox, ox / oz};           // fixed = 1: w = 2 o_z; fixed = moving: w = o_z m
+  add_cubic_roots(-ox, -3 * oz, 3 * ox, oz, roots);  // moving = 1: 4 w = 2 o_z m + w m
+  std::vector<Crossing> crossings;
+  for (const double p : roots) {
+    const double nudge = 1e-6 * std::abs(p);
+    if (branches(ox, oy, oz, p - nudge, 0).taken() == branches(ox, oy, oz, p + nudge, 0).taken()) continue;
+    const double w = oz + ox * p, m = 1 + p * p;
+    double along_p = ox, along_q = oy;
+    if (std::abs(w - oz * m) < 1e-9 * w) {
+      along_p = ox - 2 * oz * p;
+    } else if (std::abs(w - 2 * oz) > 1e-9 * w) {
+      along_p = (4 - m) * ox - 2 * p * (2 * oz + w);
+      along_q = (4 - m) * oy;
+    }
+    crossings.push_back({p, std::abs(along_q) / std::max(std::abs(along_p), 1e-300)});
+  }
+  return crossings;
 }
 
 }  // namespace brdf::integrals

@@ -9,7 +9,13 @@ namespace brdf::integrals {
 // The q in (q_low, q_high) at which G changes branch at this p, ascending.
 std::vector<double> v_cavity_kinks(double ox, double oy, double oz, double p, double q_low, double q_high);
 
-// The p in (p_low, p_high) at which the number of kinks of a row changes, ascending.
+// The p in (p_low, p_high) at which the branches of a row change, ascending.
 std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_low, double p_high);
+
+// Where a kink crosses q = 0: the p, and the |dp/dq| of the kink's curve there.
+struct Crossing {
+  double p, steepness;
+};
+std::vector<Crossing> v_cavity_crossings(double ox, double oy, double oz);
 
 }  // namespace brdf::integrals

@@ -87,6 +87,7 @@ struct cook_torrance_dielectric {
 struct cook_torrance_vcavity {
   static constexpr std::string_view name = "cook_torrance_vcavity";
   static constexpr std::string_view family = "cook_torrance";
+  static constexpr bool v_cavity = true;
   static constexpr NoViolations violations{};
   template <class T>
   using Weights = LobeWeights<T>;
@@ -107,6 +108,7 @@ struct cook_torrance_vcavity {
 struct cook_torrance_1982 {
   static constexpr std::string_view name = "cook_torrance_1982";
   static constexpr std::string_view family = "cook_torrance";
+  static constexpr bool v_cavity = true;
   static constexpr std::array violations{Violation{"energy", "albedo up to 4/pi: pi stands where 4 belongs",
                                                    "kd=0 ks=1 f0=1 alpha_x=0.0001 alpha_y=0.0001", 0,
                                                    4 / kPi}};
