@@ -55,6 +55,15 @@ consteval bool table_is_sound() {
   return true;
 }
 
+// The values of a struct in table order.
+template <class T, ParameterStruct P>
+constexpr std::array<T, parameter_count<P>> to_values(const P& p) {
+  std::array<T, parameter_count<P>> values{};
+  std::size_t k = 0;
+  for (const auto& field : P::fields()) values[k++] = p.*(field.member);
+  return values;
+}
+
 // The struct from its values in table order.
 template <class P, class T>
 P from_values(std::span<const T> values) {

@@ -1,0 +1,209 @@
+// Batches give what the scalar template gives, bit for bit, for every form of the catalogue.
+#include "brdf/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "brdf/dual.h"
+
+namespace brdf {
+namespace {
+
+template <class Variant>
+struct TypesOf;
+template <class... Form>
+struct TypesOf<std::variant<Form...>> {
+  using type = ::testing::Types<Form...>;
+};
+struct FormName {
+  template <class Form>
+  static std::string GetName(int) {
+    return std::string(Form::name);
+  }
+};
+template <class Form>
+struct Batch : ::testing::Test {};
+TYPED_TEST_SUITE(Batch, TypesOf<AnyForm>::type, FormName);
+
+constexpr std::size_t kCount = 1003;  // no multiple of any vector length
+
+double between(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution(low, high)(random);
+}
+
+// Random pairs, every fifth near the horizon, some below it, some exactly on it.
+template <class T>
+DirectionArrays<T> random_directions(unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto one = [&](std::size_t i) {
+    const double theta = i % 5 == 0 ? kPi / 2 - 1e-3 * between(random, -0.2, 1) : between(random, 0, kPi / 2);
+    const Vec3<double> w = direction(theta, between(random, 0, 2 * kPi));
+    return Vec3<T>{T(w.x), T(w.y), i % 50 == 0 ? T(0) : T(w.z)};
+  };
+  DirectionArrays<T> directions(kCount);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Vec3<T> wi = one(i);
+    directions.set(i, wi, i % 7 == 0 ? Vec3<T>{-wi.x, -wi.y, wi.z} : one(i + i / 5));
+  }
+  return directions;
+}
+
+template <class P>
+P random_parameters(unsigned seed) {
+  std::mt19937_64 random(seed);
+  P p{};
+  for (const auto& field : P::fields()) {
+    const ParameterInfo& info = field.info;
+    p.*(field.member) = scalar_of<P>(info.log_scale && info.min > 0
+                                         ? std::exp(between(random, std::log(info.min), std::log(info.max)))
+                                         : between(random, info.min, info.usual_max));
+  }
+  return p;
+}
+
+// NaN equals NaN here: the claim is about bits, and the payload is not promised.
+template <class T>
+void expect_same_bits(T batch, T scalar, std::size_t i) {
+  using Bits = kernels::Precision<T>::Bits;
+  if (std::isnan(batch) && std::isnan(scalar)) return;
+  ASSERT_EQ(std::bit_cast<Bits>(batch), std::bit_cast<Bits>(scalar))
+      << "pair " << i << ": " << batch << " and " << scalar;
+}
+
+template <class F, class T>
+void expect_values_as_scalar() {
+  using Weights = typename F::template Weights<T>;
+  using Shape = typename F::template Shape<T>;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const auto arrays = random_directions<T>(seed);
+    const Directions<T> d = arrays.view();
+    const Weights w = random_parameters<Weights>(10 * seed);
+    const Weights first = random_parameters<Weights>(10 * seed + 1);
+    const Shape shape = random_parameters<Shape>(10 * seed + 2);
+    std::vector<T> f(kCount), f_cos(kCount);
+    eval_batch(F{}, w, first, shape, d, f.data());
+    eval_cos_batch(F{}, w, first, shape, d, f_cos.data());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const Geometry<T> g = geometry(d.wi(i), d.wo(i));
+      expect_same_bits(f[i], eval(F{}, w, first, shape, g), i);
+      expect_same_bits(f_cos[i], eval_cos(F{}, w, first, shape, g), i);
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+TYPED_TEST(Batch, EqualsTheScalarTemplateInDouble) {
+  expect_values_as_scalar<TypeParam, double>();
+}
+TYPED_TEST(Batch, EqualsTheScalarTemplateInFloat) {
+  expect_values_as_scalar<TypeParam, float>();
+}
+
+template <class F, class T>
+void expect_lobes_as_scalar() {
+  using Shape = typename F::template Shape<T>;
+  constexpr std::size_t P = parameter_count<Shape>, K = lobe_count<F>, D = P + 1;
+  using S = Dual<T, int(P)>;
+  const auto arrays = random_directions<T>(7);
+  const Directions<T> d = arrays.view();
+  const Shape shape = random_parameters<Shape>(8);
+  const std::size_t stride = kCount + 13;
+  const auto rows = [&](Partial partial, std::size_t partials) {
+    std::vector<T> values(K * (1 + partials) * stride, T(-1));
+    lobes_batch(F{}, shape, partial, d, {values.data(), stride});
+    return values;
+  };
+  const auto plain = rows(Partial::kNone, 0), by_shape = rows(Partial::kShape, P),
+             by_all = rows(Partial::kShapeAndPhi, D);
+
+  const auto values = to_values<T>(shape);
+  std::array<S, P> variables;
+  for (std::size_t j = 0; j < P; ++j) variables[j] = S::variable(values[j], j);
+  const auto dual_shape = from_values<typename F::template Shape<S>>(std::span<const S>(variables));
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Geometry<T> g = geometry(d.wi(i), d.wo(i));
+    const bool below = g.lowest < 0;
+    const auto scalar = F::lobes(shape, g);
+    const auto dual = F::lobes(dual_shape, g);
+    for (std::size_t k = 0; k < K; ++k) {
+      expect_same_bits(plain[k * stride + i], below ? T(0) : scalar[k], i);
+      expect_same_bits(by_shape[k * (1 + P) * stride + i], below ? T(0) : dual[k].a, i);
+      expect_same_bits(by_all[k * (1 + D) * stride + i], below ? T(0) : dual[k].a, i);
+      for (std::size_t j = 0; j < P; ++j)
+        expect_same_bits(by_shape[(k * (1 + P) + 1 + j) * stride + i], below ? T(0) : dual[k].v[j], i);
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+TYPED_TEST(Batch, LobesAndShapeDerivativesEqualTheScalarTemplate) {
+  if constexpr (LinearForm<TypeParam>) {
+    expect_lobes_as_scalar<TypeParam, double>();
+    expect_lobes_as_scalar<TypeParam, float>();
+  } else {
+    EXPECT_EQ(batch_kernels<double>(TypeParam{}).lobes[0], nullptr);
+  }
+}
+
+TYPED_TEST(Batch, DerivativeByTangentPhiIsTheSlopeOfTurnedDirections) {
+  if constexpr (LinearForm<TypeParam>) {
+    using Shape = typename TypeParam::template Shape<double>;
+    constexpr std::size_t K = lobe_count<TypeParam>, D = parameter_count<Shape> + 1;
+    // Pairs well above the horizon, moderate widths: the difference quotient is accurate there.
+    std::mt19937_64 random(3);
+    DirectionArrays<double> arrays(200), turned(200);
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+      arrays.set(i, direction(between(random, 0, 1.2), between(random, 0, 2 * kPi)),
+                 direction(between(random, 0, 1.2), between(random, 0, 2 * kPi)));
+    Shape shape{};
+    for (const auto& field : Shape::fields()) shape.*(field.member) = field.info.initial;
+    if constexpr (requires { shape.alpha_y; }) shape.alpha_y = 0.2;
+
+    std::vector<double> rows(K * (1 + D) * arrays.size());
+    lobes_batch(TypeParam{}, shape, Partial::kShapeAndPhi, arrays.view(), {rows.data(), arrays.size()});
+    const auto lobes_at = [&](double phi) {
+      turn_batch(arrays.view(), phi, turned);
+      std::vector<double> values(K * arrays.size());
+      lobes_batch(TypeParam{}, shape, Partial::kNone, turned.view(), {values.data(), arrays.size()});
+      return values;
+    };
+    const double step = 1e-5;
+    const auto low = lobes_at(-step), high = lobes_at(step);
+    for (std::size_t k = 0; k < K; ++k)
+      for (std::size_t i = 0; i < arrays.size(); ++i) {
+        const double slope = rows[(k * (1 + D) + D) * arrays.size() + i];
+        const std::size_t at = k * arrays.size() + i;
+        EXPECT_NEAR(slope, (high[at] - low[at]) / (2 * step), 1e-7 * (1 + std::abs(slope)));
+      }
+  }
+}
+
+TYPED_TEST(Batch, TermsEqualTheMaterialInTheirTurnedFrame) {
+  Material material = make_material(TypeParam{});
+  Term& term = material.terms[0];
+  for (std::size_t c = 0; c < 3; ++c)
+    for (double& weight : term.weights[c]) weight *= 0.2 + 0.3 * double(c);
+  term.tangent_phi = 0.4;
+  const auto arrays = random_directions<double>(5);
+  const Directions<double> d = arrays.view();
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<double> f(kCount), f_cos(kCount);
+    eval_batch(term, c, d, f.data());
+    eval_cos_batch(term, c, d, f_cos.data());
+    for (std::size_t i = 0; i < kCount; ++i) {
+      double expected[3];
+      eval(material, d.wi(i), d.wo(i), expected);
+      expect_same_bits(f[i], expected[c] + 0.0, i);
+      eval_cos(material, d.wi(i), d.wo(i), expected);
+      expect_same_bits(f_cos[i], expected[c] + 0.0, i);
+      if (this->HasFatalFailure()) return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brdf
