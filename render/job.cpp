@@ -4,7 +4,10 @@
 
 #include "io/error.h"
 #include "io/material_file.h"
+#include "render/lookup.h"
+#include "render/measured.h"
 #include "render/reference.h"
+#include "render/texture.h"
 
 namespace brdf::render {
 namespace {
@@ -19,6 +22,9 @@ Enum named(const std::string& text, const std::array<const char*, N>& names, con
 }
 
 void check_output(const Job& job) {
+  if (job.compare && !job.measured.empty()) throw InputError("give one of --compare and --measured");
+  if (job.split && !job.compare && job.measured.empty())
+    throw InputError("--split needs --compare or --measured");
   const std::string suffix = job.output.extension().string();
   if (suffix != ".exr" && suffix != ".png") {
     throw InputError("-o " + job.output.string() + ": the name must end in .exr or .png");
@@ -102,7 +108,7 @@ void write_outputs(const Job& job, Renderer& renderer, const Picture& picture, c
       return;
     }
     const BytePicture shown = displayed(picture, scene.tone_map, scene.exposure);
-    if (!job.compare) {
+    if (!job.compare && job.measured.empty()) {
       write_png(job.output, shown);
       return;
     }
@@ -120,19 +126,46 @@ void write_outputs(const Job& job, Renderer& renderer, const Picture& picture, c
     for (std::size_t k = 0; k < kTargetCount; ++k) layers.push_back({kTargetNames[k], &targets[k], true});
   }
   Picture difference = picture;
-  if (job.compare) {
+  if (job.compare || !job.measured.empty()) {
     for (std::size_t k = 0; k < difference.pixels.size(); ++k) difference.pixels[k] -= reference.pixels[k];
-    layers.push_back({"reference", &reference, true});
+    layers.push_back({job.compare ? "reference" : "measured", &reference, true});
     layers.push_back({"difference", &difference});
   }
   write_exr(job.output, layers);
+}
+
+// What the picture stands beside: the reference, or the same scene rendered from measured values.
+Picture other_picture(const Job& job, const PreparedScene& scene) {
+  if (job.measured.empty()) return render_reference(scene);
+  const Measured measured = interpolate(io::read_samples(job.measured));
+  return render_reference(scene, {.measured = &measured});
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.string() + ": cannot be made: " + error.message());
+}
+
+BytePicture bytes_of(const Texture& texture) {
+  BytePicture picture(texture.width, texture.height);
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+    picture.pixels[k] = {texture.texels[k][0], texture.texels[k][1], texture.texels[k][2]};
+  }
+  return picture;
 }
 
 }  // namespace
 
 JobReport run(const Job& job) {
   check_output(job);
-  const PreparedScene scene = prepare(scene_of(job));
+  PreparedScene scene = prepare(scene_of(job));
+  const bool with_other = job.compare || !job.measured.empty();
+  if (with_other && scene.scene.shading != Shading::brdf) {
+    throw InputError("--compare and --measured need the shading brdf");
+  }
+  // Samples hold no ambient light: leave it out on both sides.
+  if (!job.measured.empty()) scene.scene.ambient = glm::vec3(0);
   Device device({.memory_limit = job.memory_limit, .validation = job.validation});
   Renderer renderer(device, scene,
                     {.gbuffer_bits = job.gbuffer_bits, .path = job.forward ? Path::forward : Path::deferred});
@@ -140,18 +173,38 @@ JobReport run(const Job& job) {
   const Camera& camera = scene.scene.camera;
   const Picture picture = picture_from(camera.width, camera.height, renderer.read_color());
   JobReport report;
-  Picture reference;
-  if (job.compare) {
-    reference = render_reference(scene);
-    report.difference = compare(picture, reference);
+  Picture other;
+  if (with_other) {
+    other = other_picture(job, scene);
+    report.difference = compare(picture, other);
   }
-  write_outputs(job, renderer, picture, reference);
+  write_outputs(job, renderer, picture, other);
   report.device = device.name();
   report.width = camera.width;
   report.height = camera.height;
   report.clipped = clipped_share(picture, scene.scene.tone_map, scene.scene.exposure);
   report.validation_messages = device.validation_messages();
   return report;
+}
+
+void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder) {
+  make_folder(folder);
+  if (kind == "tiles") {
+    write_png(folder / "tiles.png", bytes_of(floor_tile(size, seed)));
+    return;
+  }
+  const auto maps = rusty_metal(size, seed);
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    write_png(folder / (std::string(kTextureNames[k]) + ".png"), bytes_of(maps[k]));
+  }
+}
+
+void write_lookup_pictures(const std::filesystem::path& folder) {
+  make_folder(folder);
+  for (std::size_t k = 0; k < kLookupNames.size(); ++k) {
+    write_png(folder / (std::string(kLookupNames[k]) + ".png"), lookup_picture(LookupFactor(k), false));
+  }
+  write_png(folder / "product_as_coded.png", lookup_picture(LookupFactor::product, true));
 }
 
 }  // namespace brdf::render

@@ -210,6 +210,18 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
   vkCmdEndRendering(commands);
 }
 
+void begin_forward(VkCommandBuffer commands, Image& color, Image& depth) {
+  color.transition(commands, Use::color_attachment);
+  depth.transition(commands, Use::depth_attachment, true);
+  const auto target = attachment(color, kColorLayout, VK_ATTACHMENT_LOAD_OP_LOAD, glm::vec4(0));
+  VkRenderingAttachmentInfo depth_target =
+      attachment(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+  depth_target.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, &depth_target);
+  vkCmdBeginRendering(commands, &info);
+  set_viewport(commands, color.extent());
+}
+
 ForwardPass::ForwardPass(Device& device, const GpuScene& gpu) : device_(&device) {
   const std::array sets{gpu.frame_layout(), gpu.maps_layout()};
   layout_ = make_pipeline_layout(device, sets, sizeof(int));
@@ -230,16 +242,8 @@ VkPipeline ForwardPass::pipeline(int form, bool textured) {
 }
 
 void ForwardPass::record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, Image& color,
-                         Image& depth_image) {
-  color.transition(commands, Use::color_attachment);
-  depth_image.transition(commands, Use::depth_attachment, true);
-  const auto target = attachment(color, kColorLayout, VK_ATTACHMENT_LOAD_OP_LOAD, glm::vec4(0));
-  VkRenderingAttachmentInfo depth = attachment(depth_image, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                               VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
-  depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, &depth);
-  vkCmdBeginRendering(commands, &info);
-  set_viewport(commands, color.extent());
+                         Image& depth) {
+  begin_forward(commands, color, depth);
   bind(commands, layout_.get(), 0, gpu.frame_set());
   for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
     const Item& item = scene.layers[0][object];

@@ -27,6 +27,9 @@ void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
 VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load,
                                      const glm::vec4& clear);
 
+// Begins drawing meshes over what is in `color`, with a fresh depth buffer, and sets the viewport.
+void begin_forward(VkCommandBuffer commands, Image& color, Image& depth);
+
 // Fills the picture with the background; surfaces are drawn over it.
 class SkyPass {
  public:

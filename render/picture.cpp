@@ -34,14 +34,14 @@ Picture picture_from(int width, int height, const std::vector<float>& rgba) {
   return picture;
 }
 
-Difference compare(const Picture& picture, const Picture& reference) {
+Difference compare(const Picture& picture, const Picture& reference, const std::vector<bool>& leave_out) {
   Difference out;
   double squared = 0, clamped = 0;
   std::size_t covered = 0, mismatched = 0;
   for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
     const glm::dvec4 a(picture.pixels[k]), b(reference.pixels[k]);
     if ((a.a > 0.5) != (b.a > 0.5)) ++mismatched;
-    if (!(a.a > 0.5 && b.a > 0.5)) continue;
+    if (!(a.a > 0.5 && b.a > 0.5) || (!leave_out.empty() && leave_out[k])) continue;
     ++covered;
     for (int c = 0; c < 3; ++c) {
       squared += (a[c] - b[c]) * (a[c] - b[c]) / (b[c] * b[c] + kRelMseFloor);

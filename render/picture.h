@@ -40,7 +40,8 @@ struct Difference {
   double psnr = 0;               // dB, peak 1, both clamped to [0, 1]; infinite where equal
   double coverage_mismatch = 0;  // share of all pixels that only one of the two covers
 };
-Difference compare(const Picture& picture, const Picture& reference);
+// Pixels where `leave_out` (one value per pixel, or empty) is set do not count for rel_mse and psnr.
+Difference compare(const Picture& picture, const Picture& reference, const std::vector<bool>& leave_out = {});
 
 // What the screen shows for a linear colour. The same curves in shaders/tone_map.glsl.
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure);

@@ -110,27 +110,37 @@ glm::vec3 shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::
 
 }  // namespace
 
-Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& options) {
+namespace {
+
+// Calls visit(x, y, ray, hit) for every pixel, rows shared between threads.
+template <class Visit>
+void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit) {
   const Camera& camera = prepared.scene.camera;
   const View view = make_view(camera);
   const Tracer tracer(prepared);
-  Picture picture(camera.width, camera.height);
   std::atomic<int> next_row = 0;
   const auto work = [&] {
     for (int y = next_row++; y < camera.height; y = next_row++) {
       for (int x = 0; x < camera.width; ++x) {
         const glm::vec3 ray = view.ray(pixel_center(x, y, camera.width, camera.height));
-        const RTCRayHit hit = tracer.trace(camera.position, ray);
-        picture.at(x, y) = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID
-                               ? glm::vec4(sky(prepared.scene, ray), 0)
-                               : glm::vec4(shade(prepared, hit, ray, options.measured), 1);
+        visit(x, y, ray, tracer.trace(camera.position, ray));
       }
     }
   };
-  std::vector<std::jthread> threads;
-  for (unsigned k = 1; k < options.threads; ++k) threads.emplace_back(work);
+  std::vector<std::jthread> threads_beside;
+  for (unsigned k = 1; k < threads; ++k) threads_beside.emplace_back(work);
   work();
-  threads.clear();
+}
+
+}  // namespace
+
+Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& options) {
+  Picture picture(prepared.scene.camera.width, prepared.scene.camera.height);
+  for_each_pixel(prepared, options.threads, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
+    picture.at(x, y) = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID
+                           ? glm::vec4(sky(prepared.scene, ray), 0)
+                           : glm::vec4(shade(prepared, hit, ray, options.measured), 1);
+  });
   return picture;
 }
 
@@ -156,6 +166,23 @@ std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
       }
     }
   return points;
+}
+
+std::vector<float> horizon_distance(const PreparedScene& prepared) {
+  const Scene& scene = prepared.scene;
+  const auto width = std::size_t(scene.camera.width);
+  std::vector<float> distance(width * std::size_t(scene.camera.height), 1);
+  for_each_pixel(prepared, 2, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+    const Item& item = prepared.layers[0][hit.hit.geomID];
+    const Surface s = surface_at(prepared, item, hit.hit.primID, hit.hit.u, hit.hit.v, ray);
+    float least = std::abs(glm::dot(s.normal, glm::normalize(scene.camera.position - s.position)));
+    for (const Light& light : scene.lights) {
+      least = std::min(least, std::abs(glm::dot(s.normal, lit_by(light, s.position).wi)));
+    }
+    distance[std::size_t(y) * width + std::size_t(x)] = least;
+  });
+  return distance;
 }
 
 Probe probe(const PreparedScene& prepared, int x, int y) {

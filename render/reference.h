@@ -30,6 +30,10 @@ struct LitPoint {
 };
 std::vector<LitPoint> lit_points(const PreparedScene& scene);
 
+// Per pixel the smallest absolute cosine of the normal with the viewer and with any light; 1 where nothing is
+// hit. Small values mark where a form is clipped at its horizon.
+std::vector<float> horizon_distance(const PreparedScene& scene);
+
 // What a ray through the centre of a pixel meets: for the viewer's probe.
 struct Probe {
   bool hit = false;

@@ -17,7 +17,7 @@ Device& checked(Device& device, const PreparedScene& scene, const RendererOption
     throw InputError("a picture of " + size + " is larger than the device's " +
                      std::to_string(device.max_image_size()));
   }
-  device.require_memory(picture_bytes(extent_of(camera), options), "a picture of " + size);
+  device.require_memory(picture_bytes(scene.scene, options), "a picture of " + size);
   const std::size_t items = scene.layers.size() * scene.meshes.size();
   if (options.gbuffer_bits == 8 && items > 255) {
     throw InputError("8-bit targets tell at most 255 objects and terms apart, the scene has " +
@@ -31,9 +31,13 @@ Device& checked(Device& device, const PreparedScene& scene, const RendererOption
 
 }  // namespace
 
-std::uint64_t picture_bytes(VkExtent2D extent, const RendererOptions& options) {
-  const std::uint64_t pixels = std::uint64_t(extent.width) * extent.height;
-  const int targets = options.path == Path::deferred ? kTargetCount * options.gbuffer_bits / 2 : 0;
+bool uses_gbuffer(const Scene& scene, const RendererOptions& options) {
+  return scene.shading == Shading::brdf && options.path == Path::deferred;
+}
+
+std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options) {
+  const std::uint64_t pixels = std::uint64_t(scene.camera.width) * std::uint64_t(scene.camera.height);
+  const int targets = uses_gbuffer(scene, options) ? kTargetCount * options.gbuffer_bits / 2 : 0;
   return pixels * std::uint64_t(targets + texel_size(kColorFormat) + 4);
 }
 
@@ -46,24 +50,39 @@ Renderer::Renderer(Device& device, const PreparedScene& scene, const RendererOpt
           device, kColorFormat, extent_of(scene.scene.camera),
           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
       sky_(device, gpu_) {
+  make_passes();
+}
+
+void Renderer::make_passes() {
   const VkExtent2D extent = color_.extent();
-  if (options.path == Path::deferred) {
-    gbuffer_.emplace(device, extent, options.gbuffer_bits);
-    deferred_.emplace(device, gpu_, *gbuffer_);
-  } else {
-    depth_ = Image(device, VK_FORMAT_D32_SFLOAT, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
-    forward_.emplace(device, gpu_);
+  if (uses_gbuffer(scene_.scene, options_)) {
+    if (deferred_) return;
+    gbuffer_.emplace(*device_, extent, options_.gbuffer_bits);
+    deferred_.emplace(*device_, gpu_, *gbuffer_);
+    return;
+  }
+  if (!depth_)
+    depth_ = Image(*device_, VK_FORMAT_D32_SFLOAT, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  if (scene_.scene.shading != Shading::brdf) {
+    if (!classic_) classic_.emplace(*device_, gpu_);
+  } else if (!forward_) {
+    forward_.emplace(*device_, gpu_);
   }
 }
 
 void Renderer::update(const PreparedScene& scene) {
   scene_ = scene;
   gpu_.update(scene_);
+  make_passes();
 }
 
 void Renderer::record(VkCommandBuffer commands) {
   sky_.record(commands, scene_, gpu_, color_);
-  if (forward_) {
+  if (scene_.scene.shading != Shading::brdf) {
+    classic_->record(commands, scene_, gpu_, color_, depth_);
+    return;
+  }
+  if (options_.path == Path::forward) {
     forward_->record(commands, scene_, gpu_, color_, depth_);
     return;
   }
@@ -82,6 +101,8 @@ std::vector<float> Renderer::read_color() {
 }
 
 std::vector<float> Renderer::read_target(int target) {
+  if (!uses_gbuffer(scene_.scene, options_))
+    throw InputError("this scene is drawn without the seven targets");
   if (scene_.layers.size() > 1) {  // later layers have overwritten the first
     device_->run([&](VkCommandBuffer commands) { deferred_->record_geometry(commands, scene_, gpu_, 0); });
   }

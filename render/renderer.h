@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/classic_pass.h"
 #include "render/passes.h"
 
 namespace brdf::render {
@@ -21,6 +22,7 @@ class Renderer {
   // Throws InputError when the picture is too large for the device or for its memory limit.
   Renderer(Device& device, const PreparedScene& scene, const RendererOptions& options = {});
   // Camera, lights and items changed; the picture's size, meshes and textures did not.
+  // A change of the shading mode makes the images that it needs.
   void update(const PreparedScene& scene);
   void record(VkCommandBuffer commands);
   // Records, runs and waits.
@@ -29,12 +31,15 @@ class Renderer {
   Image& color() { return color_; }
   // Reads the lighting back: RGB, and A = 1 where there is a surface.
   std::vector<float> read_color();
-  // Reads a target of the first layer back; only after draw().
+  // Reads a target of the first layer back, after draw(). Throws InputError where the scene is drawn without
+  // targets.
   std::vector<float> read_target(int target);
   Image& target(int k) { return gbuffer_->targets[std::size_t(k)]; }
   const PreparedScene& scene() const { return scene_; }
 
  private:
+  void make_passes();
+
   Device* device_;
   PreparedScene scene_;
   RendererOptions options_;
@@ -45,9 +50,12 @@ class Renderer {
   SkyPass sky_;
   std::optional<DeferredPass> deferred_;
   std::optional<ForwardPass> forward_;
+  std::optional<ClassicPass> classic_;
 };
 
+// Whether the scene is drawn through the seven targets; otherwise forward.
+bool uses_gbuffer(const Scene& scene, const RendererOptions& options);
 // Bytes of device memory that pictures of this size take.
-std::uint64_t picture_bytes(VkExtent2D extent, const RendererOptions& options);
+std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options);
 
 }  // namespace brdf::render

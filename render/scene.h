@@ -59,8 +59,9 @@ struct Scene {
   std::vector<Object> objects;
   std::filesystem::path folder;  // that relative file names start from
   Shading shading = Shading::brdf;
-  bool per_vertex = false;  // lookup: texture coordinates per vertex instead of per pixel
-  bool as_coded = false;    // with the articles' slips
+  bool per_vertex =
+      false;  // phong, phong_blinn: colours, lookup: texture coordinates, per vertex instead of per pixel
+  bool as_coded = false;  // with the articles' slips
   ToneMap tone_map = ToneMap::srgb;
   float exposure = 0;  // factor 2^exposure before the tone map
 };

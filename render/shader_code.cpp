@@ -21,6 +21,12 @@ constexpr std::uint32_t kForward[] =
 constexpr std::uint32_t kSky[] =
 #include "sky.frag.inc"
     ;
+constexpr std::uint32_t kClassicVertex[] =
+#include "classic.vert.inc"
+    ;
+constexpr std::uint32_t kClassic[] =
+#include "classic.frag.inc"
+    ;
 
 }  // namespace
 
@@ -41,6 +47,12 @@ Spirv forward() {
 }
 Spirv sky() {
   return kSky;
+}
+Spirv classic_vertex() {
+  return kClassicVertex;
+}
+Spirv classic() {
+  return kClassic;
 }
 
 }  // namespace brdf::render::shader_code

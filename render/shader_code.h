@@ -11,5 +11,7 @@ Spirv gbuffer();
 Spirv lighting();
 Spirv forward();
 Spirv sky();
+Spirv classic_vertex();
+Spirv classic();
 
 }  // namespace brdf::render::shader_code

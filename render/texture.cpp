@@ -151,4 +151,22 @@ std::array<Texture, 4> rusty_metal(int size, std::uint64_t seed) {
   return maps;
 }
 
+Texture floor_tile(int size, std::uint64_t seed) {
+  const Noise cloud(seed, 4, 5);
+  Texture map;
+  map.width = map.height = size;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const glm::vec2 uv = (glm::vec2(float(x), float(y)) + 0.5f) / float(size);
+      const float edge = glm::min(glm::min(uv.x, 1 - uv.x), glm::min(uv.y, 1 - uv.y));
+      const float tile = glm::smoothstep(0.015f, 0.03f, edge);
+      const glm::vec3 albedo =
+          glm::mix(glm::vec3(0.08f), glm::vec3(0.42f, 0.38f, 0.34f) * (0.8f + 0.4f * cloud.at(uv)), tile);
+      map.texels.push_back({to_byte(srgb_encoded(albedo.r)), to_byte(srgb_encoded(albedo.g)),
+                            to_byte(srgb_encoded(albedo.b)), 255});
+    }
+  }
+  return map;
+}
+
 }  // namespace brdf::render

@@ -26,5 +26,7 @@ Texture constant_texture(glm::vec4 value);
 // Rusty metal: patches of rough rust on smooth metal, by seeded value noise, tileable. In the order of
 // TextureSlot: albedo (sRGB), normal, roughness, metallic.
 std::array<Texture, 4> rusty_metal(int size, std::uint64_t seed);
+// One floor tile with its joint: albedo (sRGB), slightly uneven by the seed.
+Texture floor_tile(int size, std::uint64_t seed);
 
 }  // namespace brdf::render

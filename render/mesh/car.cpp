@@ -108,12 +108,12 @@ Mesh make_car() {
                                  10, kAround, 3.5f);
   append(car, cabin);
   // A wheel is the same loft turned round y: its stations run along the axle.
-  const Mesh wheel = smooth_body({{-0.13f, -0.02f, 0.02f, 0.02f},
+  const Mesh wheel = smooth_body({{-0.13f, 0.0f, 0.0f, 0.0f},
                                   {-0.12f, -0.30f, 0.30f, 0.30f},
                                   {-0.08f, -0.36f, 0.36f, 0.36f},
                                   {0.08f, -0.36f, 0.36f, 0.36f},
                                   {0.12f, -0.30f, 0.30f, 0.30f},
-                                  {0.13f, -0.02f, 0.02f, 0.02f}},
+                                  {0.13f, 0.0f, 0.0f, 0.0f}},
                                  3, 40, 2);
   for (const float x : {-1.25f, 1.25f}) {
     for (const float z : {-0.82f, 0.82f}) {

@@ -16,11 +16,12 @@ Owned<VkShaderModule> make_module(const Device& device, Spirv code) {
 }
 
 constexpr VkVertexInputBindingDescription kVertexBinding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
+// The tangent stands last, so that shaders without one take the first three.
 constexpr std::array kVertexAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
     VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
-    VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)},
-    VkVertexInputAttributeDescription{3, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
+    VkVertexInputAttributeDescription{3, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)},
+    VkVertexInputAttributeDescription{2, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)}};
 
 VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
   VkPipelineColorBlendAttachmentState state{};
@@ -50,13 +51,13 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
     stages[i].module = i == 0 ? vertex.get() : fragment.get();
     stages[i].pName = "main";
   }
-  stages[1].pSpecializationInfo = &specialization;
+  stages[0].pSpecializationInfo = stages[1].pSpecializationInfo = &specialization;
 
   VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  if (d.input == VertexInput::mesh) {
+  if (d.input != VertexInput::none) {
     input.vertexBindingDescriptionCount = 1;
     input.pVertexBindingDescriptions = &kVertexBinding;
-    input.vertexAttributeDescriptionCount = std::uint32_t(kVertexAttributes.size());
+    input.vertexAttributeDescriptionCount = d.input == VertexInput::mesh ? 4 : 3;
     input.pVertexAttributeDescriptions = kVertexAttributes.data();
   }
   VkPipelineInputAssemblyStateCreateInfo assembly{

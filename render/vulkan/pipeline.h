@@ -11,12 +11,12 @@ namespace brdf::render {
 
 using Spirv = std::span<const std::uint32_t>;
 
-enum class VertexInput { none, mesh };
+enum class VertexInput { none, mesh, mesh_without_tangent };
 enum class Blend { replace, add };
 
 struct PipelineDescription {
   Spirv vertex, fragment;
-  std::vector<std::uint32_t> constants;  // specialisation constants 0, 1, ... of the fragment shader
+  std::vector<std::uint32_t> constants;  // specialisation constants 0, 1, ... of both shaders
   VertexInput input = VertexInput::none;
   std::vector<VkFormat> colors;
   bool depth = false;  // D32, reversed: nearer is greater

@@ -1,0 +1,75 @@
+#include "render/parity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/reference.h"
+#include "render/renderer.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr double kNarrow = 0.05;
+
+// Sets what makes the lobe as wide as alpha; false where the form has no such parameter.
+bool narrow(Term& term) {
+  const FormInfo& form = info(term.form);
+  bool changed = false;
+  for (std::size_t k = 0; k < form.shape.size(); ++k) {
+    const std::string_view name = form.shape[k].name;
+    double value = 0;
+    if (name == "alpha_x" || name == "alpha_y") value = kNarrow;
+    if (name == "roughness") value = std::sqrt(kNarrow);
+    if (name == "exponent") value = 2 / (kNarrow * kNarrow) - 2;
+    if (value == 0) continue;
+    term.shape[0][k] = value;
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace
+
+double horizon_band(int gbuffer_bits) {
+  return gbuffer_bits == 32 ? 0x1p-16 : 0x1p-10;
+}
+
+double parity_bound(int gbuffer_bits) {
+  return gbuffer_bits == 32 ? 1e-11 : 1e-6;
+}
+
+bool passes(const ParityRow& row) {
+  return row.difference.rel_mse < parity_bound(row.gbuffer_bits) &&
+         row.difference.coverage_mismatch <= kMostCoverageMismatch;
+}
+
+std::vector<ParityRow> parity(Device& device, const std::vector<AnyForm>& forms, int size,
+                              const std::function<void(const ParityRow&)>& report) {
+  std::vector<ParityRow> rows;
+  for (const AnyForm& form : forms) {
+    Material material = make_material(form);
+    for (const char* parameters : {"defaults", "alpha=0.05"}) {
+      if (parameters[0] == 'a' && !narrow(material.terms[0])) continue;
+      Scene sphere = material_scene({{std::string(info(form).name), material}});
+      sphere.camera.width = sphere.camera.height = size;
+      const PreparedScene scene = prepare(std::move(sphere));
+      const Picture reference = render_reference(scene);
+      const std::vector<float> distance = horizon_distance(scene);
+      for (const int bits : {16, 32}) {
+        Renderer renderer(device, scene, {.gbuffer_bits = bits});
+        renderer.draw();
+        const Picture picture = picture_from(reference.width, reference.height, renderer.read_color());
+        std::vector<bool> near(distance.size());
+        std::transform(distance.begin(), distance.end(), near.begin(),
+                       [&](float d) { return d < horizon_band(bits); });
+        const double share = double(std::count(near.begin(), near.end(), true)) / double(near.size());
+        rows.push_back({std::string(info(form).name), parameters, bits, compare(picture, reference, near),
+                        compare(picture, reference).rel_mse, share});
+        if (report) report(rows.back());
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,32 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "classic.glsl"
+layout(push_constant) uniform Push { int item; } push;
+layout(location = 0) in vec3 in_position;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in vec3 in_color;
+layout(location = 3) in vec2 in_coordinates;
+layout(set = 1, binding = 0) uniform sampler2D table;
+layout(location = 0) out vec4 color;
+
+// Cm (Ca + n.l Cd) + Cs table(n.h, n.l). As the article codes it, n.l is added to the ambient before any clamp.
+vec3 looked_up() {
+  const Item item = items[push.item];
+  const vec3 irradiance = frame.counts.x > 0 ? irradiance_of(frame.lights[0], in_position) : vec3(0.0);
+  const vec2 at = kPerVertex ? in_coordinates : lookup_coordinates(in_position, normalize(in_normal));
+  const float cosine = kAsCoded ? at.y : max(at.y, 0.0);
+  const vec3 diffuse = item.weights[0].rgb * max(frame.ambient.rgb + cosine * irradiance, 0.0);
+  const float seen = kAsCoded || at.y > 0.0 ? 1.0 : 0.0;
+  return diffuse + seen * item.weights[1].rgb * irradiance * texture(table, at).r;
+}
+
+void main() {
+  vec3 c = in_color;
+  if (!kPerVertex && (kShading == kPhong || kShading == kPhongBlinn)) {
+    const vec3 n = kAsCoded ? in_normal : normalize(in_normal);  // the article never renormalises
+    c = lit(items[push.item].weights[0].rgb, in_position, n, kShading == kPhongBlinn);
+  }
+  if (kShading == kLookup) c = looked_up();
+  color = vec4(c, 1.0);
+}

@@ -1,0 +1,148 @@
+#include "render/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "io/error.h"
+#include "render/job.h"
+#include "render/measured.h"
+#include "render/parity.h"
+#include "render/texture.h"
+
+namespace brdf::render {
+namespace {
+
+std::filesystem::path temporary(const char* name) {
+  return std::filesystem::path(testing::TempDir()) / name;
+}
+
+TEST(Picture, ExrLayersReadBackExactly) {
+  Picture first(5, 3), second(5, 3);
+  for (std::size_t k = 0; k < first.pixels.size(); ++k) {
+    first.pixels[k] = glm::vec4(float(k) / 7, 1e-20f, 1e20f, 1);
+    second.pixels[k] = glm::vec4(-float(k), 0.5f, 3, 0);
+  }
+  const auto file = temporary("layers.exr");
+  write_exr(file, {{"", &first, true}, {"reference", &second}});
+  EXPECT_EQ(read_exr(file, "").pixels, first.pixels);
+  EXPECT_EQ(read_exr(file, "reference").at(4, 2), glm::vec4(-14, 0.5f, 3, 0));
+  EXPECT_THROW(read_exr(file, "absent"), InputError);
+}
+
+TEST(Picture, PngReadsBackToTheSameBytes) {
+  BytePicture picture(4, 2);
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k)
+    picture.pixels[k] = {std::uint8_t(k), 255, std::uint8_t(200 - k)};
+  const auto file = temporary("bytes.png");
+  write_png(file, picture);
+  const Texture back = load_texture(file);
+  ASSERT_EQ(back.width, 4);
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(back.texels[k][c], picture.pixels[k][c]);
+  }
+}
+
+TEST(Picture, ToneMapsAreTheOnesTheyAreNamedAfter) {
+  const glm::vec3 c(0.25f, 1, 4);
+  EXPECT_EQ(tone_mapped(c, ToneMap::none, 0), glm::vec3(0.25f, 1, 1));
+  EXPECT_EQ(tone_mapped(c, ToneMap::none, 1), glm::vec3(0.5f, 1, 1));
+  EXPECT_NEAR(tone_mapped(c, ToneMap::srgb, 0).r, 0.537099, 1e-5);
+  EXPECT_NEAR(tone_mapped(c, ToneMap::reinhard, 0).g, 0.735357, 1e-5);  // sRGB of 1/2
+  EXPECT_NEAR(tone_mapped(c, ToneMap::thesis, 0).b, std::pow(0.8, 1 / 2.2), 1e-6);
+}
+
+TEST(Picture, MeasuresKnowCoverageAndScale) {
+  Picture a(2, 2), b(2, 2);
+  for (std::size_t k = 0; k < 4; ++k) a.pixels[k] = b.pixels[k] = glm::vec4(0.5f, 0.5f, 0.5f, 1);
+  EXPECT_EQ(compare(a, b).rel_mse, 0);
+  EXPECT_TRUE(std::isinf(compare(a, b).psnr));
+  a.pixels[0] = glm::vec4(0);
+  EXPECT_EQ(compare(a, b).coverage_mismatch, 0.25);
+  EXPECT_EQ(compare(a, b).rel_mse, 0);  // of the pixels that both cover
+  a.pixels[1].r = 0.6f;
+  EXPECT_NEAR(compare(a, b).rel_mse, 0.01 / 0.26 / 9, 1e-8);
+  EXPECT_EQ(compare(a, b, {false, true, false, false}).rel_mse, 0);
+}
+
+TEST(Picture, RustyMetalIsSeededTileableAndPartlyRusty) {
+  const auto maps = rusty_metal(64, 7), again = rusty_metal(64, 7), other = rusty_metal(64, 8);
+  EXPECT_EQ(maps[0].texels, again[0].texels);
+  EXPECT_NE(maps[0].texels, other[0].texels);
+  std::size_t metal = 0;
+  double across = 0, inside = 0;
+  for (std::size_t y = 0; y < 64; ++y) {
+    across += std::abs(maps[2].texels[y * 64][0] - maps[2].texels[y * 64 + 63][0]);
+    inside += std::abs(maps[2].texels[y * 64 + 31][0] - maps[2].texels[y * 64 + 32][0]);
+    for (std::size_t x = 0; x < 64; ++x) metal += maps[3].texels[y * 64 + x][0] > 127;
+  }
+  EXPECT_GT(metal, 64u * 64 / 10);
+  EXPECT_LT(metal, 64u * 64 * 9 / 10);
+  EXPECT_LT(across, 3 * inside + 64 * 4);  // no seam
+}
+
+TEST(Picture, MissingTexturesAndOutputsAreNamed) {
+  EXPECT_THROW(load_texture(temporary("absent.png")), InputError);
+  std::ofstream(temporary("no.png")) << "no picture";
+  EXPECT_THROW(load_texture(temporary("no.png")), InputError);
+  Job job;
+  job.output = "picture.tiff";
+  EXPECT_THROW(run(job), InputError);
+}
+
+TEST(Picture, MeasuredTableReturnsItsOwnRows) {
+  io::SampleTable table;
+  table.channels = {"r", "g", "b"};
+  table.values.assign(3, {});
+  const Material material = make_material(*find_form("cook_torrance"));
+  std::vector<double> f(3);
+  for (double ti = 5; ti < 80; ti += 7.5) {
+    for (double to = 0; to < 80; to += 7.5) {
+      for (double phi = 0; phi <= 180; phi += 15) {
+        double x, y, z, u, v, w;
+        io::unit_vector(ti, 0, x, y, z);
+        io::unit_vector(to, phi, u, v, w);
+        eval(material, {x, y, z}, {u, v, w}, f);
+        table.theta_i.push_back(ti);
+        table.phi_i.push_back(0);
+        table.theta_o.push_back(to);
+        table.phi_o.push_back(phi);
+        for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
+      }
+    }
+  }
+  const Measured measured = interpolate(table);
+  double worst_row = 0, worst_between = 0;
+  for (std::size_t k = 0; k < table.rows(); k += 13) {
+    double x, y, z, u, v, w;
+    io::unit_vector(table.theta_i[k], 0, x, y, z);
+    io::unit_vector(table.theta_o[k], table.phi_o[k], u, v, w);
+    const glm::vec3 wi(glm::dvec3(x, y, z)), wo(glm::dvec3(u, v, w));
+    worst_row = std::max(worst_row, std::abs(double(measured(wi, wo).r) / z / table.values[0][k] - 1));
+    // The isotropic, reciprocal symmetries: turned together, and exchanged.
+    const glm::vec3 ti(-wi.y, wi.x, wi.z), to(-wo.y, wo.x, wo.z);
+    EXPECT_NEAR(measured(ti, to).r, measured(wi, wo).r, 2e-3f * measured(wi, wo).r);
+    io::unit_vector(table.theta_i[k] + 3, 0, x, y, z);
+    eval(material, {x, y, z}, {u, v, w}, f);
+    worst_between = std::max(worst_between,
+                             std::abs(double(measured(glm::vec3(glm::dvec3(x, y, z)), wo).r) / z / f[0] - 1));
+  }
+  EXPECT_LT(worst_row, 0.01);
+  EXPECT_LT(worst_between, 0.25);
+}
+
+TEST(Picture, ParityBoundsAreThePublishedOnes) {
+  ParityRow row;
+  row.gbuffer_bits = 32;
+  row.difference.rel_mse = 2e-11;
+  EXPECT_FALSE(passes(row));
+  row.gbuffer_bits = 16;
+  EXPECT_TRUE(passes(row));
+  row.difference.coverage_mismatch = 2e-4;
+  EXPECT_FALSE(passes(row));
+}
+
+}  // namespace
+}  // namespace brdf::render
