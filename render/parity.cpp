@@ -31,7 +31,7 @@ bool narrow(Term& term) {
 }  // namespace
 
 double horizon_band(int gbuffer_bits) {
-  return gbuffer_bits == 32 ? 0x1p-16 : 0x1p-10;
+  return gbuffer_bits == 32 ? 0x1p-14 : 0x1p-10;
 }
 
 double parity_bound(int gbuffer_bits) {

@@ -20,9 +20,9 @@ struct ParityRow {
   double near_horizon = 0;  // their share of all pixels
 };
 
-// A pixel is near the horizon when a cosine is within four roundings of the stored normal: forms that do not
-// vanish there (the listings) step from a finite value to 0, and rounding moves the step to a neighbouring
-// pixel.
+// A pixel is near the horizon when a cosine of its is below the band: 2^-10 for 16 bits (four roundings of
+// the stored normal), 2^-14 for 32 (the rasteriser's interpolation). There the listings step from a finite
+// value to 0, or rise with an infinite slope, and rounding moves the step to a neighbouring pixel.
 double horizon_band(int gbuffer_bits);
 
 inline constexpr double kMostCoverageMismatch = 1e-4;
