@@ -40,6 +40,8 @@ int run(int argc, char** argv) {
     return static_cast<int>(exit_code);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
+    if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-')
+      return report("'" + std::string(argv[1]) + "' is no verb (see brdf --help)", Exit::kBadInput);
     return report(std::string(error.what()) + " (see brdf" + verb_name(app) + " --help)", Exit::kBadInput);
   } catch (const InputError& error) {
     return report(error.what(), Exit::kBadInput);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "tests/io/temporary_folder.h"
+
+namespace brdf {
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+inline std::string file_text(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Runs the built executable with these arguments (as a shell reads them) in this folder.
+inline Outcome run_brdf(const std::string& arguments, const std::filesystem::path& folder) {
+  const std::filesystem::path out = folder / ".out", err = folder / ".err";
+  const std::string command = "cd '" + folder.string() + "' && '" BRDF_EXECUTABLE "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(command.c_str());
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), file_text(out),
+                  file_text(err)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return outcome;
+}
+
+}  // namespace brdf

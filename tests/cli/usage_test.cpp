@@ -1,0 +1,226 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "brdf/forms.h"
+#include "io/json.h"
+#include "tests/cli/run_brdf.h"
+
+namespace brdf {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Cli : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& content) {
+    std::ofstream(folder_.path() / name) << content;
+  }
+  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
+  bool exists(const std::string& name) { return std::filesystem::exists(folder_.path() / name); }
+  // Bad input: exit code 2, one line on stderr that holds `what`, nothing on stdout, no output file, no
+  // temporary.
+  void expect_refused(const std::string& arguments, const std::string& what) {
+    const auto before = entries();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.err, StartsWith("brdf: ")) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(what)) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n"
+                                                                           << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(entries(), before) << arguments;
+  }
+  std::ptrdiff_t entries() {
+    return std::distance(std::filesystem::directory_iterator(folder_.path()),
+                         std::filesystem::directory_iterator());
+  }
+  TemporaryFolder folder_;
+};
+
+constexpr const char* kDirections = "theta_i,phi_i,theta_o,phi_o\n30,180,30,0\n0,0,0,0\n";
+constexpr const char* kMaterial =
+    R"({"format": "brdf-material", "version": 1, "form": "ward", "channels": ["r","g","b"],
+        "weights": {"kd": [0.1, 0.2, 0.3], "ks": [0.3, 0.3, 0.3]}, "shape": {"alpha_x": 0.1, "alpha_y": 0.25}})";
+
+TEST_F(Cli, SaysItsVersionAndHelpsWithAnExample) {
+  EXPECT_EQ(run("--version").out, "brdf " BRDF_VERSION "\n");
+  EXPECT_EQ(run("--help").exit_code, 0);
+  for (const char* verb : {"models", "eval", "albedo", "synth", "export", "convert"}) {
+    const Outcome help = run(std::string(verb) + " --help");
+    EXPECT_EQ(help.exit_code, 0) << verb;
+    EXPECT_THAT(help.out, HasSubstr(std::string("Example: brdf ") + verb)) << verb;
+  }
+}
+
+TEST_F(Cli, RefusesWrongUsage) {
+  expect_refused("", "subcommand is required");
+  expect_refused("evil", "'evil' is no verb");
+  expect_refused("eval --form ward", "DIRECTIONS is required");
+  expect_refused("models --jsn", "--jsn");
+  expect_refused("synth --form ward", "--output is required");
+  expect_refused("albedo --form ward --theta x", "--theta");
+  expect_refused("export --form ward --to hlsl", "hlsl");
+}
+
+TEST_F(Cli, RefusesUnknownFormsAndParametersOutOfRange) {
+  write("d.csv", kDirections);
+  expect_refused("eval --form wurd d.csv -o o.csv", "'wurd' is no form (known: lambert, ");
+  expect_refused("eval --form ward --set alpha=2 d.csv -o o.csv",
+                 "--set alpha: 2 must be between 1e-04 and 1");
+  expect_refused("eval --form ward --set rho=1 d.csv -o o.csv",
+                 "--set rho: no such parameter (known: kd, ks, alpha_x");
+  expect_refused("eval --form ward --set alpha d.csv -o o.csv", "'alpha': must be name=value");
+  expect_refused("eval --form ward --set alpha=x d.csv -o o.csv", "'x' is not a finite number");
+  expect_refused("eval --form ward --set ks=1 --set ks=1 d.csv -o o.csv", "is set twice");
+  expect_refused("eval --form ward --set ks=1,2 --set kd=1,2,3 d.csv -o o.csv", "2 values for 3 channels");
+  expect_refused("eval d.csv -o o.csv", "exactly one of --form and --material");
+  expect_refused("albedo --form ward --theta 91", "--theta 91: must be between 0 and 90");
+  expect_refused("synth --form ward --noise 3 -o o.csv", "--noise 3: must be between 0 and 2");
+  expect_refused("models wurd", "'wurd' is no form");
+}
+
+TEST_F(Cli, RefusesBadFilesWithFileLineAndColumnOrPath) {
+  write("bad.csv", "theta_i,phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n1,2,x,4,5\n");
+  write("d.csv", kDirections);
+  write("bad.json", std::string(kMaterial).replace(std::string(kMaterial).find("0.25"), 4, "7.25"));
+  expect_refused("eval --form ward bad.csv -o o.csv",
+                 "bad.csv, line 3: column 3 (theta_o): 'x' is not a number");
+  expect_refused("eval --form ward none.csv -o o.csv", "none.csv: cannot be read");
+  expect_refused("eval --material bad.json d.csv -o o.csv",
+                 "bad.json: $.shape.alpha_y: 7.25 must be between 1e-04 and 1");
+  expect_refused("eval --material none.json d.csv -o o.csv", "none.json: cannot be read");
+  expect_refused("convert d.csv o.csv", "no value column");
+  expect_refused("convert bad.csv o.xyz", "o.xyz: unknown output format");
+  expect_refused("eval --form ward d.csv -o nowhere/o.csv", "nowhere/o.csv: cannot be written");
+  expect_refused("synth --form ward --grid nope.csv -o o.csv", "nope.csv: cannot be read");
+}
+
+TEST_F(Cli, AFullDiskIsTheEnvironmentsFault) {
+  write("d.csv", kDirections);
+  const Outcome outcome = run("eval --form ward d.csv -o /dev/full");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("/dev/full: writing broke off"));
+}
+
+TEST_F(Cli, EvalWritesTheInputsColumnsThenTheValues) {
+  write("d.csv", "# sample: x\ntheta_i,phi_i,theta_o,phi_o,fr\n30,180,30,0,7\n0,0,95e-1,0,8\n");
+  write("m.json", kMaterial);
+  const Outcome one = run("eval --form lambert --set rho=0.25 d.csv");
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("# sample: x\n"));
+  EXPECT_THAT(
+      one.out,
+      HasSubstr("\ntheta_i,phi_i,theta_o,phi_o,fr,f\n30,180,30,0,7,0.07957747154594767\n0,0,9.5,0,8,"));
+  const Outcome three = run("eval --material m.json d.csv -o o.csv");
+  EXPECT_EQ(three.exit_code, 0) << three.err;
+  EXPECT_EQ(three.out, "");
+  EXPECT_THAT(file_text(folder_.path() / "o.csv"), HasSubstr("theta_i,phi_i,theta_o,phi_o,fr,f_r,f_g,f_b\n"));
+  expect_refused("eval --material m.json o.csv -o again.csv", "has a column 'f_r' already");
+}
+
+TEST_F(Cli, EvalTimesTheCosineOfTheLight) {
+  write("d.csv", "theta_i,phi_i,theta_o,phi_o\n60,180,30,0\n");
+  EXPECT_THAT(run("eval --form lambert --set rho=1 --cos d.csv").out,
+              HasSubstr("60,180,30,0,0.1591549430918"));
+}
+
+TEST_F(Cli, SettingsApplyToAMaterialFileAndTangentsAreDegrees) {
+  write("d.csv", "theta_i,phi_i,theta_o,phi_o\n30,180,40,10\n");
+  write("m.json", kMaterial);
+  const auto last = [](const std::string& text) { return text.substr(text.rfind('\n', text.size() - 2)); };
+  const std::string set = last(run("eval --material m.json --set alpha=0.2 --set kd=0 d.csv").out);
+  const std::string same =
+      last(run("eval --form ward --set alpha=0.2 --set kd=0,0,0 --set ks=0.3 d.csv").out);
+  EXPECT_EQ(set, same);
+  const std::string turned = last(run("eval --material m.json --set tangent_phi=90 d.csv").out);
+  const std::string swapped =
+      last(run("eval --material m.json --set alpha_x=0.25 --set alpha_y=0.1 d.csv").out);
+  EXPECT_EQ(turned.substr(0, 24), swapped.substr(0, 24));
+}
+
+TEST_F(Cli, ModelsListsEveryFormWithItsParameters) {
+  const io::Json json = io::parse_json(run("models --json").out, "stdout");
+  std::size_t k = 0;
+  for_each_form([&](auto form) {
+    const io::Json& entry = json["forms"].at(k++);
+    EXPECT_EQ(entry["form"], form.name);
+    EXPECT_EQ(entry["family"], form.family);
+    EXPECT_EQ(entry["known_violations"].size(), form.violations.size());
+    for (const io::Json& p : entry["parameters"]) {
+      EXPECT_LE(p["min"].get<double>(), p["default"].get<double>());
+      EXPECT_LE(p["default"].get<double>(), p["max"].get<double>());
+      EXPECT_TRUE(p["kind"] == "weight" || p["kind"] == "shape");
+      EXPECT_FALSE(p["doc"].get<std::string>().empty());
+    }
+  });
+  EXPECT_EQ(json["forms"].size(), k);
+  EXPECT_THAT(run("models ward").out, HasSubstr("alpha_y"));
+}
+
+TEST_F(Cli, AlbedoOfAWhiteRoughMirrorIsOneMinusLogTwo) {
+  const Outcome outcome =
+      run("albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta 0 --tolerance "
+          "1e-10 --json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const io::Json row = io::parse_json(outcome.out, "stdout")["results"].at(0);
+  const double error = std::abs(row["value"].get<double>() - 0.306852819440055);
+  EXPECT_LT(error, 1e-10);
+  EXPECT_LE(error, row["error_bound"].get<double>() + 1e-15);  // the oracle's digits
+  EXPECT_TRUE(row["converged"].get<bool>());
+  EXPECT_EQ(row["fixed"], "i");
+}
+
+TEST_F(Cli, AlbedoHasOneRowPerAngleAndChannel) {
+  const Outcome outcome = run("albedo --form lambert --set rho=0.1,0.2,0.3 --theta 0,45,90 --json");
+  const io::Json results = io::parse_json(outcome.out, "stdout")["results"];
+  ASSERT_EQ(results.size(), 9u);
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double rho = 0.1 * static_cast<double>(k % 3 + 1);
+    EXPECT_NEAR(results[k]["value"].get<double>(), rho, 1e-6 * rho);
+  }
+}
+
+TEST_F(Cli, ExportWritesShaderSource) {
+  write("m.json", kMaterial);
+  const Outcome form = run("export --form cook_torrance --to glsl");
+  EXPECT_THAT(
+      form.out,
+      HasSubstr("vec3 brdf_eval_cook_torrance(vec3 wi, vec3 wo, float alpha_x, float alpha_y, vec3 kd"));
+  EXPECT_THAT(form.out, testing::Not(HasSubstr("brdf_material")));
+  EXPECT_EQ(run("export --material m.json --to glsl -o m.glsl").exit_code, 0);
+  EXPECT_THAT(file_text(folder_.path() / "m.glsl"),
+              HasSubstr("f += brdf_eval_ward(wi, wo, 0.10000000149011612, 0.25, vec3(0.10000000149011612"));
+}
+
+TEST_F(Cli, ConvertSaysWhatIsLostAndReadsItsOwnFiles) {
+  write("m.json", kMaterial);
+  const Outcome to_merl = run("convert m.json m.binary");
+  EXPECT_EQ(to_merl.exit_code, 0) << to_merl.err;
+  EXPECT_THAT(to_merl.err, HasSubstr("lost: "));
+  const Outcome to_exr = run("convert m.binary m.exr");
+  EXPECT_EQ(to_exr.exit_code, 0) << to_exr.err;
+  EXPECT_THAT(to_exr.err, HasSubstr("lost: digits beyond 32-bit float"));
+  EXPECT_EQ(file_text(folder_.path() / "m.exr").substr(0, 4), "\x76\x2f\x31\x01");
+  write("s.csv", "theta_i,phi_i,theta_o,phi_o,fr\n30,180,30,0,7\n");
+  EXPECT_EQ(run("convert s.csv t.csv").exit_code, 0);
+  EXPECT_EQ(file_text(folder_.path() / "t.csv"), file_text(folder_.path() / "s.csv"));
+}
+
+TEST_F(Cli, SynthIsReproducibleAndNamesItsCommand) {
+  const std::string command = "synth --form ward --set alpha=0.1 --grid in_plane --noise 0.05 --seed 3 -o ";
+  EXPECT_EQ(run(command + "a.csv").exit_code, 0);
+  EXPECT_EQ(run(command + "b.csv").exit_code, 0);
+  const std::string a = file_text(folder_.path() / "a.csv");
+  EXPECT_EQ(a, file_text(folder_.path() / "b.csv"));
+  EXPECT_THAT(
+      a,
+      HasSubstr("# command: brdf synth --form ward --set alpha=0.1 --grid in_plane --noise 0.05 --seed 3\n"));
+  EXPECT_THAT(run("synth --form ward --set alpha=0.004 --aperture 2 --grid in_plane -o c.csv").err,
+              HasSubstr("warning: the lobe is narrower than the aperture"));
+}
+
+}  // namespace
+}  // namespace brdf
