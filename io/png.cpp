@@ -1,0 +1,16 @@
+#include <stb/stb_image_write.h>
+
+#include "io/html_report.h"
+
+namespace brdf::io {
+
+std::string png_of_pixels(std::size_t width, std::size_t height, const std::vector<unsigned char>& rgb) {
+  std::string png;
+  const auto append = [](void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
+  };
+  stbi_write_png_to_func(append, &png, int(width), int(height), 3, rgb.data(), int(3 * width));
+  return png;
+}
+
+}  // namespace brdf::io
