@@ -42,8 +42,11 @@ void check(const Instrument& instrument) {
 // Fills the table with noise-free readings.
 void read_out(const Material& material, const Instrument& instrument, io::SampleTable& table) {
   const std::size_t channels = material.channels.size();
-  const auto source = aperture_nodes(instrument.source_aperture * (kPi / 180), kSynthRings);
-  const auto detector = aperture_nodes(instrument.aperture * (kPi / 180), kSynthRings);
+  // Two cones multiply: 50 x 50 nodes together, 288 for one alone.
+  const bool both = instrument.aperture > 0 && instrument.source_aperture > 0;
+  const int rings = both ? kSynthRingsOfTwo : kSynthRings;
+  const auto source = aperture_nodes(instrument.source_aperture * (kPi / 180), rings);
+  const auto detector = aperture_nodes(instrument.aperture * (kPi / 180), rings);
   const bool is_point = source.size() == 1 && detector.size() == 1;
   const io::UnitDirections d = io::unit_directions(table);
   std::vector<double> value(channels), centre(channels);

@@ -24,6 +24,7 @@ struct ApertureNode {
 inline constexpr int kFitRings = 3;
 // For synthetic samples: 288 nodes.
 inline constexpr int kSynthRings = 12;
+inline constexpr int kSynthRingsOfTwo = 5;  // where source and detector both have a width
 
 // Quadrature over the cone of this full width in radians (0..pi): `rings` Gauss-Legendre points in solid
 // angle between axis and edge, at least 8 steps of azimuth on each, neighbouring rings turned by half a step.
