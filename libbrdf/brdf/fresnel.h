@@ -13,7 +13,7 @@ inline constexpr double kFresnelFloor = 1e-30;  // keeps 0/0 out where two media
 
 // Dielectric of relative index eta > 0, exact: Cook and Torrance 1982 eq. 15, with g - c written as
 // (eta^2 - 1)/(g + c), which keeps it accurate for eta near 1. eta = 1 gives 0 (also at c = 0), otherwise
-// c = 0 gives 1; total reflection (eta < 1) gives 1. Relative error for eta 1..5: 2e-15, 1e-6 in float.
+// c = 0 gives 1; total reflection (eta < 1) gives 1. Relative error for eta 1..5: 1.2e-15, 5e-7 in float.
 template <class S, class G>
 S fresnel_dielectric(const S& eta, const G& c) {
   const S step = (eta - S(1)) * (eta + S(1));
@@ -40,7 +40,7 @@ S fresnel_dielectric_as_coded(const S& eta, const G& c) {
 // Conductor of complex index n + i k, n and k in [0, 20], exact. With (a + i b)^2 = (n + i k)^2 - sin^2:
 // R_s = ((a - c)^2 + b^2)/((a + c)^2 + b^2), R_p = R_s ((a c - sin^2)^2 + (b c)^2)/((a c + sin^2)^2 + (b
 // c)^2). Sums of squares only: no cancellation for metals, never above 1. k = 0 is the dielectric; n = k = 0
-// gives 1. Relative error: 3e-15, 2e-6 in float (n, k >= 1e-3 or 0).
+// gives 1. Relative error: 2.2e-15, 2.6e-6 in float (n >= .05, k >= 1e-3 or 0).
 template <class T>
 T fresnel_conductor(const T& n, const T& k, const T& c) {
   const T sin2 = at_least((T(1) - c) * (T(1) + c), T(0));
