@@ -19,8 +19,9 @@ using Row = std::array<T, kInputs>;
 template <class T>
 using Columns = std::array<std::vector<T>, kInputs>;
 
-// GCC's per-processor clones; clang has none that allow flattening and is correct, but slower, there.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+// GCC's per-processor clones; clang has none that allow flattening and is correct, but slower, there, and the
+// address sanitizer cannot resolve them.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define BRDF_TRADE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
 #else
 #define BRDF_TRADE_CLONES

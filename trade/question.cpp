@@ -8,8 +8,6 @@
 namespace brdf::trade {
 namespace {
 
-constexpr std::size_t kTimedPoints = 1024;  // stays in the second-level cache
-
 std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, std::size_t count,
                               Precision precision) {
   std::vector<double> out(count);
@@ -29,20 +27,21 @@ std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, s
 struct TimedInputs {
   Columns<double> wide;
   Columns<float> narrow;
-  explicit TimedInputs(const Points& points) {
+  TimedInputs(const Points& points, std::size_t count) {
     for (std::size_t k = 0; k < kInputs; ++k)
-      for (std::size_t n = 0; n < kTimedPoints; ++n) {
+      for (std::size_t n = 0; n < count; ++n) {
         wide[k].push_back(points.columns[k][n % points.count()]);
         narrow[k].push_back(float(wide[k].back()));
       }
   }
 };
 
-std::vector<timing::Timing> costs_of(const Question& question, const Points& points,
+std::vector<timing::Timing> costs_of(const Question& question, const Points& everyday,
                                      const MeasureOptions& options) {
-  const TimedInputs in(points);
-  std::vector<double> wide(kTimedPoints);
-  std::vector<float> narrow(kTimedPoints);
+  const std::size_t count = question.timed_points;
+  const TimedInputs in(question.timed.axes.empty() ? everyday : sample(question.timed, 4 * count), count);
+  std::vector<double> wide(count);
+  std::vector<float> narrow(count);
   std::vector<std::function<void()>> calls;
   for (const Choice& choice : question.choices) {
     if (choice.cost == Precision::double_)
@@ -58,7 +57,12 @@ std::vector<timing::Timing> costs_of(const Question& question, const Points& poi
   }
   timing::Options timing_options;
   timing_options.rounds = options.rounds;
+  timing_options.clock = timing::Clock::thread;
   return timing::interleaved(calls, timing_options);
+}
+
+const Kernel& judged_by(const Choice& choice) {
+  return choice.judged.in_double ? choice.judged : choice.kernel;
 }
 
 double largest(std::span<const double> values) {
@@ -108,11 +112,12 @@ double image_error(std::span<const double> f, std::span<const double> exact, con
 }
 
 std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& options) {
-  const Points points = sample(question.everyday, options.points);
+  const std::size_t count = question.points ? std::min(question.points, options.points) : options.points;
+  const Points points = sample(question.everyday, count);
   const Choice& exact = question.choices.front();
   const auto reference_of = [&](const Points& p) {
-    return values_of(question.reference.in_double ? question.reference : exact.kernel, p.columns, p.count(),
-                     Precision::double_);
+    return values_of(question.reference.in_double ? question.reference : judged_by(exact), p.columns,
+                     p.count(), Precision::double_);
   };
   const std::vector<double> reference = reference_of(points);
   const std::vector<timing::Timing> costs = costs_of(question, points, options);
@@ -130,10 +135,11 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
     row.question = question.name;
     row.choice = choice.name;
     row.exact = exact.name;
-    row.cost = {costs[k].lower / double(kTimedPoints), costs[k].spread(), costs[k].rounds};
+    row.unit = question.unit;
+    row.cost = {costs[k].lower / double(question.timed_points), costs[k].spread(), costs[k].rounds};
     row.cost_ratio = costs[k].lower / costs[0].lower;
-    row.error = error_of(values_of(choice.kernel, points.columns, points.count(), choice.error), reference,
-                         question.measure, question.floor, question.everyday, points);
+    row.error = error_of(values_of(judged_by(choice), points.columns, points.count(), choice.error),
+                         reference, question.measure, question.floor, question.everyday, points);
     row.quantity = question.quantity;
     row.domain = describe(question.everyday);
     row.note = choice.note;
@@ -142,11 +148,12 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
           values_of(choice.picture, options.picture->columns, options.picture->count(), choice.error),
           exact_picture, *options.picture);
     for (const Domain& extreme : question.extremes) {
-      const Points there = sample(extreme, options.points / 4);
+      const Points there = sample(extreme, count / 4);
       row.extremes.push_back(
-          {describe(extreme), error_of(values_of(choice.kernel, there.columns, there.count(), choice.error),
-                                       reference_of(there), question.measure, question.floor, extreme, there)
-                                  .max});
+          {describe(extreme),
+           error_of(values_of(judged_by(choice), there.columns, there.count(), choice.error),
+                    reference_of(there), question.measure, question.floor, extreme, there)
+               .max});
     }
     rows.push_back(std::move(row));
   }

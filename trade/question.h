@@ -22,6 +22,8 @@ struct Choice {
   // whose rounding is the question is judged in the precision it costs.
   Precision cost = Precision::single_;
   Precision error = Precision::double_;
+  // Judged by another kernel than the one whose cost counts: a factor by the integral it changes.
+  Kernel judged = {};
 };
 
 struct Question {
@@ -33,6 +35,10 @@ struct Question {
   std::vector<Choice> choices;  // the first is the exact one
   Kernel reference = {};        // where the exact choice is itself rounded: more digits
   double floor = 0;             // of |exact|, below which a relative error is not counted
+  Unit unit = Unit::evaluation;
+  Domain timed = {};                // where costs are measured, if not in the everyday domain
+  std::size_t points = 0;           // where kernels are dear: fewer than the default
+  std::size_t timed_points = 1024;  // stays in the second-level cache
 };
 
 // Directions of the lit pixels of a picture, one row per pixel and light, with irradiance times cosine left

@@ -11,5 +11,6 @@ std::vector<Question> fresnel_questions();
 std::vector<Question> masking_questions();
 std::vector<Question> lobe_questions();    // powers, Gaussians, mirror or half vector, naive GGX
 std::vector<Question> lookup_questions();  // the lookup texture
+std::vector<Question> albedo_questions();  // tables, fits and integrators
 
 }  // namespace brdf::trade

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <span>
 #include <vector>
@@ -22,8 +23,13 @@ struct Timing {
   double spread() const { return lower > 0 ? (upper - lower) / lower : 0; }
 };
 
+// wall: what a user waits. thread: the processor time of the calling thread, which others on the machine do
+// not lengthen; for work on one thread.
+enum class Clock { wall, thread };
+
 struct Options {
   int rounds = 21;
+  Clock clock = Clock::wall;
   double least_seconds =
       2e-4;  // a round repeats the call until it lasts this long: far above the clock's tick
   std::function<void()> between = [] {};  // called after each round (progress)
@@ -35,10 +41,21 @@ inline void keep(const T& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-inline double seconds_of(const std::function<void()>& call, long repeats) {
-  const auto start = std::chrono::steady_clock::now();
+inline double seconds_now(Clock clock) {
+#ifdef CLOCK_THREAD_CPUTIME_ID
+  if (clock == Clock::thread) {
+    std::timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+  }
+#endif
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+inline double seconds_of(const std::function<void()>& call, long repeats, Clock clock) {
+  const double start = seconds_now(clock);
   for (long k = 0; k < repeats; ++k) call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_now(clock) - start;
 }
 
 // Linear interpolation between the order statistics of sorted values.
@@ -50,10 +67,10 @@ inline double quantile(std::span<const double> sorted, double q) {
 }
 
 // How often a call must be repeated to last `least_seconds`; the calls made here also warm the caches.
-inline long repeats_for(const std::function<void()>& call, double least_seconds) {
+inline long repeats_for(const std::function<void()>& call, double least_seconds, Clock clock) {
   long repeats = 1;
   while (true) {
-    const double t = seconds_of(call, repeats);
+    const double t = seconds_of(call, repeats, clock);
     if (t >= least_seconds) return repeats;
     const double factor = t > 0 ? std::clamp(1.2 * least_seconds / t, 2.0, 100.0) : 100.0;
     repeats = long(std::ceil(double(repeats) * factor));
@@ -66,12 +83,12 @@ inline std::vector<Timing> interleaved(std::span<const std::function<void()>> ca
                                        const Options& options = {}) {
   const std::size_t n = calls.size();
   std::vector<long> repeats;
-  for (const auto& call : calls) repeats.push_back(repeats_for(call, options.least_seconds));
+  for (const auto& call : calls) repeats.push_back(repeats_for(call, options.least_seconds, options.clock));
   std::vector<std::vector<double>> seconds(n);
   for (int round = 0; round < options.rounds; ++round) {
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t turn = (k + std::size_t(round)) % n;
-      seconds[turn].push_back(seconds_of(calls[turn], repeats[turn]) / double(repeats[turn]));
+      seconds[turn].push_back(seconds_of(calls[turn], repeats[turn], options.clock) / double(repeats[turn]));
     }
     options.between();
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brdf/math.h"
+#include "brdf/vec3.h"
 #include "trade/kernel.h"
 
 namespace brdf::trade {

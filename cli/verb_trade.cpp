@@ -1,0 +1,62 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "cli/verbs.h"
+#include "io/error.h"
+#include "io/output.h"
+#include "trade/trade.h"
+
+namespace brdf::cli {
+namespace {
+
+struct TradeArguments {
+  trade::TradeOptions options;
+  std::vector<std::string> outputs;
+  bool json = false;
+};
+
+void show_progress(double fraction, const std::string& what) {
+  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str());
+  if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
+}
+
+void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& ledger) {
+  if (path.extension() == ".csv")
+    io::write_file_atomically(path, trade::to_csv(ledger));
+  else if (path.extension() == ".json")
+    trade::write_ledger(path, ledger);
+  else
+    throw InputError(path.string() + ": the ledger is written as .json or .csv");
+}
+
+}  // namespace
+
+void add_trade(CLI::App& app) {
+  auto arguments = std::make_shared<TradeArguments>();
+  CLI::App* verb =
+      app.add_subcommand("trade", "Measure speed against accuracy: the ledger of every approximation");
+  verb->add_flag("--quick", arguments->options.quick, "fewer points and rounds: about a minute");
+  verb->add_option("--only", arguments->options.only, "only questions whose name contains this");
+  verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
+  verb->add_option("-o,--output", arguments->outputs,
+                   "file to write: .json (the ledger), .csv; may be repeated");
+  verb->footer("Example: brdf trade --quick -o ledger.json -o ledger.csv");
+  on_run(*verb, [arguments] {
+    if (isatty(STDERR_FILENO)) arguments->options.progress = show_progress;
+    const trade::Ledger ledger = trade::measure_ledger(arguments->options);
+    if (ledger.rows.empty())
+      throw InputError("--only " + arguments->options.only + ": no question's name contains it");
+    for (const std::string& path : arguments->outputs) write_ledger_as(path, ledger);
+    if (arguments->json)
+      std::cout << io::to_text(trade::to_json(ledger)) << '\n';
+    else
+      std::cout << trade::to_terminal(ledger);
+    return Exit::kGood;
+  });
+}
+
+}  // namespace brdf::cli

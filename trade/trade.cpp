@@ -1,0 +1,67 @@
+#include "trade/trade.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "trade/ball.h"
+#include "trade/questions.h"
+
+namespace brdf::trade {
+namespace {
+
+std::vector<Question> kernel_questions() {
+  std::vector<Question> all;
+  for (const auto list : {precision_questions, fresnel_questions, masking_questions, lobe_questions,
+                          lookup_questions, albedo_questions}) {
+    std::vector<Question> some = list();
+    std::move(some.begin(), some.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace
+
+Ledger measure_ledger(const TradeOptions& options) {
+  Ledger ledger;
+  ledger.quick = options.quick;
+  ledger.machine = this_machine();
+  const int size = options.quick ? 96 : 256;
+  const PicturePoints picture =
+      picture_points(render::lit_points(render::prepare(material_ball(size))), size);
+  MeasureOptions measuring;
+  measuring.picture = &picture;
+  measuring.points = options.quick ? 4096 : 16384;
+  measuring.rounds = options.quick ? 21 : 31;
+  std::vector<Question> questions = kernel_questions();
+  std::erase_if(questions, [&](const Question& q) { return q.name.find(options.only) == std::string::npos; });
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    options.progress(double(k) / double(questions.size()), questions[k].name);
+    for (LedgerRow& row : measure(questions[k], measuring)) ledger.rows.push_back(std::move(row));
+  }
+  options.progress(1, "");
+  return ledger;
+}
+
+std::string to_terminal(const Ledger& ledger) {
+  std::string text;
+  std::string question;
+  for (const LedgerRow& row : ledger.rows) {
+    char line[512];
+    if (row.question != question) {
+      question = row.question;
+      std::snprintf(line, sizeof line, "\n%s  (error: %s of %s; %s)\n  %-36s %10s %7s %9s %9s %9s %9s\n",
+                    question.c_str(), kMeasureNames[std::size_t(row.error.measure)], row.quantity.c_str(),
+                    row.domain.c_str(), "choice", "ns", "cost", "max", "mean", "p99", "image");
+      text += line;
+    }
+    char image[16] = "-";
+    if (row.image_error) std::snprintf(image, sizeof image, "%.2g", *row.image_error);
+    std::snprintf(line, sizeof line, "  %-36s %10.4g %7.3g %9.2g %9.2g %9.2g %9s%s\n", row.choice.c_str(),
+                  row.cost.seconds * 1e9, row.cost_ratio, row.error.max, row.error.mean, row.error.p99, image,
+                  row.dominated_by.empty() ? "" : ("   dominated by " + row.dominated_by).c_str());
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace brdf::trade
