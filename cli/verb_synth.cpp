@@ -2,8 +2,10 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/microsurface.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "io/error.h"
 #include "io/text.h"
 #include "synth/instrument.h"
 
@@ -15,6 +17,7 @@ struct Options {
   std::string grid = "hemisphere";
   std::vector<double> azimuths;
   synth::Instrument instrument;
+  micro::SampleSettings microsurface = {.surface = ""};
   std::string output;
 };
 
@@ -45,13 +48,33 @@ void add_options(CLI::App& verb, Options& o) {
   verb.add_flag("--clip-negatives", instrument.clip_negatives, "Set negative readings to 0");
   verb.add_flag("--sigma-columns", instrument.sigma_columns, "Write the standard deviation of every value");
   verb.add_option("--seed", instrument.seed, "Seed of the noise")->capture_default_str();
+  add_microsurface_options(verb, o.microsurface);
   verb.add_option("-o,--output", o.output, "CSV to write")->required();
   verb.footer(
       "Example: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
       "--noise 0.05 --seed 7 -o samples.csv");
 }
 
+Exit write(const io::SampleTable& table, const std::string& path) {
+  io::write_samples(path, table);
+  std::cerr << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
+            << path << '\n';
+  for (const std::string& warning : table.warnings) std::cerr << "brdf synth: warning: " << warning << '\n';
+  return Exit::kGood;
+}
+
+Exit run_microsurface(const Options& o) {
+  if (!o.material.form.empty() || !o.material.material.empty())
+    throw InputError("--microsurface: takes neither --form nor --material");
+  micro::SampleSettings settings = o.microsurface;
+  if (!o.instrument.grid.theta_i.empty()) settings.theta_i = o.instrument.grid.theta_i;
+  if (!o.azimuths.empty()) settings.azimuths = o.azimuths;
+  settings.seed = o.instrument.seed;
+  return write(trace_microsurface(std::move(settings), o.material.set), o.output);
+}
+
 Exit run(const Options& o) {
+  if (!o.microsurface.surface.empty()) return run_microsurface(o);
   const Material material = choose_material(o.material);
   synth::Instrument instrument = o.instrument;
   std::vector<std::string_view> parts;
@@ -61,12 +84,7 @@ Exit run(const Options& o) {
     instrument.grid.azimuths = o.azimuths;
   else if (synth::is_anisotropic(material))
     instrument.grid.azimuths = {0, 45, 90};
-  const io::SampleTable table = synth::measure(material, instrument);
-  io::write_samples(o.output, table);
-  std::cerr << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
-            << o.output << '\n';
-  for (const std::string& warning : table.warnings) std::cerr << "brdf synth: warning: " << warning << '\n';
-  return Exit::kGood;
+  return write(synth::measure(material, instrument), o.output);
 }
 
 }  // namespace

@@ -3,23 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brdf/fresnel.h"
 #include "brdf/scalar.h"
 
 namespace brdf::micro {
-namespace {
-
-// Exact reflectance of a dielectric for unpolarised light.
-double fresnel(double eta, double cosine) {
-  if (eta == 0) return 1;
-  const double g = std::sqrt(std::max((eta - 1) * (eta + 1) + cosine * cosine, 0.0));
-  if (g + cosine <= 0) return 0;
-  const double a = (g - cosine) / (g + cosine);
-  const double b = (cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1);
-  return 0.5 * a * a * (1 + b * b);
-}
-
-}  // namespace
-
 Vec turned(const Vec& v, double azimuth) {
   if (azimuth == 0) return v;
   const double c = std::cos(azimuth), s = std::sin(azimuth);
@@ -46,7 +33,8 @@ Scattered scatter(const Facets& facets, const Facet& facet, const Vec& incoming,
   const Vec n = normal(facet);
   const double cosine = -dot(n, incoming);
   const Vec out = incoming + n * (2 * cosine);
-  return {out * (1 / std::sqrt(dot(out, out))), fresnel(facets.eta, cosine)};
+  const double reflectance = facets.eta == 0 ? 1 : fresnel_dielectric(facets.eta, cosine);
+  return {out * (1 / std::sqrt(dot(out, out))), reflectance};
 }
 
 }  // namespace brdf::micro

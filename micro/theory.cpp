@@ -42,6 +42,7 @@ std::vector<TheoryRow> compare_masking(const TheoryOptions& options) {
     Simulation s;
     s.geometry = HeightField{.alpha_x = alpha, .alpha_y = alpha};
     s.surfaces = 16 * options.effort;
+    s.rays = 1 << 14;
     s.seed = options.seed;
     s.threads = options.threads;
     const double degree = kPi / 180;
@@ -66,15 +67,15 @@ std::vector<TheoryRow> compare_reciprocity(const TheoryOptions& options) {
     s.seed = options.seed;
     s.threads = options.threads;
     s.surfaces = 16 * options.effort;
-    s.rays = 1 << 16;
-    const Cells cells(10 * kPi / 180);
-    const Cell& a = cells[cells.find(direction(0.35, 0))];
+    s.rays = 1 << 14;
+    const Cells cells(15 * kPi / 180);
+    const Cell& a = cells[cells.find(direction(0.38, 0))];
     for (const double phi : {0.0, kPi / 2, kPi}) {
-      const Cell& b = cells[cells.find(direction(1.14, phi))];
+      const Cell& b = cells[cells.find(direction(1.18, phi))];
       const Exchange e = measure_exchange(s, a, b);
       const Estimate forward{e.forward.mean, std::hypot(e.forward.standard_error, e.backward.standard_error)};
       const std::string quantity =
-          "f_r theta 20 to theta 65, phi " + text(phi * 180 / kPi) + ", against the way back";
+          "f_r theta 22 to theta 67, phi " + text(phi * 180 / kPi) + ", against the way back";
       rows.push_back(theory_row(name, quantity, forward, e.backward.mean, true));
     }
   };
@@ -119,6 +120,7 @@ std::vector<TheoryRow> compare_with_theory(const TheoryOptions& options, const P
           [&, alpha, theta_i] { return compare_single_bounce(options, alpha, theta_i * kPi / 180); });
     }
   }
+  parts.push_back([&] { return compare_single_bounce(options, 1, kPi / 3); });  // the retro direction is lit
   for (const double theta_i : {30.0, 60.0}) {
     parts.push_back([&, theta_i] { return compare_mirror_grooves(options, theta_i * kPi / 180); });
   }

@@ -1,0 +1,258 @@
+#include "micro/samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "io/error.h"
+#include "io/provenance.h"
+#include "io/text.h"
+
+namespace brdf::micro {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+
+struct Range {
+  const char* name;
+  double min, max;
+};
+constexpr Range kAlpha{"alpha", 0.01, 1.5}, kAlphaX{"alpha_x", 0.01, 1.5}, kAlphaY{"alpha_y", 0.01, 1.5};
+constexpr Range kSigma{"sigma", 0.001, 1.2}, kEta{"eta", 1, 5}, kRho{"rho", 0, 1};
+
+struct Kind {
+  const char* name;
+  bool grooves, lambert;
+  std::vector<Range> parameters;
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"gaussian", false, false, {kAlpha, kAlphaX, kAlphaY, kEta}},
+      {"lambert_gaussian", false, true, {kAlpha, kAlphaX, kAlphaY, kRho}},
+      {"mirror_grooves", true, false, {kAlpha, kEta}},
+      {"lambert_grooves", true, true, {kSigma, kRho}},
+  };
+  return all;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string listed(const std::vector<double>& numbers) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(io::to_text(number));
+  return listed(words);
+}
+
+[[noreturn]] void refuse(const std::string& option, double value, double min, double max) {
+  throw InputError(option + " " + io::to_text(value) + ": must be between " + io::to_text(min) + " and " +
+                   io::to_text(max));
+}
+
+void require(const std::string& option, double value, double min, double max) {
+  if (!(value >= min && value <= max)) refuse(option, value, min, max);
+}
+
+const Kind& find_kind(const std::string& name) {
+  for (const Kind& kind : kinds()) {
+    if (name == kind.name) return kind;
+  }
+  throw InputError("--microsurface " + name + ": must be one of " + listed(surface_names()));
+}
+
+void check(const SampleSettings& s, const Kind& kind) {
+  for (const auto& [name, value] : s.parameters) {
+    const auto found = std::find_if(kind.parameters.begin(), kind.parameters.end(),
+                                    [&, parameter = name](const Range& r) { return parameter == r.name; });
+    if (found == kind.parameters.end()) {
+      std::vector<std::string> names;
+      for (const Range& r : kind.parameters) names.emplace_back(r.name);
+      throw InputError("--set " + name + ": " + kind.name + " has " + listed(names));
+    }
+    require("--set " + name, value, found->min, found->max);
+  }
+  for (const double theta : s.theta_i) require("--theta-i", theta, 0, 89);
+  for (const double azimuth : s.azimuths) require("--azimuths", azimuth, -360, 360);
+  if (s.cell != 0) require("--cell", s.cell, 0.25, 30);
+  require("--bounces", s.bounces, 1, 1000);
+  if (s.surfaces != 0) require("--surfaces", s.surfaces, 8, 1e6);
+  require("--rays", static_cast<double>(s.rays), 0, 1e10);
+  require("--min-power", s.min_power, 0, 1);
+}
+
+std::optional<double> parameter(const SampleSettings& s, const std::string& name) {
+  for (const auto& [key, value] : s.parameters) {
+    if (key == name) return value;
+  }
+  return std::nullopt;
+}
+
+Simulation simulation(const SampleSettings& s, const Kind& kind) {
+  Simulation result;
+  const double alpha = parameter(s, "alpha").value_or(0.3);
+  if (kind.grooves && kind.lambert)
+    result.geometry = Grooves{GrooveAngles::oren_nayar, parameter(s, "sigma").value_or(0.35), 1024};
+  else if (kind.grooves)
+    result.geometry = Grooves{GrooveAngles::beckmann, alpha, 1024};
+  else
+    result.geometry = HeightField{.alpha_x = parameter(s, "alpha_x").value_or(alpha),
+                                  .alpha_y = parameter(s, "alpha_y").value_or(alpha)};
+  result.facets.reflection = kind.lambert ? Reflection::lambert : Reflection::mirror;
+  result.facets.eta = parameter(s, "eta").value_or(0);
+  result.facets.rho = parameter(s, "rho").value_or(1);
+  result.surfaces = s.surfaces > 0 ? s.surfaces : kind.grooves && !kind.lambert ? 512 : 16;
+  // A mirror groove shines in two directions only, so that many grooves with few rays each are worth most.
+  result.rays = s.rays > 0 ? s.rays : kind.lambert ? 1 << 12 : kind.grooves ? 1 << 13 : 1 << 18;
+  result.max_bounces = s.bounces;
+  result.seed = s.seed;
+  result.threads = s.threads;
+  return result;
+}
+
+double cell_width(const SampleSettings& s, const Kind& kind, const Simulation& sim) {
+  if (s.cell != 0) return s.cell;
+  if (kind.lambert) return 10;
+  const auto* field = std::get_if<HeightField>(&sim.geometry);
+  const double alpha =
+      field ? std::min(field->alpha_x, field->alpha_y) : std::get<Grooves>(sim.geometry).width;
+  return std::clamp(20 * alpha, 0.5, 5.0);  // a lobe's half width is about 2 alpha, 115 degrees times alpha
+}
+
+double in_turn(double phi) {
+  const double rest = std::fmod(phi, 360);
+  return rest < 0 ? rest + 360 : rest;
+}
+
+class TableWriter {
+ public:
+  TableWriter(bool orders, const Cells& cells) : orders_(orders), cells_(cells) {
+    table.channels = orders ? std::vector<std::string>{"order_1", "order_2", "order_3_up"}
+                            : std::vector{std::string("fr")};
+    table.values.resize(table.channels.size());
+    table.sigma.resize(table.channels.size());
+  }
+
+  void add(double theta_i, double phi_i, int cell, const Estimate (&f)[kOrderClasses],
+           const Estimate& total) {
+    table.theta_i.push_back(theta_i);
+    table.phi_i.push_back(phi_i);
+    table.theta_o.push_back(rounded(cells_[cell].centre_theta() / kDegree));
+    table.phi_o.push_back(in_turn(phi_i + rounded(cells_[cell].centre_phi() / kDegree)));
+    for (std::size_t c = 0; c < table.channels.size(); ++c) {
+      const Estimate& e = orders_ ? f[c] : total;
+      table.values[c].push_back(e.mean);
+      table.sigma[c].push_back(std::max(e.standard_error, 1e-300));  // the format wants sigma > 0
+    }
+  }
+
+  io::SampleTable table;
+
+ private:
+  // Centres are simple fractions of a degree; radians blur their last digits.
+  static double rounded(double degrees) { return std::round(degrees * 1e9) / 1e9; }
+
+  bool orders_;
+  const Cells& cells_;
+};
+
+void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vector<Incidence>& from,
+                 double phi_i, const Cells& cells, const Progress& progress, TableWriter& writer) {
+  const std::vector<Scatter> measured = measure_scatter(sim, from, cells, progress);
+  double lost = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    for (int c = 0; c < cells.size(); ++c) {
+      const Scatter& one = measured[i];
+      if (one.total[c].mean * cells[c].projected_solid_angle() < s.min_power || one.total[c].mean == 0)
+        continue;
+      writer.add(s.theta_i[i], phi_i, c, {one.f[0][c], one.f[1][c], one.f[2][c]}, one.total[c]);
+    }
+    lost = std::max(lost, measured[i].account.leaked + (s.bounces >= 64 ? measured[i].account.beyond : 0));
+  }
+  if (lost > 1e-5) {
+    writer.table.warnings.push_back("rays with " + io::to_text(lost) +
+                                    " of the power were lost (not reflected out within " +
+                                    std::to_string(s.bounces) + " bounces, or slipped through the mesh)");
+  }
+}
+
+void add_lambert(const SampleSettings& s, const Simulation& sim, const std::vector<Incidence>& from,
+                 double phi_i, const Cells& cells, const Progress& progress, TableWriter& writer) {
+  std::vector<Incidence> views;
+  for (int c = 0; c < cells.size(); ++c) {
+    views.push_back({cells[c].centre_theta(), cells[c].centre_phi() + phi_i * kDegree});
+  }
+  const auto measured = measure_radiance(sim, from, views, progress);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    for (int c = 0; c < cells.size(); ++c) {
+      writer.add(s.theta_i[i], phi_i, c, measured[i][c].f, measured[i][c].total);
+    }
+  }
+}
+
+void record(const SampleSettings& s, const Simulation& sim, double cell, io::SampleTable& table) {
+  const auto add = [&](const char* key, const std::string& value) {
+    table.metadata.emplace_back(key, value);
+  };
+  add("sample", "traced microsurface " + s.surface);
+  add("instrument", "virtual goniophotometer (brdf synth --microsurface)");
+  add("source", "computed; truth below");
+  add("licence", "Apache-2.0");
+  for (auto& field : io::provenance_fields(io::provenance(s.seed))) table.metadata.push_back(field);
+  std::string truth = s.surface;
+  if (const auto* field = std::get_if<HeightField>(&sim.geometry)) {
+    truth += " alpha_x=" + io::to_text(field->alpha_x) + " alpha_y=" + io::to_text(field->alpha_y) +
+             " size=" + std::to_string(field->size) +
+             " correlation_length=" + io::to_text(field->correlation_length);
+  } else {
+    const Grooves& grooves = std::get<Grooves>(sim.geometry);
+    truth += (grooves.angles == GrooveAngles::oren_nayar ? " sigma=" : " alpha=") +
+             io::to_text(grooves.width) + " grooves=" + std::to_string(grooves.count);
+  }
+  if (sim.facets.reflection == Reflection::lambert) truth += " rho=" + io::to_text(sim.facets.rho);
+  if (sim.facets.reflection == Reflection::mirror)
+    truth += sim.facets.eta == 0 ? " perfect reflector" : " eta=" + io::to_text(sim.facets.eta);
+  add("truth", truth);
+  add("theta_i", listed(s.theta_i));
+  add("azimuths", listed(s.azimuths));
+  add("cell", io::to_text(cell) + " degrees");
+  add("bounces", std::to_string(s.bounces));
+  add("surfaces", std::to_string(sim.surfaces));
+  add("rays", std::to_string(sim.rays) + " per surface and direction");
+  if (sim.facets.reflection == Reflection::mirror) add("min_power", io::to_text(s.min_power));
+}
+
+}  // namespace
+
+std::vector<std::string> surface_names() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+io::SampleTable trace_samples(const SampleSettings& s, const Progress& progress) {
+  const Kind& kind = find_kind(s.surface);
+  check(s, kind);
+  const Simulation sim = simulation(s, kind);
+  const double width = cell_width(s, kind, sim);
+  const Cells cells(width * kDegree);
+  TableWriter writer(s.orders, cells);
+  const int turns = static_cast<int>(s.azimuths.size());
+  for (int turn = 0; turn < turns; ++turn) {
+    const double phi_i = in_turn(180 - s.azimuths[turn]);
+    std::vector<Incidence> from;
+    for (const double theta : s.theta_i) from.push_back({theta * kDegree, phi_i * kDegree});
+    const Progress part = [&](int done, int total) {
+      if (progress) progress(turn * total + done, turns * total);
+    };
+    (kind.lambert ? add_lambert : add_mirrors)(s, sim, from, phi_i, cells, part, writer);
+  }
+  if (writer.table.rows() == 0) throw InputError("no cell holds --min-power of the light");
+  record(s, sim, width, writer.table);
+  return std::move(writer.table);
+}
+
+}  // namespace brdf::micro

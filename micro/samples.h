@@ -1,0 +1,44 @@
+// Traced microsurfaces as samples of a measurement, for `brdf synth --microsurface`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/samples.h"
+#include "micro/goniometer.h"
+
+namespace brdf::micro {
+
+struct SampleSettings {
+  /// gaussian, lambert_gaussian    height field of slope width alpha (or alpha_x, alpha_y); mirrors of index
+  /// eta (none:
+  ///                               perfect reflectors) or Lambertian facets of albedo rho
+  /// mirror_grooves                V-grooves with the slope distribution of width alpha; mirrors of index eta
+  /// lambert_grooves               V-grooves with angles as Oren and Nayar have them (sigma, radians); albedo
+  /// rho
+  std::string surface = "gaussian";
+  std::vector<std::pair<std::string, double>> parameters;
+  std::vector<double> theta_i = {0, 15, 30, 45, 60, 75};  // degrees
+  std::vector<double> azimuths = {0};                     // the sample is turned by these, degrees
+  double cell = 0;  // side of the outgoing cells, degrees; 0: fine against the lobe, 10 for Lambertian facets
+  int bounces = 64;         // reflections followed; 1: single reflection only
+  bool orders = false;      // one channel for each order: order_1, order_2, order_3_up
+  double min_power = 1e-4;  // cells with less than this share of the incident power are left out (mirrors)
+  int surfaces = 0;         // independent surfaces, at least 8; 0: 16, for mirror_grooves 512
+  std::int64_t rays =
+      0;  // per surface and direction; 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12
+  std::uint64_t seed = 1;
+  int threads = 2;
+};
+
+/// Traces the surface. Light comes from phi 180 before the sample is turned, as in the other grids. Each
+/// row's value is the mean of f_r over a cell of the outgoing hemisphere (mirrors) or f_r at the cell's
+/// centre (Lambertian facets), its sigma the standard error over independent surfaces; the direction is the
+/// cell's centre. Throws InputError on a name or value out of range.
+io::SampleTable trace_samples(const SampleSettings& settings, const Progress& progress = {});
+
+/// The names that `surface` may have.
+std::vector<std::string> surface_names();
+
+}  // namespace brdf::micro

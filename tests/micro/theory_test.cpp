@@ -1,0 +1,149 @@
+#include "micro/theory.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/error.h"
+#include "micro/cavity.h"
+#include "micro/model.h"
+#include "micro/samples.h"
+
+namespace brdf::micro {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+
+// V-cavities are exact for mirror grooves: the form's G and the Fresnel factor, in every cell that holds
+// power.
+TEST(Theory, MirrorGroovesAreTheVCavityForm) {
+  Simulation s;
+  s.geometry = Grooves{GrooveAngles::beckmann, 0.4, 1024};
+  s.facets.eta = 1.5;
+  s.surfaces = 128;
+  s.rays = 4096;
+  s.max_bounces = 1;
+  const Cells cells(15 * kDegree);
+  const Incidence from{60 * kDegree, 0};
+  const Scatter scatter = measure_scatter(s, {from}, cells)[0];
+  const Material form = model("cook_torrance_vcavity",
+                              {{"kd", 0}, {"ks", 1}, {"alpha_x", 0.4}, {"alpha_y", 0.4}, {"eta", 1.5}});
+  int judged = 0;
+  double error = 0, power = 0;
+  for (int c = 0; c < cells.size(); ++c) {
+    const double m = cell_mean(form, from, cells[c]);
+    const double share = m * cells[c].projected_solid_angle();
+    if (share < 1e-3) continue;
+    ++judged;
+    EXPECT_LT(std::abs(scatter.f[0][c].mean - m), 4.5 * scatter.f[0][c].standard_error) << c;
+    error += scatter.f[0][c].standard_error / m * share;
+    power += share;
+  }
+  EXPECT_GT(judged, 15);
+  EXPECT_LT(error / power, 0.05);
+}
+
+TEST(Theory, LambertianGroovesAreTheCavityIntegral) {
+  Simulation s;
+  s.geometry = Grooves{GrooveAngles::oren_nayar, 30 * kDegree, 1024};
+  s.facets = {.reflection = Reflection::lambert, .rho = 1};
+  s.surfaces = 16;
+  s.rays = 4096;
+  s.max_bounces = 1;
+  const Incidence from{70 * kDegree, 0};
+  const std::vector<Incidence> views{{0, 0}, {70 * kDegree, 0}, {50 * kDegree, 2}, {70 * kDegree, kPi}};
+  const auto f = measure_radiance(s, {from}, views)[0];
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const double exact = groove_single_reflection(30 * kDegree, direction(from.theta, from.phi),
+                                                  direction(views[v].theta, views[v].phi));
+    EXPECT_LT(f[v].total.standard_error, 0.03 * exact);
+    EXPECT_LT(std::abs(f[v].total.mean - exact), 4.5 * f[v].total.standard_error) << v;
+  }
+}
+
+// Smith's masking is an approximation: on a correlated surface, facets tilted away are seen less than it
+// says.
+TEST(Theory, SmithsMaskingIgnoresTheSlope) {
+  const std::vector<TheoryRow> rows = compare_masking({});
+  int away = 0;
+  for (const TheoryRow& row : rows) {
+    if (row.exact) EXPECT_LT(std::abs(row.z), kExactZ) << row.surface << ' ' << row.quantity;
+    if (row.quantity.starts_with("theta 75") && row.quantity.ends_with("away")) {
+      EXPECT_LT(row.simulated, 0.95 * row.model);
+      EXPECT_GT(row.simulated, 0.75 * row.model);
+      ++away;
+    }
+  }
+  EXPECT_EQ(away, 2);
+}
+
+TEST(Theory, RowsWithoutErrorHaveNoZ) {
+  EXPECT_TRUE(std::isnan(theory_row("a", "b", {1, kNone}, 2, true).z));
+  EXPECT_TRUE(std::isnan(theory_row("a", "b", {1, 0}, 1, true).z));
+  EXPECT_DOUBLE_EQ(theory_row("a", "b", {1, 0.5}, 2, true).z, -2);
+}
+
+SampleSettings small(std::string surface) {
+  SampleSettings s;
+  s.surface = std::move(surface);
+  s.theta_i = {0, 50};
+  s.surfaces = 8;
+  s.rays = 1000;
+  s.cell = 15;
+  return s;
+}
+
+TEST(Samples, AreATableOfDirectionsInDegrees) {
+  for (const std::string& name : surface_names()) {
+    SampleSettings settings = small(name);
+    settings.azimuths = {0, 90};
+    const io::SampleTable table = trace_samples(settings);
+    ASSERT_GT(table.rows(), 20u) << name;
+    EXPECT_EQ(table.channels, std::vector<std::string>{"fr"});
+    EXPECT_TRUE(table.has_sigma(0));
+    EXPECT_EQ(table.find_metadata("seed"), "1");
+    EXPECT_TRUE(table.find_metadata("truth"));
+    for (std::size_t k = 0; k < table.rows(); ++k) {
+      EXPECT_TRUE(table.phi_i[k] == 180 || table.phi_i[k] == 90) << table.phi_i[k];
+      EXPECT_GE(table.phi_o[k], 0);
+      EXPECT_LT(table.phi_o[k], 360);
+      EXPECT_GT(table.values[0][k], 0);
+    }
+    settings.threads = 1;
+    EXPECT_EQ(trace_samples(settings).values, table.values);
+  }
+}
+
+TEST(Samples, OrdersAddUp) {
+  SampleSettings settings = small("gaussian");
+  settings.parameters = {{"alpha", 0.8}};
+  const io::SampleTable all = trace_samples(settings);
+  settings.orders = true;
+  const io::SampleTable apart = trace_samples(settings);
+  ASSERT_EQ(apart.channels.size(), 3u);
+  double second = 0;
+  for (std::size_t k = 0; k < all.rows(); ++k) {
+    EXPECT_NEAR(apart.values[0][k] + apart.values[1][k] + apart.values[2][k], all.values[0][k], 1e-12);
+    second += apart.values[1][k];
+  }
+  EXPECT_GT(second, 0);
+}
+
+TEST(Samples, RefuseWhatIsOutOfRange) {
+  const auto refused = [](SampleSettings s) { EXPECT_THROW(trace_samples(s), InputError); };
+  refused(small("gausian"));
+  SampleSettings s = small("gaussian");
+  s.parameters = {{"sigma", 0.3}};
+  refused(s);
+  s.parameters = {{"alpha", 20}};
+  refused(s);
+  s = small("lambert_grooves");
+  s.theta_i = {95};
+  refused(s);
+  s = small("gaussian");
+  s.surfaces = 2;
+  refused(s);
+}
+
+}  // namespace
+}  // namespace brdf::micro
