@@ -80,6 +80,8 @@ void check(const SampleSettings& s, const Kind& kind) {
   if (s.cell != 0) require("--cell", s.cell, 0.25, 30);
   require("--bounces", s.bounces, 1, 1000);
   if (s.surfaces != 0) require("--surfaces", s.surfaces, 8, 1e6);
+  require("--size", s.size, 64, 4096);
+  if (s.size % 2 != 0) throw InputError("--size " + std::to_string(s.size) + ": must be even");
   require("--rays", static_cast<double>(s.rays), 0, 1e10);
   require("--min-power", s.min_power, 0, 1);
 }
@@ -100,7 +102,8 @@ Simulation simulation(const SampleSettings& s, const Kind& kind) {
     result.geometry = Grooves{GrooveAngles::beckmann, alpha, 1024};
   else
     result.geometry = HeightField{.alpha_x = parameter(s, "alpha_x").value_or(alpha),
-                                  .alpha_y = parameter(s, "alpha_y").value_or(alpha)};
+                                  .alpha_y = parameter(s, "alpha_y").value_or(alpha),
+                                  .size = s.size};
   result.facets.reflection = kind.lambert ? Reflection::lambert : Reflection::mirror;
   result.facets.eta = parameter(s, "eta").value_or(0);
   result.facets.rho = parameter(s, "rho").value_or(1);
@@ -159,36 +162,53 @@ class TableWriter {
   const Cells& cells_;
 };
 
-void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vector<Incidence>& from,
-                 double phi_i, const Cells& cells, const Progress& progress, TableWriter& writer) {
-  const std::vector<Scatter> measured = measure_scatter(sim, from, cells, progress);
+// One incidence: polar angle and azimuth in degrees, as the table has them.
+struct Light {
+  double theta, phi;
+  Incidence radians() const { return {theta * kDegree, phi * kDegree}; }
+};
+
+std::vector<Incidence> radians(const std::vector<Light>& lights) {
+  std::vector<Incidence> all;
+  for (const Light& light : lights) all.push_back(light.radians());
+  return all;
+}
+
+void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vector<Light>& lights,
+                 const Cells& cells, const Progress& progress, TableWriter& writer) {
+  const std::vector<Scatter> measured = measure_scatter(sim, radians(lights), cells, progress);
   double lost = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Scatter& one = measured[i];
     for (int c = 0; c < cells.size(); ++c) {
-      const Scatter& one = measured[i];
-      if (one.total[c].mean * cells[c].projected_solid_angle() < s.min_power || one.total[c].mean == 0)
-        continue;
-      writer.add(s.theta_i[i], phi_i, c, {one.f[0][c], one.f[1][c], one.f[2][c]}, one.total[c]);
+      const double share = one.total[c].mean * cells[c].projected_solid_angle();
+      if (share < s.min_power || share == 0) continue;
+      writer.add(lights[i].theta, lights[i].phi, c, {one.f[0][c], one.f[1][c], one.f[2][c]}, one.total[c]);
     }
-    lost = std::max(lost, measured[i].account.leaked + (s.bounces >= 64 ? measured[i].account.beyond : 0));
+    lost = std::max(lost, one.account.leaked + (s.bounces >= 64 ? one.account.beyond : 0));
   }
   if (lost > 1e-5) {
     writer.table.warnings.push_back("rays with " + io::to_text(lost) +
-                                    " of the power were lost (not reflected out within " +
-                                    std::to_string(s.bounces) + " bounces, or slipped through the mesh)");
+                                    " of the power were lost (not out after " + std::to_string(s.bounces) +
+                                    " reflections, or slipped through the mesh)");
   }
 }
 
-void add_lambert(const SampleSettings& s, const Simulation& sim, const std::vector<Incidence>& from,
-                 double phi_i, const Cells& cells, const Progress& progress, TableWriter& writer) {
-  std::vector<Incidence> views;
-  for (int c = 0; c < cells.size(); ++c) {
-    views.push_back({cells[c].centre_theta(), cells[c].centre_phi() + phi_i * kDegree});
-  }
-  const auto measured = measure_radiance(sim, from, views, progress);
-  for (std::size_t i = 0; i < from.size(); ++i) {
+// The cells are those of one azimuth of the light; a turned sample is seen from turned cells.
+void add_lambert(const Simulation& sim, const std::vector<Light>& lights, const Cells& cells,
+                 const Progress& progress, TableWriter& writer) {
+  for (std::size_t begin = 0, end = 0; begin < lights.size(); begin = end) {
+    while (end < lights.size() && lights[end].phi == lights[begin].phi) ++end;
+    const std::vector<Light> turn(lights.begin() + begin, lights.begin() + end);
+    std::vector<Incidence> views;
     for (int c = 0; c < cells.size(); ++c) {
-      writer.add(s.theta_i[i], phi_i, c, measured[i][c].f, measured[i][c].total);
+      views.push_back({cells[c].centre_theta(), cells[c].centre_phi() + turn[0].phi * kDegree});
+    }
+    const auto measured = measure_radiance(sim, radians(turn), views, progress);
+    for (std::size_t i = 0; i < turn.size(); ++i) {
+      for (int c = 0; c < cells.size(); ++c) {
+        writer.add(turn[i].theta, turn[i].phi, c, measured[i][c].f, measured[i][c].total);
+      }
     }
   }
 }
@@ -240,16 +260,14 @@ io::SampleTable trace_samples(const SampleSettings& s, const Progress& progress)
   const double width = cell_width(s, kind, sim);
   const Cells cells(width * kDegree);
   TableWriter writer(s.orders, cells);
-  const int turns = static_cast<int>(s.azimuths.size());
-  for (int turn = 0; turn < turns; ++turn) {
-    const double phi_i = in_turn(180 - s.azimuths[turn]);
-    std::vector<Incidence> from;
-    for (const double theta : s.theta_i) from.push_back({theta * kDegree, phi_i * kDegree});
-    const Progress part = [&](int done, int total) {
-      if (progress) progress(turn * total + done, turns * total);
-    };
-    (kind.lambert ? add_lambert : add_mirrors)(s, sim, from, phi_i, cells, part, writer);
+  std::vector<Light> lights;
+  for (const double azimuth : s.azimuths) {
+    for (const double theta : s.theta_i) lights.push_back({theta, in_turn(180 - azimuth)});
   }
+  if (kind.lambert)
+    add_lambert(sim, lights, cells, progress, writer);
+  else
+    add_mirrors(s, sim, lights, cells, progress, writer);
   if (writer.table.rows() == 0) throw InputError("no cell holds --min-power of the light");
   record(s, sim, width, writer.table);
   return std::move(writer.table);

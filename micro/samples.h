@@ -27,7 +27,8 @@ struct SampleSettings {
   double min_power = 1e-4;  // cells with less than this share of the incident power are left out (mirrors)
   int surfaces = 0;         // independent surfaces, at least 8; 0: 16, for mirror_grooves 512
   std::int64_t rays =
-      0;  // per surface and direction; 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12
+      0;           // per surface and direction; 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12
+  int size = 512;  // cells along each side of a height field's period
   std::uint64_t seed = 1;
   int threads = 2;
 };

@@ -15,7 +15,7 @@ constexpr double kDegree = kPi / 180;
 
 Simulation mirrors(double alpha, std::int64_t rays = 20000) {
   Simulation s;
-  s.geometry = HeightField{.alpha_x = alpha, .alpha_y = alpha, .size = 256, .correlation_length = 6};
+  s.geometry = HeightField{.alpha_x = alpha, .alpha_y = alpha, .size = 128, .correlation_length = 6};
   s.rays = rays;
   return s;
 }
@@ -95,10 +95,10 @@ TEST(Goniometer, AccountsForEveryShareOfThePower) {
 }
 
 TEST(Goniometer, IsReciprocal) {
-  const Cells cells(10 * kDegree);
+  const Cells cells(15 * kDegree);
   const Cell& a = cells[cells.find(direction(0.3, 0.2))];
   const Cell& b = cells[cells.find(direction(1.2, 2.6))];
-  for (const Simulation& s : {mirrors(0.5, 160000), lambert_grooves(0.6, 0.9, 160000)}) {
+  for (const Simulation& s : {mirrors(0.5, 60000), lambert_grooves(0.6, 0.9, 60000)}) {
     const Exchange e = measure_exchange(s, a, b);
     const double error = std::hypot(e.forward.standard_error, e.backward.standard_error);
     EXPECT_LT(error, 0.07 * e.forward.mean);
@@ -109,7 +109,7 @@ TEST(Goniometer, IsReciprocal) {
 // Rays from the light, counted per cell, against rays from the viewer that ask for the light: two estimators
 // with nothing but the tracer in common.
 TEST(Goniometer, BothEstimatorsAgree) {
-  const Simulation s = lambert_grooves(0.5, 0.8, 60000);
+  const Simulation s = lambert_grooves(0.5, 0.8, 30000);
   const Cells cells(10 * kDegree);
   const Incidence from{0.9, 0};
   const Scatter scatter = measure_scatter(s, {from}, cells)[0];
