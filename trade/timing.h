@@ -19,6 +19,7 @@ namespace brdf::timing {
 struct Timing {
   double lower = 0, median = 0, upper = 0;
   int rounds = 0;
+  double best = 0;  // of all rounds
   // Interquartile range over the lower quartile: how far the figure can be trusted.
   double spread() const { return lower > 0 ? (upper - lower) / lower : 0; }
 };
@@ -95,7 +96,7 @@ inline std::vector<Timing> interleaved(std::span<const std::function<void()>> ca
   std::vector<Timing> timings;
   for (auto& s : seconds) {
     std::sort(s.begin(), s.end());
-    timings.push_back({quantile(s, 0.25), quantile(s, 0.5), quantile(s, 0.75), int(s.size())});
+    timings.push_back({quantile(s, 0.25), quantile(s, 0.5), quantile(s, 0.75), int(s.size()), s.front()});
   }
   return timings;
 }

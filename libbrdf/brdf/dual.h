@@ -13,11 +13,21 @@ template <class T, int N>
 struct Partials {
   T d[N > 0 ? N : 1];
 
+  constexpr Partials() = default;
+  // A copy of the whole struct would be a memory operation, and a loop that holds one does not vectorise.
+  constexpr Partials(const Partials& x) {
+    set([&](std::size_t k) { return x.d[k]; });
+  }
+  constexpr Partials& operator=(const Partials& x) {
+    set([&](std::size_t k) { return x.d[k]; });
+    return *this;
+  }
+
   template <class F>
   static constexpr Partials make(F&& f) {
-    return [&]<std::size_t... k>(std::index_sequence<k...>) {
-      return Partials{{f(k)...}};
-    }(std::make_index_sequence<N>{});
+    Partials p;
+    p.set(f);
+    return p;
   }
   constexpr const T& operator[](std::size_t k) const { return d[k]; }
 
@@ -29,6 +39,12 @@ struct Partials {
   }
   friend constexpr Partials operator*(const Partials& x, const T& s) {
     return make([&](std::size_t k) { return x.d[k] * s; });
+  }
+
+ private:
+  template <class F>
+  constexpr void set(F&& f) {
+    [&]<std::size_t... k>(std::index_sequence<k...>) { ((d[k] = f(k)), ...); }(std::make_index_sequence<N>{});
   }
 };
 

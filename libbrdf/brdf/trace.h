@@ -115,6 +115,9 @@ class Traced {
   int node_;
 };
 
+// Found by its argument only if declared here too.
+Traced from_bits(TracedBits bits);
+
 struct GlslOptions {
   bool precise = true;  // false only for the negative control of the shader's proof
 };

@@ -1,0 +1,221 @@
+// Evaluations against each other and against the machine, all interleaved in one run, best of 7 rounds:
+// textbook scalar code, the library's template as scalar code, its batches on one and on two threads, and the
+// limit that the processor's divider and arithmetic units set. `bench_eval [FORM...]`.
+#include <time.h>
+
+#include <algorithm>
+#include <atomic>
+#include <barrier>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench/machine.h"
+#include "bench/operations.h"
+#include "bench/scalar_code.h"
+#include "bench/throughput.h"
+#include "trade/timing.h"
+
+namespace brdf::bench {
+namespace {
+
+constexpr std::size_t kPairs = 512;  // stay in the first-level cache
+constexpr int kRounds = 7;
+constexpr int kTurns = 200;  // passes of each thread between two meetings
+
+// Processor seconds of the calling thread.
+double thread_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+// Two threads that run a pass over their own output at the same time, kTurns times each.
+class Pair {
+ public:
+  explicit Pair(std::function<void(int)> pass) : pass_(std::move(pass)) {}
+  ~Pair() {
+    stop_ = true;
+    start_.arrive_and_wait();
+  }
+  void operator()() {
+    start_.arrive_and_wait();
+    turn(0);
+    end_.arrive_and_wait();
+    best_ = std::min(best_, std::max(seconds_[0], seconds_[1]));
+  }
+  // The slower thread's processor time in the best call: a neighbour's load does not count.
+  double best() const { return best_; }
+
+ private:
+  void turn(int thread) {
+    const double start = thread_seconds();
+    for (int k = 0; k < kTurns; ++k) pass_(thread);
+    seconds_[thread] = thread_seconds() - start;
+  }
+  void work() {
+    while (true) {
+      start_.arrive_and_wait();
+      if (stop_) return;
+      turn(1);
+      end_.arrive_and_wait();
+    }
+  }
+  std::function<void(int)> pass_;
+  double seconds_[2] = {}, best_ = 1e30;
+  std::atomic<bool> stop_ = false;
+  std::barrier<> start_{2}, end_{2};
+  std::jthread other_{[this] { work(); }};
+};
+
+template <class T>
+DirectionArrays<T> random_directions() {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform;
+  const auto one = [&] {
+    const Vec3<double> w = direction(1.4 * uniform(random), 2 * kPi * uniform(random));
+    return Vec3<T>{T(w.x), T(w.y), T(w.z)};
+  };
+  DirectionArrays<T> directions(kPairs);
+  for (std::size_t i = 0; i < kPairs; ++i) directions.set(i, one(), one());
+  return directions;
+}
+
+// Nanoseconds per evaluation; the textbook's is 0 where it has no such form.
+struct Row {
+  std::string_view form;
+  double textbook, scalar, batch, limit, two_threads;
+};
+
+template <class T>
+Row measure(const AnyForm& form) {
+  const FormInfo& about = info(form);
+  const auto arrays = random_directions<T>();
+  const Directions<T> d = arrays.view();
+  std::vector<T> weights, shape;
+  for (const ParameterInfo& p : about.weights) weights.push_back(T(p.initial));
+  for (const ParameterInfo& p : about.shape) shape.push_back(T(p.name == "alpha_y" ? 0.2 : p.initial));
+  std::vector<T> out[2] = {std::vector<T>(kPairs), std::vector<T>(kPairs)};
+  const auto batch = batch_kernels<T>(form).eval_cos;
+  const auto scalar = scalar_template<T>(form);
+  const auto by_textbook = textbook<T>(form);
+  std::vector<T> a(kThroughputCount), b(kThroughputCount), c(kThroughputCount);
+  for (int i = 0; i < kThroughputCount; ++i) a[std::size_t(i)] = b[std::size_t(i)] = T(0.5 + 0.0004 * i);
+
+  Pair pair([&](int thread) { batch(weights, weights, shape, d, out[thread].data()); });
+  const std::vector<std::function<void()>> calls{
+      [&] { (by_textbook ? by_textbook : scalar)(weights, shape, d, out[0].data()); },
+      [&] { scalar(weights, shape, d, out[0].data()); },
+      [&] { batch(weights, weights, shape, d, out[0].data()); },
+      [&] { Throughput<T>::divide(a.data(), b.data(), c.data()); },
+      [&] { Throughput<T>::square_root(a.data(), c.data()); },
+      [&] { Throughput<T>::fused_multiply_add(a.data(), c.data()); },
+      [&] { pair(); }};
+  const auto t = timing::interleaved(calls, {.rounds = kRounds});
+  const auto ns = [](double seconds, double count) { return 1e9 * seconds / count; };
+  const Operations n = operations(form, std::is_same_v<T, double>);
+  // The divider takes divisions and roots in turn; one fused multiply-add is two arithmetic operations.
+  const double divider =
+      n.divides * ns(t[3].best, kThroughputCount) + n.roots * ns(t[4].best, kThroughputCount);
+  const double arithmetic = n.arithmetic * ns(t[5].best, 2.0 * kFmaPerValue * kThroughputCount);
+  return {about.name,
+          by_textbook ? ns(t[0].best, kPairs) : 0,
+          ns(t[1].best, kPairs),
+          ns(t[2].best, kPairs),
+          std::max(divider, arithmetic),
+          ns(pair.best(), 2.0 * kTurns * kPairs)};
+}
+
+void print(const Row& r) {
+  std::printf("%-26s", std::string(r.form).c_str());
+  if (r.textbook > 0)
+    std::printf("%9.2f", r.textbook);
+  else
+    std::printf("%9s", "-");
+  std::printf("%9.2f%9.3f%9.3f", r.scalar, r.batch, r.limit);
+  if (r.textbook > 0)
+    std::printf("%10.1f", r.textbook / r.batch);
+  else
+    std::printf("%10s", "-");
+  std::printf("%10.1f%9.0f %%%9.2f\n", r.scalar / r.batch, 100 * r.limit / r.batch, r.batch / r.two_threads);
+  std::fflush(stdout);
+}
+
+// A goal of the project beside what this run measured.
+void goal(const std::string& what, double measured, double wanted, bool at_least) {
+  std::printf("  %-64s %7.2f  (goal %s %.2f)%s\n", what.c_str(), measured, at_least ? ">=" : "<=", wanted,
+              (at_least ? measured >= wanted : measured <= wanted) ? "" : "  MISSED");
+}
+
+const Row* find(const std::vector<Row>& rows, std::string_view form) {
+  for (const Row& r : rows)
+    if (r.form == form) return &r;
+  return nullptr;
+}
+
+void print_goals(const std::vector<Row>& in_double, const std::vector<Row>& in_float) {
+  const auto share = [&](const char* form, double wanted_double, double wanted_float) {
+    if (const Row* r = find(in_double, form))
+      goal(std::string(form) + ", share of the limit, double", r->limit / r->batch, wanted_double, true);
+    if (const Row* r = find(in_float, form))
+      goal(std::string(form) + ", share of the limit, float", r->limit / r->batch, wanted_float, true);
+  };
+  share("cook_torrance", 0.85, 0.75);
+  share("ward", 0.4, 0.4);
+  share("cook_torrance_vcavity", 0.4, 0.4);
+  const Row* ggx = find(in_double, "cook_torrance");
+  const Row* beckmann = find(in_double, "cook_torrance_beckmann");
+  if (ggx && beckmann)
+    goal("cook_torrance_beckmann over cook_torrance, double", beckmann->batch / ggx->batch, 7, false);
+  for (const Row& r : in_double) {
+    const std::string name(r.form);
+    const Row& f = *find(in_float, r.form);
+    if (!r.textbook || name == "lambert") continue;  // lambert is bound by memory
+    goal(name + ", float over double", r.batch / f.batch, name == "oren_nayar" ? 1.4 : 2, true);
+    const double times = __builtin_cpu_supports("avx512vl") ? 6 : 3;
+    goal(name + ", batch over the scalar template, double", r.scalar / r.batch, times, true);
+    goal(name + ", two threads over one, double", r.batch / r.two_threads, 1.9, true);
+  }
+}
+
+template <class T>
+std::vector<Row> table(const std::vector<AnyForm>& forms) {
+  std::printf("\n%s, ns per evaluation of f cos_i\n%-26s%9s%9s%9s%9s%10s%10s%11s%9s\n",
+              std::is_same_v<T, double> ? "double" : "float", "form", "textbook", "scalar", "batch", "limit",
+              "textbook/", "scalar/", "of limit", "2 threads");
+  std::vector<Row> rows;
+  for (const AnyForm& form : forms) print(rows.emplace_back(measure<T>(form)));
+  return rows;
+}
+
+int run(int argc, char** argv) {
+  std::vector<AnyForm> forms;
+  for (int k = 1; k < argc; ++k) {
+    const auto form = find_form(argv[k]);
+    if (!form) {
+      std::fprintf(stderr, "bench_eval: no form is called '%s' (see brdf models)\n", argv[k]);
+      return 2;
+    }
+    forms.push_back(*form);
+  }
+  if (forms.empty()) for_each_form([&](auto form) { forms.push_back(form); });
+  std::printf(
+      "bench_eval of brdf %s\n%s\nbest of %d interleaved rounds, %zu pairs, anisotropic where there is a "
+      "choice\n",
+      BRDF_VERSION, machine().c_str(), kRounds, kPairs);
+  const auto in_double = table<double>(forms);
+  const auto in_float = table<float>(forms);
+  std::printf("\ngoals\n");
+  print_goals(in_double, in_float);
+  return 0;
+}
+
+}  // namespace
+}  // namespace brdf::bench
+
+int main(int argc, char** argv) {
+  return brdf::bench::run(argc, argv);
+}

@@ -1,0 +1,32 @@
+// What a benchmark says about the machine it ran on.
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <thread>
+
+namespace brdf::bench {
+
+// One line: processor, cores, widest vectors that the batches use, compiler, load.
+inline std::string machine() {
+  std::string cpu = "unknown processor";
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) {
+      cpu = line.substr(line.find(": ") + 2);
+      break;
+    }
+#if defined(__x86_64__)
+  const char* vectors = __builtin_cpu_supports("avx512vl") ? "AVX-512"
+                        : __builtin_cpu_supports("avx2")   ? "AVX2"
+                                                           : "SSE2";
+#else
+  const char* vectors = "baseline vectors";
+#endif
+  double load = 0;
+  std::ifstream("/proc/loadavg") >> load;
+  return cpu + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " + vectors +
+         ", compiler " + __VERSION__ + ", load " + std::to_string(load).substr(0, 4);
+}
+
+}  // namespace brdf::bench

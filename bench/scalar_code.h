@@ -1,0 +1,20 @@
+// The scalar code that batches are compared with.
+#pragma once
+
+#include "brdf/batch.h"
+
+namespace brdf::bench {
+
+// f_r cos_i of one channel for each pair of directions, parameters in table order.
+template <class T>
+using Scalar = void (*)(std::span<const T> weights, std::span<const T> shape, const Directions<T>&, T* out);
+
+// The library's template, one call of brdf::eval_cos per pair.
+template <class T>
+Scalar<T> scalar_template(const AnyForm& form);
+
+// What one writes from a textbook: world space, normalised half vector, pow, acos; null for the other forms.
+template <class T>
+Scalar<T> textbook(const AnyForm& form);
+
+}  // namespace brdf::bench
