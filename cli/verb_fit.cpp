@@ -1,15 +1,23 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "fit/batch.h"
 #include "fit/fit.h"
+#include "fit/html.h"
 #include "fit/report.h"
 #include "io/error.h"
 #include "io/material_json.h"
+#include "io/output.h"
+#include "io/provenance.h"
+#ifdef BRDF_HAS_RENDER
+#include "render/job.h"
+#endif
 
 namespace brdf::cli {
 namespace {
@@ -18,8 +26,9 @@ std::atomic<bool> interrupted = false;
 
 struct Options {
   std::vector<std::string> samples, fix, start, bounds;
-  std::string form = "all", metric = "log", robust, weights = "auto", output;
+  std::string form = "all", metric = "log", robust, weights = "auto", output, report;
   bool json = false;
+  unsigned jobs = 1;
   fit::FitOptions fit;
 };
 
@@ -92,21 +101,101 @@ fit::FitOptions fit_options(Options& o) {
   return f;
 }
 
-Exit run(Options& o) {
-  const fit::FitOptions options = fit_options(o);
-  const auto models = models_of(o.form);
+// Ctrl-C asks for the best so far; a second one ends the program.
+void watch_for_interrupt() {
+  std::signal(SIGINT, [](int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL);
+  });
+}
+
+Exit run_one(const Options& o, const fit::FitOptions& options) {
   const io::SampleTable table = io::read_samples(o.samples[0]);
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  const fit::FitResult result = fit::fit(table, models, options);
-  std::signal(SIGINT, SIG_DFL);
+  watch_for_interrupt();
+  const fit::FitResult result = fit::fit(table, models_of(o.form), options);
   const fit::FormFit& best = result.ranking.front();
   if (!o.output.empty())
     io::write_material_file(o.output, {best.material, fit::material_block(best, result, table, options)});
+  if (!o.report.empty()) io::write_file_atomically(o.report, fit::html_report(result, table, options));
   if (o.json)
-    std::cout << io::to_text(fit::to_json(result, table, options)) << '\n';
+    std::cout << io::to_text(fit::to_json(result, table, options));
   else
     fit::print(std::cout, result, table, options);
   return fit::usable(best.verdict) ? Exit::kGood : Exit::kFailed;
+}
+
+// A sphere of every new material, where this build and this machine can draw.
+void draw_spheres(const std::vector<fit::BatchRow>& rows, const std::filesystem::path& folder) {
+#ifdef BRDF_HAS_RENDER
+  for (const fit::BatchRow& row : rows) {
+    const std::filesystem::path picture = folder / (row.name + ".png");
+    if (!row.error.empty() || interrupted || (row.reused && std::filesystem::exists(picture))) continue;
+    render::Job job;
+    job.materials = {folder / (row.name + ".json")};
+    job.output = picture;
+    job.width = job.height = 256;
+    try {
+      render::run(job);
+    } catch (const EnvironmentError& error) {
+      std::cerr << "brdf: no pictures: " << error.what() << '\n';
+      return;
+    }
+  }
+#else
+  (void)rows, (void)folder;
+#endif
+}
+
+// What decides the results of a batch: the options as given, without the files and the number of jobs.
+std::string settings_of(const Options& o) {
+  std::string text =
+      io::provenance().version + " " + o.form + " " + o.metric + " " + o.robust + " " + o.weights;
+  for (const auto* list : {&o.fix, &o.start, &o.bounds}) {
+    text += " |";
+    for (const std::string& item : *list) text += " " + item;
+  }
+  for (const double x : {o.fit.max_theta, o.fit.aperture, double(o.fit.anisotropic),
+                         double(o.fit.per_channel), double(o.fit.random_starts), double(o.fit.seed)})
+    text += " " + std::to_string(x);
+  return text;
+}
+
+Exit run_many(const Options& o, const fit::FitOptions& options) {
+  if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
+  if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
+  const std::filesystem::path folder = o.output;
+  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    throw InputError(o.output + ": is not a folder");
+  watch_for_interrupt();
+  const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
+  const std::vector<fit::BatchRow> rows =
+      fit::run_batch(o.samples, models_of(o.form), options, {folder, o.jobs, settings_of(o), progress});
+  draw_spheres(rows, folder);
+  fit::write_summary(rows, folder);
+  bool good = true;
+  io::Json list = io::Json::array();
+  for (const fit::BatchRow& row : rows) {
+    good = good && fit::usable(row);
+    io::Json j{
+        {"file", row.file}, {"material", (folder / (row.name + ".json")).string()}, {"kept", row.reused}};
+    if (row.error.empty())
+      j["best"] = row.best;
+    else
+      j = {{"file", row.file}, {"error", row.error}};
+    list.push_back(std::move(j));
+  }
+  if (o.json)
+    std::cout << io::to_text(io::Json{{"files", list}});
+  else
+    std::cout << (folder / "summary.csv").string() << ", " << (folder / "summary.html").string() << '\n';
+  return good ? Exit::kGood : Exit::kFailed;
+}
+
+Exit run(Options& o) {
+  const fit::FitOptions options = fit_options(o);
+  const bool folder =
+      o.samples.size() > 1 || o.output.ends_with('/') || std::filesystem::is_directory(o.output);
+  return folder ? run_many(o, options) : run_one(o, options);
 }
 
 }  // namespace
@@ -115,7 +204,7 @@ void add_fit(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
   CLI::App* verb = app.add_subcommand("fit", "Fit forms to samples");
-  verb->add_option("SAMPLES", o.samples, "Sample tables")->required();
+  verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...)")->required();
   verb->add_option("--form", o.form, "all, every, a form, or a sum as in oren_nayar+ward")
       ->capture_default_str();
   verb->add_option("--metric", o.metric, "Residual: log, cosine_l2, cube_root or log_relative")
@@ -134,7 +223,13 @@ void add_fit(CLI::App& app) {
   verb->add_option("--starts", o.fit.random_starts, "Random starts besides the grid")
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--seed", o.fit.seed, "Of the random starts")->capture_default_str();
-  verb->add_option("-o,--output", o.output, "Material file to write");
+  verb->add_option("--aperture", o.fit.aperture,
+                   "Full width of the detector's field in degrees: the model is averaged over it")
+      ->check(CLI::Range(0.0, 90.0));
+  verb->add_option("-o,--output", o.output,
+                   "Material file to write; with several sample files: the folder of the results");
+  verb->add_option("--report", o.report, "HTML report to write");
+  verb->add_option("--jobs", o.jobs, "Files fitted at the same time")->check(CLI::Range(1u, 256u));
   verb->add_flag("--json", o.json, "JSON on stdout");
   verb->footer("Example: brdf fit samples.csv --form all -o material.json");
   on_run(*verb, [options] { return run(*options); });

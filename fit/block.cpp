@@ -27,6 +27,10 @@ BRDF_FIT_CLONES void mix(std::size_t columns, const double* const* column, const
   }
 }
 
+BRDF_FIT_CLONES void add(const double* a, double* __restrict out) {
+  for (std::size_t j = 0; j < kBlock; ++j) out[j] += a[j];
+}
+
 BRDF_FIT_CLONES void multiply(const double* a, const double* b, double* __restrict out) {
   for (std::size_t j = 0; j < kBlock; ++j) out[j] = a[j] * b[j];
 }

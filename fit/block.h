@@ -9,6 +9,8 @@ namespace brdf::fit {
 
 // sum_k w[k] column[k][j]
 void mix(std::size_t columns, const double* const* column, const double* w, double* out);
+// out[j] += a[j]
+void add(const double* a, double* out);
 // out[j] = a[j] b[j]
 void multiply(const double* a, const double* b, double* out);
 // h[i * n + j] += a[i] . b[j], columns of kBlock entries. Symmetric: only j >= i, for a and b of m = n.

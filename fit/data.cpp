@@ -52,7 +52,7 @@ Weighting chosen_weighting(const io::SampleTable& table, const FitOptions& optio
 
 }  // namespace
 
-DirectionBlock FitData::directions(std::size_t first, std::size_t rows) const {
+Directions<double> FitData::directions(std::size_t first, std::size_t rows) const {
   return {&wi_x[first], &wi_y[first], &wi_z[first], &wo_x[first], &wo_y[first], &wo_z[first], rows};
 }
 

@@ -22,7 +22,7 @@ struct FitData {
   std::size_t outside_domain = 0;           // rows whose value has no residual (far below zero)
 
   std::size_t rows() const { return wi_x.size(); }
-  DirectionBlock directions(std::size_t first, std::size_t rows) const;
+  Directions<double> directions(std::size_t first, std::size_t rows) const;
 };
 
 // Throws InputError where nothing is left to fit.

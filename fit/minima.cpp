@@ -261,10 +261,11 @@ class Search {
       starts.push_back(std::move(p));
     }
     if (model_.shape_slots() == 0) {
-      starts.assign(1, model_.initial());
+      if (starts.empty()) starts.push_back(model_.initial());
       return starts;
     }
-    for (auto& p : grid_starts(model_)) starts.push_back(std::move(p));
+    if (options_.grid_starts)
+      for (auto& p : grid_starts(model_)) starts.push_back(std::move(p));
     std::mt19937_64 random(options_.seed);
     for (int k = 0; k < options_.random_starts; ++k) starts.push_back(random_start(model_, random));
     return starts;
@@ -303,12 +304,14 @@ class Search {
                                  double tolerance) {
     const Stream stream(data, model_, residual_, options_.aperture);
     std::vector<Minimum> minima;
-    for (std::vector<double> p : starts) {
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      std::vector<double> p = starts[k];
       if (options_.stop() && !minima.empty()) {
         result_.interrupted = true;
         break;
       }
       start_weights(stream, p);
+      if (k == 0 && !options_.start.empty()) model_.apply_start_weights(options_.start, p);
       Minimum m = solve_one(stream, p, tolerance);
       if (std::isfinite(m.cost)) add_minimum(model_, std::move(m), minima);
     }

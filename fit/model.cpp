@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/solve.h"
 #include "io/error.h"
 #include "io/text.h"
 
@@ -21,18 +22,14 @@ bool flat_at_minimum(const AnyForm& form, const FormInfo& info, std::size_t para
   std::vector<double> shape;
   for (const ParameterInfo& q : info.shape) shape.push_back(q.initial);
   shape[parameter] = info.shape[parameter].min;
-  std::vector<int> partial(shape.size(), -1);
-  partial[parameter] = 0;
-  const double wi[3] = {-0.6, 0, 0.8}, wo[3] = {0.48, 0.64, 0.6};
-  const double back[3] = {-0.28, 0, 0.96};
-  const std::size_t lobes = lobe_count_of(form);
-  std::vector<double> out(2 * lobes * kBlock);
-  for (const double* o : {wo, back}) {
-    evaluate_lobes(form, {shape, partial, 0, -1, 1}, {&wi[0], &wi[1], &wi[2], &o[0], &o[1], &o[2], 1},
-                   out.data());
-    for (std::size_t k = 0; k < lobes; ++k)
-      if (out[(lobes + k) * kBlock] != 0) return false;
-  }
+  DirectionArrays<double> pairs(2);
+  pairs.set(0, {-0.6, 0, 0.8}, {0.48, 0.64, 0.6});
+  pairs.set(1, {-0.6, 0, 0.8}, {-0.28, 0, 0.96});
+  LobeBlock block(form);
+  block.evaluate(shape, 0, Partial::kShape, pairs.view(), {});
+  for (std::size_t k = 0; k < lobe_count_of(form); ++k)
+    for (std::size_t j = 0; j < 2; ++j)
+      if (block.derivative(k, parameter)[j] != 0) return false;
   return true;
 }
 
@@ -343,6 +340,43 @@ void Model::lobe_weights(std::span<const double> p, std::size_t channel, std::sp
   }
 }
 
+namespace {
+
+// The weights in the order of the form's table, from the weights of its lobes.
+std::vector<double> table_weights(const AnyForm& form, std::span<const double> lobes) {
+  return std::visit(
+      [&](auto f) {
+        std::vector<double> values;
+        using F = decltype(f);
+        if constexpr (LinearForm<F>) {
+          using W = typename F::template Weights<double>;
+          std::array<double, lobe_count<F>> linear{};
+          std::copy(lobes.begin(), lobes.end(), linear.begin());
+          const W w = W::from_linear(linear);
+          for (const auto& field : W::fields()) values.push_back(w.*(field.member));
+        }
+        return values;
+      },
+      form);
+}
+
+// The weights of its lobes, from those in the order of the form's table.
+std::vector<double> linear_weights(const AnyForm& form, const std::vector<double>& values) {
+  return std::visit(
+      [&](auto f) {
+        std::vector<double> out;
+        using F = decltype(f);
+        if constexpr (LinearForm<F>) {
+          using W = typename F::template Weights<double>;
+          for (double w : from_values<W>(std::span<const double>(values)).linear()) out.push_back(w);
+        }
+        return out;
+      },
+      form);
+}
+
+}  // namespace
+
 std::vector<double> Model::low() const {
   std::vector<double> v;
   for (const Slot& s : slots_) v.push_back(s.low);
@@ -380,27 +414,38 @@ void Model::apply_start(const std::vector<NamedValues>& start, std::vector<doubl
   }
 }
 
-namespace {
-
-// The weights in the order of the form's table, from the weights of its lobes.
-std::vector<double> table_weights(const AnyForm& form, std::span<const double> lobes) {
-  return std::visit(
-      [&](auto f) {
-        std::vector<double> values;
-        using F = decltype(f);
-        if constexpr (LinearForm<F>) {
-          using W = typename F::template Weights<double>;
-          std::array<double, lobe_count<F>> linear{};
-          std::copy(lobes.begin(), lobes.end(), linear.begin());
-          const W w = W::from_linear(linear);
-          for (const auto& field : W::fields()) values.push_back(w.*(field.member));
+void Model::apply_start_weights(const std::vector<NamedValues>& start, std::vector<double>& p) const {
+  std::vector<double> weights(lobes_);
+  for (std::size_t c = 0; c < channels_.size(); ++c)
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      const TermModel& term = terms_[t];
+      lobe_weights(p, c, weights);
+      std::vector<double> values =
+          table_weights(term.form, std::span(weights).subspan(term.first_lobe, term.lobes));
+      bool named = false;
+      for (const NamedValues& given : start)
+        for (std::size_t k = 0; k < values.size(); ++k)
+          if (addresses(given.name, t, term.info->weights[k].name)) {
+            values[k] = given.values[given.values.size() == channels_.size() ? c : 0];
+            check_range(term.info->weights[k], values[k], "--start");
+            named = true;
+          }
+      if (!named) continue;
+      // The unknowns that come closest to these lobes' weights.
+      const std::vector<double> target = linear_weights(term.form, values);
+      const LinearBlock& block = term.weights[c];
+      Matrix h(block.unknowns, block.unknowns);
+      std::vector<double> g(block.unknowns, 0);
+      for (std::size_t k = 0; k < block.lobes; ++k)
+        for (std::size_t u = 0; u < block.unknowns; ++u) {
+          g[u] -= block.a[k * block.unknowns + u] * (target[k] - block.b[k]);
+          for (std::size_t v = 0; v < block.unknowns; ++v)
+            h(u, v) += block.a[k * block.unknowns + u] * block.a[k * block.unknowns + v];
         }
-        return values;
-      },
-      form);
+      const std::vector<double> x = box_quadratic(h, g, block.low, block.high);
+      std::copy(x.begin(), x.end(), p.begin() + std::ptrdiff_t(block.first_slot));
+    }
 }
-
-}  // namespace
 
 Material Model::material(std::span<const double> p) const {
   Material m;

@@ -92,6 +92,9 @@ class Model {
   // Sets the shape parameters that `--start` names.
   void apply_start(const std::vector<NamedValues>& start, std::vector<double>& p) const;
 
+  // Sets the weights that `--start` names, the others staying as p has them.
+  void apply_start_weights(const std::vector<NamedValues>& start, std::vector<double>& p) const;
+
   Material material(std::span<const double> p) const;
 
  private:

@@ -41,6 +41,7 @@ struct FitOptions {
   bool per_channel = false;  // shapes, too
   std::vector<NamedValues> fix, start;
   std::vector<NamedRange> bounds;
+  bool grid_starts = true;
   int random_starts = 0;
   std::uint64_t seed = 1;
   double aperture = 0;  // full width of the detector's field, degrees; 0: none

@@ -1,8 +1,9 @@
 #include "fit/stream.h"
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <thread>
+#include <utility>
 
 #include "fit/block.h"
 
@@ -17,36 +18,27 @@ struct Stream::Shapes {
 
 // Columns of one block. Entries beyond the last row stay 0 in `slope`, which every sum is multiplied by.
 struct Stream::Workspace {
-  Workspace(const Model& model, std::size_t channels)
+  explicit Workspace(const Model& model)
       : lobes(model.lobes()), derivatives(model.partials()), scaled(model.lobes() + model.partials() + 1) {
-    std::size_t columns = 0;
-    for (const TermModel& t : model.terms()) columns += (1 + t.partials) * t.lobes;
-    storage.resize((columns + scaled.size() + 6 + model.size() + channels) * kBlock);
-    double* next = storage.data();
-    const auto take = [&](std::size_t n) {
-      double* column = next;
-      next += n * kBlock;
-      return column;
-    };
     for (const TermModel& t : model.terms()) {
-      double* base = take((1 + t.partials) * t.lobes);
-      term.push_back(base);
-      for (std::size_t k = 0; k < t.lobes; ++k) lobes[t.first_lobe + k] = base + k * kBlock;
-      for (std::size_t q = 0; q < t.partials; ++q)
-        for (std::size_t k = 0; k < t.lobes; ++k)
-          derivatives[t.first_partial + q].push_back(base + ((1 + q) * t.lobes + k) * kBlock);
+      blocks.emplace_back(t.form);
+      for (std::size_t q = 0; q < t.partials; ++q) derivatives[t.first_partial + q].resize(t.lobes);
     }
-    for (double*& column : scaled) column = take(1);
-    f = take(1), r = take(1), slope = take(1), rho = take(1), root = take(1), curvature = take(1);
-    for (std::size_t k = 0; k < model.size() + channels; ++k) extra.push_back(take(1));
+    storage.resize((scaled.size() + 6 + model.size()) * kBlock);
+    double* next = storage.data();
+    const auto take = [&] { return std::exchange(next, next + kBlock); };
+    for (double*& column : scaled) column = take();
+    for (double** column : {&f, &r, &slope, &rho, &root, &curvature}) *column = take();
+    for (std::size_t k = 0; k < model.size(); ++k) scores.push_back(take());
   }
 
-  std::vector<double> storage;
-  std::vector<double*> term, lobes;
+  std::vector<LobeBlock> blocks;                  // [term]
+  std::vector<double*> lobes;                     // of all terms
   std::vector<std::vector<double*>> derivatives;  // [partial][lobe of its term]
-  std::vector<double*> scaled;                    // lobes, then partials, then the residual
+  std::vector<double> storage;
+  std::vector<double*> scaled;  // lobes, then partials, then the residual
   double *f, *r, *slope, *rho, *root, *curvature;
-  std::vector<double*> extra;
+  std::vector<double*> scores;  // [slot]
 };
 
 namespace {
@@ -89,7 +81,9 @@ void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out) {
 
 Stream::Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
                unsigned threads)
-    : data_(data), model_(model), residual_(residual), aperture_(aperture), threads_(threads) {}
+    : data_(data), model_(model), residual_(residual), threads_(threads) {
+  if (aperture > 0) detector_ = aperture_nodes(aperture * (kPi / 180), kFitRings);
+}
 
 Stream::Shapes Stream::shapes(std::span<const double> p, std::size_t group, bool derivatives) const {
   Shapes s;
@@ -105,13 +99,33 @@ Stream::Shapes Stream::shapes(std::span<const double> p, std::size_t group, bool
 }
 
 void Stream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
-  const DirectionBlock directions = data_.directions(first, rows);
+  const Directions<double> directions = data_.directions(first, rows);
   for (std::size_t t = 0; t < model_.terms().size(); ++t) {
     const TermModel& term = model_.terms()[t];
-    LobeRequest request{shapes.shape[t], {}, shapes.tangent_phi, -1, 0};
-    if (shapes.derivatives)
-      request = {shapes.shape[t], term.partial, shapes.tangent_phi, term.tangent_partial, term.partials};
-    evaluate_lobes(term.form, request, directions, w.term[t]);
+    LobeBlock& block = w.blocks[t];
+    const bool derivatives = shapes.derivatives && term.partials > 0;
+    const Partial partial = !derivatives                ? Partial::kNone
+                            : term.tangent_partial >= 0 ? Partial::kShapeAndPhi
+                                                        : Partial::kShape;
+    block.evaluate(shapes.shape[t], shapes.tangent_phi, partial, directions, detector_);
+    for (std::size_t k = 0; k < term.lobes; ++k) {
+      w.lobes[term.first_lobe + k] = block.lobe(k);
+      if (!derivatives) continue;
+      std::vector<bool> taken(term.partials, false);
+      for (std::size_t m = 0; m < term.partial.size(); ++m) {
+        if (term.partial[m] < 0) continue;
+        const std::size_t q = std::size_t(term.partial[m]);
+        double*& column = w.derivatives[term.first_partial + q][k];
+        if (taken[q])  // tied parameters move together: their derivatives add
+          add(block.derivative(k, m), column);
+        else
+          column = block.derivative(k, m);
+        taken[q] = true;
+      }
+      if (term.tangent_partial >= 0)
+        w.derivatives[term.first_partial + std::size_t(term.tangent_partial)][k] =
+            block.derivative(k, term.partial.size());
+    }
   }
 }
 
@@ -154,7 +168,7 @@ NormalEquations Stream::accumulate(std::span<const double> p, const Residual& re
   };
   std::vector<Partial> parts;
   for (unsigned t = 0; t < threads_; ++t)
-    parts.push_back({Workspace(model_, 0), std::vector<Matrix>(channels, Matrix(columns, columns))});
+    parts.push_back({Workspace(model_), std::vector<Matrix>(channels, Matrix(columns, columns))});
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, derivatives));
   Matrix weights(channels, model_.lobes());
@@ -236,13 +250,13 @@ ScoreMatrices Stream::scores(std::span<const double> p) const {
     model_.lobe_weights(p, c, std::span(&weights(c, 0), model_.lobes()));
     map.push_back(contributions(model_, p, c));
   }
-  Workspace w(model_, 0);
+  Workspace w(model_);
   std::vector<double> curved(columns * kBlock);
   std::vector<double*> curved_columns;
   for (std::size_t k = 0; k < columns; ++k) curved_columns.push_back(&curved[k * kBlock]);
   for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
     const std::size_t rows = std::min(kBlock, data_.rows() - first);
-    for (double* column : w.extra) std::fill(column, column + kBlock, 0.0);
+    for (double* column : w.scores) std::fill(column, column + kBlock, 0.0);
     std::fill(w.slope + rows, w.slope + kBlock, 0.0);
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
@@ -259,13 +273,13 @@ ScoreMatrices Stream::scores(std::span<const double> p) const {
         for (std::size_t j = 0; j < rows; ++j) {
           curved_columns[k][j] = w.scaled[k][j] * w.curvature[j];
           const double score = w.scaled[k][j] * w.r[j] * w.root[j] * w.root[j];
-          for (const Contribution& x : map[c][k]) w.extra[x.slot][j] += x.factor * score;
+          for (const Contribution& x : map[c][k]) w.scores[x.slot][j] += x.factor * score;
         }
         std::fill(curved_columns[k] + rows, curved_columns[k] + kBlock, 0.0);
       }
       add_gram(columns, curved_columns.data(), columns, w.scaled.data(), true, raw[c].a.data());
     }
-    add_gram(size, w.extra.data(), size, w.extra.data(), true, out.meat.a.data());
+    add_gram(size, w.scores.data(), size, w.scores.data(), true, out.meat.a.data());
   }
   for (std::size_t c = 0; c < channels; ++c) add_mapped(map[c], raw[c], out.bread);
   for (std::size_t i = 0; i < size; ++i)
@@ -291,7 +305,7 @@ LobeGram Stream::lobe_gram(std::span<const double> p, std::size_t group) const {
   };
   std::vector<Partial> parts;
   for (unsigned t = 0; t < threads_; ++t) {
-    parts.push_back({Workspace(model_, 0),
+    parts.push_back({Workspace(model_),
                      std::vector<double>(all * kBlock),
                      {},
                      Matrix(columns, all),
@@ -341,7 +355,7 @@ LobeGram Stream::lobe_gram(std::span<const double> p, std::size_t group) const {
 std::vector<std::vector<double>> Stream::values(std::span<const double> p) const {
   const std::size_t channels = data_.channels.size();
   std::vector out(channels, std::vector<double>(data_.rows()));
-  Workspace w(model_, 0);
+  Workspace w(model_);
   std::vector<double> weights(model_.lobes());
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, false));

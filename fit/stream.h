@@ -37,6 +37,7 @@ struct LobeGram {
 
 class Stream {
  public:
+  // `aperture`: full width of the detector's field in degrees, 0 for none.
   Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
          unsigned threads = 1);
 
@@ -66,7 +67,7 @@ class Stream {
   const FitData& data_;
   const Model& model_;
   Residual residual_;
-  double aperture_;
+  std::vector<ApertureNode> detector_;  // empty: readings are of one direction
   unsigned threads_;
 };
 

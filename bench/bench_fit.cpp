@@ -1,0 +1,208 @@
+// Seconds to fit 1.46 million RGB samples with Cook-Torrance, for our solvers and for what users would pick
+// instead, interleaved in one run: the ratios are the result (docs/fitting.md).
+//
+//   bench_fit [--quick] [--repeats N] [--python FILE]
+//
+// --quick takes every 16th sample and leaves out nothing else; --python runs the scipy and numpy baselines of
+// bench/fit_baselines.py on the same samples.
+#include <ceres/ceres.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+#include "fit/data.h"
+#include "fit/minima.h"
+#include "fit/varpro.h"
+
+namespace brdf::fit {
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Largest resident size so far, MB: what a method adds is the growth while it runs.
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024;
+}
+
+constexpr double kAlpha = 0.2;
+
+// Half-difference cells of a measured table, 90 x 90 x 180, with 5 % noise on Cook-Torrance.
+FitData samples(bool quick) {
+  Material truth = make_material(*find_form("cook_torrance"));
+  truth.terms[0].shape[0] = {kAlpha, kAlpha};
+  truth.terms[0].weights = {{0.3, 0.6, 0.1}, {0.2, 0.6, 0.2}, {0.1, 0.6, 0.5}};
+  FitData data;
+  data.channels = truth.channels;
+  data.values.resize(3);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<double> f(3);
+  std::size_t index = 0;
+  for (int h = 0; h < 90; ++h)
+    for (int d = 0; d < 90; ++d)
+      for (int p = 0; p < 180; ++p) {
+        if (quick && index++ % 16 != 0) continue;
+        const double th = kPi / 2 * (h + 0.5) * (h + 0.5) / 8100, td = kPi / 2 * (d + 0.5) / 90,
+                     pd = kPi * (p + 0.5) / 180;
+        const Vec3<double> diff = direction(td, pd);
+        const double c = std::cos(th), s = std::sin(th);
+        const Vec3<double> wi{diff.x * c + diff.z * s, diff.y, diff.z * c - diff.x * s};
+        const Vec3<double> wo{-diff.x * c + diff.z * s, -diff.y, diff.z * c + diff.x * s};
+        // Cells below the horizon or too steep are turned into others, so that the count stays 1.46 million.
+        const double lowest = std::min(wi.z, wo.z);
+        const Vec3<double> a = lowest > 0.17 ? wi : direction(th, pd);
+        const Vec3<double> b = lowest > 0.17 ? wo : direction(std::min(td, 1.39), 2 * pd);
+        const Vec3<double> i = a.z > 0.17 ? a : direction(1.3, pd);
+        eval(truth, i, b, f);
+        data.wi_x.push_back(i.x), data.wi_y.push_back(i.y), data.wi_z.push_back(i.z);
+        data.wo_x.push_back(b.x), data.wo_y.push_back(b.y), data.wo_z.push_back(b.z);
+        for (std::size_t k = 0; k < 3; ++k)
+          data.values[k].push_back(f[k] * std::exp(0.05 * normal(random) - 0.00125));
+        data.row.push_back(std::uint32_t(data.row.size()));
+        data.incidence.push_back(0);
+      }
+  return data;
+}
+
+FitOptions options_for(Metric metric) {
+  FitOptions options;
+  options.metric = metric;
+  options.cross_validation = false;
+  return options;
+}
+
+double fit_ours(const FitData& data, const Model& model, Metric metric) {
+  Residual residual;
+  residual.metric = metric;
+  const FitOptions options = options_for(metric);
+  const SearchResult found = find_minima(data, model, residual, options);
+  return model.shape(found.minima.front().p, 0, 0)[0];
+}
+
+// The same without variable projection: Ceres on the streamed normal equations of all parameters.
+double fit_streamed(const FitData& data, const Model& model) {
+  Residual residual;
+  residual.metric = Metric::kCosineL2;
+  const Stream stream(data, model, residual, 0);
+  std::vector<double> start = model.initial();
+  for (std::size_t k = model.shape_slots(); k < start.size(); ++k) start[k] = 0.3;
+  const Objective objective = [&](std::span<const double> p) { return stream.normal_equations(p); };
+  SolveOptions o;
+  o.tolerance = 1e-8;
+  return model.shape(solve(objective, start, model.low(), model.high(), o).p, 0, 0)[0];
+}
+
+// What a user of Ceres writes first: one residual block per sample, automatic derivatives.
+struct SampleResidual {
+  Vec3<double> wi, wo;
+  double g[3];
+  template <class T>
+  bool operator()(const T* p, T* r) const {
+    const Geometry<double> geo = geometry(wi, wo);
+    const T alpha = math::exp(p[0]);
+    const auto lobes = cook_torrance::lobes(Roughness<T>{alpha, alpha}, geo);
+    for (int c = 0; c < 3; ++c)
+      r[c] = (p[1 + 3 * c] * lobes[0] + p[2 + 3 * c] * lobes[1] + p[3 + 3 * c] * lobes[2] - T(g[c])) *
+             T(geo.cos_i);
+    return true;
+  }
+};
+
+double fit_blocks(const FitData& data) {
+  double p[10];
+  std::fill(p, p + 10, 0.3);
+  p[0] = std::log(0.3);
+  ceres::Problem problem;
+  for (std::size_t k = 0; k < data.rows(); ++k)
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<SampleResidual, 3, 10>(new SampleResidual{
+                                 {data.wi_x[k], data.wi_y[k], data.wi_z[k]},
+                                 {data.wo_x[k], data.wo_y[k], data.wo_z[k]},
+                                 {data.values[0][k], data.values[1][k], data.values[2][k]}}),
+                             nullptr, p);
+  ceres::Solver::Options o;
+  o.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  o.function_tolerance = 1e-8;
+  o.logging_type = ceres::SILENT;
+  o.num_threads = 1;
+  ceres::Solver::Summary summary;
+  ceres::Solve(o, &problem, &summary);
+  return std::exp(p[0]);
+}
+
+struct Method {
+  const char* name;
+  std::function<double()> run;
+  int repeats;
+  double best = 1e300, memory = 0, alpha = 0;
+};
+
+void write_binary(const FitData& data, const std::filesystem::path& path) {
+  std::ofstream out(path, std::ios::binary);
+  for (const auto* column : {&data.wi_x, &data.wi_y, &data.wi_z, &data.wo_x, &data.wo_y, &data.wo_z,
+                             &data.values[0], &data.values[1], &data.values[2]})
+    out.write(reinterpret_cast<const char*>(column->data()),
+              std::streamsize(column->size() * sizeof(double)));
+}
+
+int run(int argc, char** argv) {
+  bool quick = false;
+  int repeats = 7;
+  std::string python;
+  for (int k = 1; k < argc; ++k) {
+    if (!std::strcmp(argv[k], "--quick")) quick = true;
+    if (!std::strcmp(argv[k], "--repeats") && k + 1 < argc) repeats = std::atoi(argv[++k]);
+    if (!std::strcmp(argv[k], "--python") && k + 1 < argc) python = argv[++k];
+  }
+  const FitData data = samples(quick);
+  const Model model({*find_form("cook_torrance")}, data.channels, {});
+  std::printf("%zu RGB samples, Cook-Torrance, one thread\n", data.rows());
+  std::vector<Method> methods{
+      {"variable projection (cosine_l2)", [&] { return fit_ours(data, model, Metric::kCosineL2); }, repeats},
+      {"log residual, grid of starts", [&] { return fit_ours(data, model, Metric::kLog); }, repeats},
+      {"Ceres on streamed normal equations", [&] { return fit_streamed(data, model); }, repeats},
+      {"Ceres, one block per sample", [&] { return fit_blocks(data); }, std::min(repeats, 2)}};
+  for (int k = 0; k < repeats; ++k)
+    for (Method& m : methods) {
+      if (k >= m.repeats) continue;
+      const double before = peak_memory(), begin = now();
+      m.alpha = m.run();
+      m.best = std::min(m.best, now() - begin);
+      m.memory = std::max(m.memory, peak_memory() - before);
+    }
+  std::printf("%-38s %9s %9s %9s %10s\n", "method", "seconds", "ratio", "MB more", "alpha");
+  for (const Method& m : methods)
+    std::printf("%-38s %9.4f %9.1f %9.1f %10.6f\n", m.name, m.best, m.best / methods[0].best, m.memory,
+                m.alpha);
+  if (python.empty()) return 0;
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "bench_fit_samples.bin";
+  write_binary(data, file);
+  std::fflush(stdout);
+  const std::string command = "OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 python3 '" + python + "' '" +
+                              file.string() + "' " + std::to_string(methods[0].best);
+  const int status = std::system(command.c_str());
+  std::filesystem::remove(file);
+  return status == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace brdf::fit
+
+int main(int argc, char** argv) {
+  return brdf::fit::run(argc, argv);
+}

@@ -1,0 +1,44 @@
+// Many files: fitted side by side, resumable, with one summary.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/fit.h"
+#include "io/json.h"
+
+namespace brdf::fit {
+
+struct BatchOptions {
+  std::filesystem::path folder;
+  unsigned jobs = 1;
+  // Everything that decides the result, as text: a finished file is kept only if it was made with the same.
+  std::string settings;
+  // Called, one at a time, when a file is done.
+  std::function<void(const std::string& message)> progress;
+};
+
+struct BatchRow {
+  std::string file, name;  // name.json (material), name.fit.json, name.html in the folder
+  std::string error;       // why there is no fit; empty where there is one
+  bool reused = false;
+  io::Json best;  // first of the ranking
+  std::string recommended;
+};
+
+// Fits every file into the folder. A file whose name.fit.json was written by the same settings from the same
+// content is kept, so that a run that was killed redoes only what was in flight. Input errors are rows.
+// Throws InputError where two files would have the same name.
+std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
+                                const std::vector<std::vector<AnyForm>>& models, const FitOptions& options,
+                                const BatchOptions& batch);
+
+// summary.csv and summary.html in the folder; a picture name.png beside a material is shown.
+void write_summary(const std::vector<BatchRow>& rows, const std::filesystem::path& folder);
+
+// A row whose fit can be used.
+bool usable(const BatchRow& row);
+
+}  // namespace brdf::fit
