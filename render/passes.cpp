@@ -167,21 +167,25 @@ VkPipeline DeferredPass::lighting_pipeline(int form, bool add) {
   return pipeline.get();
 }
 
-void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
-                                   std::size_t layer) {
+void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer) {
   std::array<VkRenderingAttachmentInfo, kTargetCount> colors{};
   for (std::size_t k = 0; k < kTargetCount; ++k) {
-    gbuffer_->targets[k].transition(commands, Use::color_attachment, true);
-    colors[k] = attachment(gbuffer_->targets[k], kColorLayout, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+    gbuffer.targets[k].transition(commands, Use::color_attachment, true);
+    colors[k] = attachment(gbuffer.targets[k], kColorLayout, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
   }
-  gbuffer_->depth.transition(commands, Use::depth_attachment, true);
-  VkRenderingAttachmentInfo depth = attachment(gbuffer_->depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+  gbuffer.depth.transition(commands, Use::depth_attachment, true);
+  VkRenderingAttachmentInfo depth = attachment(gbuffer.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                                VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
   depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-  const VkExtent2D extent = gbuffer_->depth.extent();
+  const VkExtent2D extent = gbuffer.depth.extent();
   const VkRenderingInfo info = rendering_info(extent, colors, &depth);
   vkCmdBeginRendering(commands, &info);
   set_viewport(commands, extent);
+}
+
+void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
+                                   std::size_t layer) {
+  begin_targets(commands, *gbuffer_);
   bind(commands, geometry_layout_.get(), 0, gpu.frame_set());
   for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, geometry_pipeline(gpu.textured(object)));

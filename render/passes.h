@@ -30,6 +30,9 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
 // Begins drawing meshes over what is in `color`, with a fresh depth buffer, and sets the viewport.
 void begin_forward(VkCommandBuffer commands, Image& color, Image& depth);
 
+// Begins drawing meshes into cleared targets.
+void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer);
+
 // Fills the picture with the background; surfaces are drawn over it.
 class SkyPass {
  public:

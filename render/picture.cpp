@@ -115,12 +115,13 @@ BytePicture difference_picture(const Picture& picture, const Picture& reference)
   return out;
 }
 
-BytePicture split(const BytePicture& left, const BytePicture& right) {
+BytePicture split(const BytePicture& left, const BytePicture& right, float share) {
   BytePicture out = left;
+  const int border = int(share * float(out.width));
   for (int y = 0; y < out.height; ++y) {
-    for (int x = out.width / 2; x < out.width; ++x) {
+    for (int x = border; x < out.width; ++x) {
       const std::size_t at = std::size_t(y) * std::size_t(out.width) + std::size_t(x);
-      out.pixels[at] = x == out.width / 2 ? std::array<std::uint8_t, 3>{255, 255, 255} : right.pixels[at];
+      out.pixels[at] = x == border ? std::array<std::uint8_t, 3>{255, 255, 255} : right.pixels[at];
     }
   }
   return out;

@@ -53,8 +53,8 @@ double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
 glm::vec3 false_color(float relative_difference);
 BytePicture difference_picture(const Picture& picture, const Picture& reference);
 
-// Left half of one, right half of the other, with a thin line between.
-BytePicture split(const BytePicture& left, const BytePicture& right);
+// The left share of one, the rest of the other, with a thin line between.
+BytePicture split(const BytePicture& left, const BytePicture& right, float share = 0.5f);
 BytePicture beside(const std::vector<BytePicture>& pictures);
 
 void write_png(const std::filesystem::path& file, const BytePicture& picture);

@@ -23,8 +23,7 @@ static_assert(
     "the G-buffer has room for three weights per channel and four shape parameters");
 
 void set_roles(Item& item, const FormInfo& form, const TextureSet& textures) {
-  const bool albedo = textures[0].has_value(), roughness = textures[2].has_value(),
-             metallic = textures[3].has_value();
+  const bool albedo = bool(textures[0]), roughness = bool(textures[2]), metallic = bool(textures[3]);
   const bool has_f0 = form.weight_index("f0") >= 0;
   for (std::size_t k = 0; k < form.weights.size(); ++k) {
     const Role role = role_of(form.weights[k].name, has_f0);
@@ -119,7 +118,8 @@ PreparedScene prepare(Scene scene) {
     prepared.meshes.push_back(mesh);
     TextureSet textures;
     for (std::size_t slot = 0; slot < 4; ++slot) {
-      if (object.textures[slot]) textures[slot] = load_texture(scene.folder / *object.textures[slot]);
+      if (object.textures[slot])
+        textures[slot] = std::make_shared<const Texture>(load_texture(scene.folder / *object.textures[slot]));
     }
     prepared.textures.push_back(std::move(textures));
   }

@@ -11,7 +11,7 @@
 
 namespace brdf::render {
 
-using TextureSet = std::array<std::optional<Texture>, 4>;  // by TextureSlot
+using TextureSet = std::array<std::shared_ptr<const Texture>, 4>;  // by TextureSlot
 
 // One object with one term of its material. A sum of forms becomes one item per term, drawn in layers that
 // are added; shapes that differ between channels become one item per channel.

@@ -76,24 +76,35 @@ void Renderer::update(const PreparedScene& scene) {
   make_passes();
 }
 
-void Renderer::record(VkCommandBuffer commands) {
+void Renderer::record(VkCommandBuffer commands, Timestamps* times) {
+  const auto mark = [&](const char* name) {
+    if (times) times->mark(commands, name);
+  };
   sky_.record(commands, scene_, gpu_, color_);
+  mark("background");
   if (scene_.scene.shading != Shading::brdf) {
     classic_->record(commands, scene_, gpu_, color_, depth_);
+    mark("forward");
     return;
   }
   if (options_.path == Path::forward) {
     forward_->record(commands, scene_, gpu_, color_, depth_);
+    mark("forward");
     return;
   }
   for (std::size_t layer = 0; layer < scene_.layers.size(); ++layer) {
     deferred_->record_geometry(commands, scene_, gpu_, layer);
+    mark("geometry");
     deferred_->record_lighting(commands, scene_, gpu_, layer, color_);
+    mark("lighting");
   }
 }
 
-void Renderer::draw() {
-  device_->run([&](VkCommandBuffer commands) { record(commands); });
+void Renderer::draw(Timestamps* times) {
+  device_->run([&](VkCommandBuffer commands) {
+    if (times) times->begin(commands);
+    record(commands, times);
+  });
 }
 
 std::vector<float> Renderer::read_color() {

@@ -7,6 +7,7 @@
 
 #include "render/classic_pass.h"
 #include "render/passes.h"
+#include "render/vulkan/timestamps.h"
 
 namespace brdf::render {
 
@@ -24,11 +25,13 @@ class Renderer {
   // Camera, lights and items changed; the picture's size, meshes and textures did not.
   // A change of the shading mode makes the images that it needs.
   void update(const PreparedScene& scene);
-  void record(VkCommandBuffer commands);
+  // Marks the passes "background", "geometry", "lighting" or "forward" where times are wanted.
+  void record(VkCommandBuffer commands, Timestamps* times = nullptr);
   // Records, runs and waits.
-  void draw();
+  void draw(Timestamps* times = nullptr);
 
   Image& color() { return color_; }
+  const Image& color() const { return color_; }
   // Reads the lighting back: RGB, and A = 1 where there is a surface.
   std::vector<float> read_color();
   // Reads a target of the first layer back, after draw(). Throws InputError where the scene is drawn without

@@ -27,6 +27,9 @@ constexpr std::uint32_t kClassicVertex[] =
 constexpr std::uint32_t kClassic[] =
 #include "classic.frag.inc"
     ;
+constexpr std::uint32_t kDisplay[] =
+#include "display.frag.inc"
+    ;
 
 }  // namespace
 
@@ -53,6 +56,9 @@ Spirv classic_vertex() {
 }
 Spirv classic() {
   return kClassic;
+}
+Spirv display() {
+  return kDisplay;
 }
 
 }  // namespace brdf::render::shader_code

@@ -13,5 +13,6 @@ Spirv forward();
 Spirv sky();
 Spirv classic_vertex();
 Spirv classic();
+Spirv display();
 
 }  // namespace brdf::render::shader_code

@@ -70,6 +70,7 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
   raster.cullMode = VK_CULL_MODE_NONE;  // what is seen from behind gets the back-face colour
   raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   raster.lineWidth = 1;
+  raster.rasterizerDiscardEnable = d.vertices_only;
   VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
   multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
@@ -142,10 +143,11 @@ Owned<VkSampler> make_sampler(const Device& device, VkFilter filter, VkSamplerAd
 }
 
 Owned<VkDescriptorPool> make_descriptor_pool(const Device& device, std::span<const Binding> bindings,
-                                             std::uint32_t sets) {
+                                             std::uint32_t sets, bool freeable) {
   std::vector<VkDescriptorPoolSize> sizes;
   for (const Binding& binding : bindings) sizes.push_back({binding.type, binding.count * sets});
   VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  if (freeable) info.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
   info.maxSets = sets;
   info.poolSizeCount = std::uint32_t(sizes.size());
   info.pPoolSizes = sizes.data();

@@ -19,7 +19,8 @@ struct PipelineDescription {
   std::vector<std::uint32_t> constants;  // specialisation constants 0, 1, ... of both shaders
   VertexInput input = VertexInput::none;
   std::vector<VkFormat> colors;
-  bool depth = false;  // D32, reversed: nearer is greater
+  bool depth = false;          // D32, reversed: nearer is greater
+  bool vertices_only = false;  // nothing is rasterised: the cost of the vertex work alone
   Blend blend = Blend::replace;
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkRenderPass render_pass = VK_NULL_HANDLE;  // null: dynamic rendering into `colors`
@@ -38,9 +39,9 @@ Owned<VkPipelineLayout> make_pipeline_layout(const Device& device,
                                              std::uint32_t push_constant_bytes);
 Owned<VkSampler> make_sampler(const Device& device, VkFilter filter, VkSamplerAddressMode address);
 
-// A pool that holds exactly `sets` sets of these bindings.
+// A pool that holds exactly `sets` sets of these bindings; `freeable`: they may be freed one by one.
 Owned<VkDescriptorPool> make_descriptor_pool(const Device& device, std::span<const Binding> bindings,
-                                             std::uint32_t sets);
+                                             std::uint32_t sets, bool freeable = false);
 VkDescriptorSet allocate_set(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
 void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type,
                   VkBuffer buffer);

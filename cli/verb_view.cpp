@@ -1,0 +1,88 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/verbs.h"
+#include "io/error.h"
+#include "render/job.h"
+#include "render/viewer/viewer.h"
+
+namespace brdf::cli {
+namespace {
+
+// The state that the command line means: a saved one, a scene, or materials; two materials are A and B.
+render::ViewState initial_state(render::Job job, const std::string& file, const std::string& samples) {
+  render::ViewState state;
+  if (!file.empty()) {
+    state.scene = render::material_scene({{"lambert", make_material(lambert{})}});
+    render::open_file(state, file);
+    return state;
+  }
+  std::vector<std::filesystem::path> second;
+  if (job.scene.empty() && job.materials.size() == 2) {
+    second.push_back(job.materials[1]);
+    job.materials.pop_back();
+  }
+  if (job.scene.empty() && job.materials.empty()) {
+    state.scene = render::material_scene({{"cook_torrance", make_material(cook_torrance{})}});
+  } else {
+    state.scene = render::scene_of(job);
+  }
+  if (!second.empty()) {
+    render::Job other;
+    other.materials = second;
+    const render::Scene scene = render::scene_of(other);
+    state.material = scene.objects[0].material;
+    state.material_name = scene.objects[0].material_name;
+    state.other = render::Other::material;
+    state.display = render::Display::split;
+  }
+  if (!samples.empty()) render::open_file(state, samples);
+  return state;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app) {
+  struct Options {
+    render::Job job;
+    render::ViewerOptions viewer;
+    std::string state, samples;
+  };
+  auto options = std::make_shared<Options>();
+  render::ViewerOptions& viewer = options->viewer;
+  CLI::App* verb = app.add_subcommand("view", "Look at materials and scenes in a window");
+  verb->add_option("MATERIAL", options->job.materials, "Material JSON files: two are compared side by side");
+  verb->add_option("--scene", options->job.scene, "A scene's JSON file");
+  verb->add_option("--measured", options->samples, "A sample table to compare with");
+  verb->add_option("--state", options->state, "A saved state to start from");
+  verb->add_option("--save-as", viewer.state_file, "Where Ctrl-S saves the state")->capture_default_str();
+  verb->add_option("--screenshot", viewer.screenshot, "Where P writes the picture")->capture_default_str();
+  verb->add_option("--width", viewer.width, "Of the window")
+      ->check(CLI::Range(64, 8192))
+      ->capture_default_str();
+  verb->add_option("--height", viewer.height, "Of the window")
+      ->check(CLI::Range(64, 8192))
+      ->capture_default_str();
+  verb->add_option("--gbuffer-bits", viewer.gbuffer_bits, "8, 16 or 32")
+      ->check(CLI::IsMember({8, 16, 32}))
+      ->capture_default_str();
+  verb->add_option("--memory-limit", viewer.memory_limit, "Most device memory, for instance 500M or 1G")
+      ->transform(CLI::AsSizeValue(false));
+  verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::NonNegativeNumber);
+  verb->add_flag("--validation", viewer.validation,
+                 "Run under Vulkan's validation and synchronisation layers");
+  verb->footer(
+      "Drag: orbit, right drag: pan, wheel: zoom, shift-click: probe, drop: open a file.\n"
+      "n, shift-n: next form, family; m: shading; c: tone map; +, -: exposure; s: split; b: flip; k: what B "
+      "is;\n"
+      "d: false-colour difference; g: the seven targets; l: lobe plot; t: turntable; o: open; r, f: reset, "
+      "fit;\n"
+      "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
+      "Example: brdf view fitted.json --measured samples.csv");
+  on_run(*verb, [options] {
+    options->viewer.state = initial_state(options->job, options->state, options->samples);
+    return render::view(options->viewer) > 0 ? Exit::kFailed : Exit::kGood;
+  });
+}
+
+}  // namespace brdf::cli

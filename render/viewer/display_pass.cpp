@@ -1,0 +1,63 @@
+#include "render/viewer/display_pass.h"
+
+#include "render/shader_code.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr std::array kBindings{
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2},
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kTargetCount)}};
+
+struct Push {  // of shaders/display.frag
+  glm::ivec2 size;
+  int display, tone_map;
+  float exposure, split, extent;
+  int bits;
+};
+
+}  // namespace
+
+DisplayPass::DisplayPass(Device& device, VkRenderPass render_pass) : device_(&device) {
+  sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
+  set_layout_ = make_set_layout(device, kBindings);
+  pool_ = make_descriptor_pool(device, kBindings, 1);
+  set_ = allocate_set(device, pool_.get(), set_layout_.get());
+  const std::array sets{set_layout_.get()};
+  layout_ = make_pipeline_layout(device, sets, sizeof(Push));
+  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex(),
+                                     .fragment = shader_code::display(),
+                                     .colors = {VK_FORMAT_UNDEFINED},
+                                     .layout = layout_.get(),
+                                     .render_pass = render_pass});
+}
+
+void DisplayPass::show(const Image& a, const Image& b, Renderer* targets) {
+  write_image(*device_, set_, 0, a.view(), sampler_.get(), 0);
+  write_image(*device_, set_, 0, b.view(), sampler_.get(), 1);
+  for (std::uint32_t k = 0; k < kTargetCount; ++k) {
+    write_image(*device_, set_, 1, targets ? targets->target(int(k)).view() : a.view(), sampler_.get(), k);
+  }
+}
+
+void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, VkExtent2D extent,
+                         float object_extent, int bits) {
+  const VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
+  const VkRect2D scissor{{0, 0}, extent};
+  vkCmdSetViewport(commands, 0, 1, &viewport);
+  vkCmdSetScissor(commands, 0, 1, &scissor);
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set_, 0, nullptr);
+  const Push push{{int(extent.width), int(extent.height)},
+                  int(state.display),
+                  int(state.scene.tone_map),
+                  state.scene.exposure,
+                  state.split,
+                  object_extent,
+                  bits};
+  vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                     sizeof push, &push);
+  vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
+}  // namespace brdf::render

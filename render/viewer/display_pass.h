@@ -1,0 +1,28 @@
+// Draws pictures into the window: tone map, comparisons, the seven targets.
+#pragma once
+
+#include "render/renderer.h"
+#include "render/viewer/state.h"
+
+namespace brdf::render {
+
+class DisplayPass {
+ public:
+  DisplayPass(Device& device, VkRenderPass render_pass);
+  // What is shown from now on. `b` may be the same as `a`; without targets pass null. The device must be
+  // idle.
+  void show(const Image& a, const Image& b, Renderer* targets);
+  void record(VkCommandBuffer commands, const ViewState& state, VkExtent2D extent, float object_extent,
+              int bits);
+
+ private:
+  Device* device_;
+  Owned<VkSampler> sampler_;
+  Owned<VkDescriptorSetLayout> set_layout_;
+  Owned<VkDescriptorPool> pool_;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  Owned<VkPipelineLayout> layout_;
+  Owned<VkPipeline> pipeline_;
+};
+
+}  // namespace brdf::render

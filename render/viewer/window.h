@@ -1,0 +1,72 @@
+// The window and its swapchain.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/vulkan/pipeline.h"
+#include "render/vulkan/resource.h"
+
+struct GLFWwindow;
+
+namespace brdf::render {
+
+class Window {
+ public:
+  // Throws EnvironmentError when there is no display.
+  Window(int width, int height, const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* get() const { return window_; }
+  std::vector<const char*> instance_extensions() const;
+  VkExtent2D framebuffer_size() const;
+
+ private:
+  GLFWwindow* window_ = nullptr;
+};
+
+// Images to draw into, behind one classic render pass (Dear ImGui's backend of this version needs one).
+// Formats are UNORM: shaders encode.
+class Swapchain {
+ public:
+  Swapchain(Device& device, const Window& window);
+  ~Swapchain();
+  Swapchain(const Swapchain&) = delete;
+  Swapchain& operator=(const Swapchain&) = delete;
+
+  VkRenderPass render_pass() const { return render_pass_.get(); }
+  VkExtent2D extent() const { return extent_; }
+  std::uint32_t image_count() const { return std::uint32_t(frames_.size()); }
+  // Records into a fresh command buffer, submits and presents; waits for the device. `before` runs outside
+  // the render pass, `inside` within it. Remakes the swapchain first when the window's size has changed.
+  void frame(const std::function<void(VkCommandBuffer)>& before,
+             const std::function<void(VkCommandBuffer)>& inside);
+
+ private:
+  struct Frame {
+    Owned<VkImageView> view;
+    Owned<VkFramebuffer> framebuffer;
+    Owned<VkSemaphore> finished;
+  };
+  void create();
+  void record(VkCommandBuffer commands, const Frame& frame,
+              const std::function<void(VkCommandBuffer)>& before,
+              const std::function<void(VkCommandBuffer)>& inside);
+
+  Device* device_;
+  const Window* window_;
+  VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+  VkSurfaceFormatKHR format_{};
+  VkExtent2D extent_{};
+  Owned<VkRenderPass> render_pass_;
+  Owned<VkSwapchainKHR> swapchain_;
+  std::vector<Frame> frames_;
+  Owned<VkSemaphore> acquired_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+};
+
+}  // namespace brdf::render

@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+"""Drives `brdf view` under Xvfb with xdotool: keys, mouse, resizing, files, screenshots; the validation layers are on.
+
+Usage: view_test.py BRDF SOURCE_DIR [FRAMES]. Exit code 77 where Xvfb or xdotool is missing.
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+brdf, source = sys.argv[1], sys.argv[2]
+soak_frames = sys.argv[3] if len(sys.argv) > 3 else "120"
+for tool in ("Xvfb", "xdotool"):
+    if not shutil.which(tool):
+        print(f"skipped: {tool} is not installed")
+        sys.exit(77)
+
+folder = tempfile.mkdtemp(prefix="brdf-view-")
+state_file = os.path.join(folder, "state.json")
+picture = os.path.join(folder, "picture.png")
+
+
+def start_display():
+    reader, writer = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+        pass_fds=(writer,), stderr=subprocess.DEVNULL)
+    os.close(writer)
+    number = os.read(reader, 16).decode().strip()
+    if not number:
+        print("skipped: Xvfb does not start")
+        sys.exit(77)
+    return server, ":" + number
+
+
+server, display = start_display()
+environment = dict(os.environ, DISPLAY=display)
+environment.pop("WAYLAND_DISPLAY", None)
+
+
+def x(*arguments):
+    return subprocess.run(["xdotool", *map(str, arguments)], env=environment, check=True, capture_output=True,
+                          text=True).stdout
+
+
+def start(*arguments):
+    return subprocess.Popen([brdf, "view", "--validation", "--save-as", state_file, "--screenshot", picture,
+                             *arguments], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def press(*keys):
+    for key in keys:
+        x("key", key)
+        time.sleep(0.25)
+
+
+def wait_for(path, before, seconds=60):
+    """Until the file has been written after the time `before`."""
+    end = time.time() + seconds
+    while time.time() < end:
+        if os.path.exists(path) and os.stat(path).st_mtime_ns > before:
+            return
+        time.sleep(0.1)
+    raise AssertionError(f"{path} was not written")
+
+
+def saved_state():
+    before = time.time_ns() - 1
+    if os.path.exists(state_file):
+        before = os.stat(state_file).st_mtime_ns
+    x("key", "ctrl+s")
+    wait_for(state_file, before)
+    with open(state_file) as file:
+        return json.load(file)
+
+
+def screenshot():
+    before = os.stat(picture).st_mtime_ns if os.path.exists(picture) else 0
+    x("key", "p")
+    wait_for(picture, before)
+    with open(picture, "rb") as file:
+        return file.read()
+
+
+def form_of(state):
+    return state["scene"]["objects"][0]["material"]["form"]
+
+
+def finish(viewer):
+    out, _ = viewer.communicate(timeout=120)
+    assert viewer.returncode == 0, f"exit code {viewer.returncode}: {out}"
+    assert out == "", f"messages: {out}"
+
+
+try:
+    viewer = start("--width", "640", "--height", "480")
+    window = x("search", "--sync", "--onlyvisible", "--name", "^brdf$").split()[0]
+    x("windowfocus", "--sync", window)
+    time.sleep(2)
+
+    # Every form by key.
+    forms = [f["form"] for f in json.loads(subprocess.run([brdf, "models", "--json"], capture_output=True, text=True,
+                                                          check=True).stdout)["forms"]]
+    seen = {form_of(saved_state())}
+    for _ in forms[1:]:
+        press("n")
+        seen.add(form_of(saved_state()))
+    assert seen == set(forms), f"not seen: {set(forms) - seen}"
+
+    # Dragging turns the camera, the wheel moves it, r brings it home.
+    home = saved_state()["scene"]["camera"]["position"]
+    x("mousemove", "--window", window, 500, 240, "mousedown", 1)
+    for step in range(10):
+        x("mousemove", "--window", window, 500 + 8 * step, 240 + 4 * step)
+        time.sleep(0.05)
+    x("mouseup", 1)
+    time.sleep(0.5)
+    turned = saved_state()["scene"]["camera"]["position"]
+    assert max(abs(a - b) for a, b in zip(home, turned)) > 0.1, "dragging did not turn"
+    distance = sum(v * v for v in turned) ** 0.5
+    assert abs(distance - sum(v * v for v in home) ** 0.5) < 1e-3, "orbiting changed the distance"
+    x("click", 4)
+    time.sleep(0.5)
+    zoomed = saved_state()["scene"]["camera"]["position"]
+    assert sum(v * v for v in zoomed) ** 0.5 < 0.95 * distance, "the wheel did not zoom"
+    press("r")
+    assert saved_state()["scene"]["camera"]["position"] == home
+
+    # Pictures differ between the displays, and are the picture alone: the panels are not on them.
+    plain = screenshot()
+    shots = [plain]
+    for key, name in (("s", "split"), ("d", "difference"), ("g", "gbuffer"), ("b", "flip")):
+        press(key)
+        assert saved_state()["display"] == name
+        shots.append(screenshot())
+    press("b", "h")
+    assert screenshot() == plain, "the panels are on the screenshot"
+    press("h")
+    assert len({len(s) for s in shots}) >= 3
+
+    # Shading modes, tone maps, exposure, lobe plot, turntable, probe.
+    for _ in range(7):
+        press("m")
+    press("c", "l", "equal", "minus")
+    x("keydown", "shift", "click", 1, "keyup", "shift")
+    press("t")
+    time.sleep(1)
+    press("t")
+    assert saved_state()["scene"]["objects"][0]["rotation"][1] != 0, "the turntable stood still"
+
+    # Resizing.
+    for width, height in ((800, 500), (300, 700), (640, 480)):
+        x("windowsize", "--sync", window, width, height)
+        time.sleep(1)
+
+    # A material, a model and a broken file by name.
+    material = os.path.join(folder, "blue.json")
+    with open(material, "w") as file:
+        json.dump({"format": "brdf-material", "version": 1, "form": "ward", "channels": ["r", "g", "b"],
+                   "weights": {"kd": [0.1, 0.2, 0.6], "ks": [0.3, 0.3, 0.3]},
+                   "shape": {"alpha_x": 0.1, "alpha_y": 0.25}}, file)
+    for name in (material, os.path.join(source, "data/scenes/models/vase.obj"), os.path.join(folder, "absent.json")):
+        press("o")
+        x("type", "--delay", "20", name)
+        press("Return")
+        time.sleep(1)
+    state = saved_state()
+    assert form_of(state) == "ward"
+    assert state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
+    # The state comes back as it was saved.
+    press("n")
+    x("key", "ctrl+l")
+    time.sleep(1)
+    assert saved_state() == state, "loading the saved state changed it"
+    press("q")
+    finish(viewer)
+
+    # Soak, from the saved state with the turntable on.
+    state["turntable"] = True
+    with open(state_file, "w") as file:
+        json.dump(state, file)
+    soak = start("--state", state_file, "--frames", soak_frames, "--width", "320", "--height", "240")
+    finish(soak)
+    print("viewer: all good")
+finally:
+    for process in ("viewer", "soak"):
+        if process in globals() and globals()[process].poll() is None:
+            globals()[process].kill()
+    server.terminate()
+    server.wait()
+    shutil.rmtree(folder, ignore_errors=True)
