@@ -1,5 +1,5 @@
 // Times of the renderer, as medians of interleaved runs: a frame against the least that the same targets
-// cost, forward against deferred, first frame, memory. Usage: brdf_bench_render [RUNS]
+// cost, forward against deferred, first frame, memory. Usage: bench_render [RUNS]
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -221,7 +221,7 @@ int main(int argc, char** argv) {
     forward_against_deferred(std::max(5, runs / 5));
     highlight_peaks();
   } catch (const brdf::EnvironmentError& error) {
-    std::fprintf(stderr, "brdf_bench_render: %s\n", error.what());
+    std::fprintf(stderr, "bench_render: %s\n", error.what());
     return 3;
   }
   return 0;
