@@ -1,10 +1,16 @@
 #include "cli/microsurface.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
 
 #include "cli/parameters.h"
 #include "cli/progress.h"
 #include "io/error.h"
+#include "io/json.h"
+#include "io/provenance.h"
 
 namespace brdf::cli {
 
@@ -45,8 +51,62 @@ io::SampleTable trace_microsurface(micro::SampleSettings settings, const std::ve
   return micro::trace_samples(settings, progress_line("brdf synth: surfaces traced"));
 }
 
-std::vector<micro::TheoryRow> microsurface_rows(const micro::TheoryOptions& options) {
-  return micro::compare_with_theory(options, progress_line("brdf validate: parts"));
+namespace {
+
+void print_json(const std::vector<micro::TheoryRow>& rows, std::uint64_t seed) {
+  io::Json out;
+  out["rows"] = io::Json::array();
+  for (const micro::TheoryRow& row : rows) {
+    io::Json one;  // a number that does not exist (NaN) is written as null
+    one["surface"] = row.surface;
+    one["quantity"] = row.quantity;
+    one["simulated"] = row.simulated;
+    one["standard_error"] = row.standard_error;
+    one["model"] = row.model;
+    one["z"] = row.z;
+    one["exact"] = row.exact;
+    one["holds"] = micro::holds(row);
+    out["rows"].push_back(std::move(one));
+  }
+  out["provenance"] = io::to_json(io::provenance(seed));
+  std::cout << out.dump(1) << '\n';
+}
+
+void print_number(double number, int width, int digits) {
+  if (std::isnan(number))
+    std::cout << std::setw(width) << '-';
+  else
+    std::cout << std::setw(width) << std::setprecision(digits) << number;
+}
+
+void print_table(const std::vector<micro::TheoryRow>& rows) {
+  std::string surface;
+  for (const micro::TheoryRow& row : rows) {
+    if (row.surface != surface) {
+      surface = row.surface;
+      std::cout << '\n'
+                << std::left << std::setw(76) << surface << std::right << std::setw(11) << "simulated"
+                << std::setw(10) << "error" << std::setw(11) << "model" << std::setw(9) << "z" << '\n';
+    }
+    std::cout << "  " << std::left << std::setw(74) << row.quantity << std::right;
+    print_number(row.simulated, 11, 5);
+    print_number(row.standard_error, 10, 2);
+    print_number(row.model, 11, 5);
+    print_number(row.z, 9, 3);
+    std::cout << (!row.exact ? "" : micro::holds(row) ? "  exact, holds" : "  exact, FAILS") << '\n';
+  }
+}
+
+}  // namespace
+
+Exit validate_microsurface(const micro::TheoryOptions& options, bool json) {
+  const std::vector<micro::TheoryRow> rows =
+      micro::compare_with_theory(options, progress_line("brdf validate: parts"));
+  if (json)
+    print_json(rows, options.seed);
+  else
+    print_table(rows);
+  return std::all_of(rows.begin(), rows.end(), micro::holds) ? Exit::kGood : Exit::kFailed;
 }
 
 #else
@@ -60,7 +120,7 @@ io::SampleTable trace_microsurface(micro::SampleSettings, const std::vector<std:
   throw EnvironmentError(kMissing);
 }
 
-std::vector<micro::TheoryRow> microsurface_rows(const micro::TheoryOptions&) {
+Exit validate_microsurface(const micro::TheoryOptions&, bool) {
   throw EnvironmentError(kMissing);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/verbs.h"
 #include "micro/samples.h"
 #include "micro/theory.h"
 
@@ -20,7 +21,8 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& settings);
 // InputError, and EnvironmentError where this build has no ray tracer.
 io::SampleTable trace_microsurface(micro::SampleSettings settings, const std::vector<std::string>& set);
 
-// Theory against simulation. Throws EnvironmentError where this build has no ray tracer.
-std::vector<micro::TheoryRow> microsurface_rows(const micro::TheoryOptions& options);
+// `brdf validate --microsurface`: theory against simulation, as a table or as JSON on stdout. kFailed where a
+// statement that is exact does not hold. Throws EnvironmentError where this build has no ray tracer.
+Exit validate_microsurface(const micro::TheoryOptions& options, bool json);
 
 }  // namespace brdf::cli

@@ -16,6 +16,12 @@ TheoryRow theory_row(std::string surface, std::string quantity, const Estimate& 
   return row;
 }
 
+bool holds(const TheoryRow& row) {
+  if (!row.exact) return true;
+  if (std::isnan(row.z)) return std::abs(row.simulated - row.model) <= kExactShare;
+  return std::abs(row.z) <= kExactZ;
+}
+
 std::vector<TheoryRow> compare_slopes(const TheoryOptions& options) {
   std::vector<TheoryRow> rows;
   for (const auto& [ax, ay] : {std::pair{0.1, 0.1}, {0.3, 0.3}, {0.5, 0.5}, {0.2, 0.5}}) {

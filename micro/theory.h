@@ -42,6 +42,10 @@ std::vector<TheoryRow> compare_with_theory(const TheoryOptions& options, const P
 
 /// |z| that an exact row may reach: with some 100 rows from 16 surfaces, a fair run stays below it.
 constexpr double kExactZ = 5;
+/// Absolute difference that an exact row without scatter may have (an albedo of 1; the share of rays lost).
+constexpr double kExactShare = 1e-5;
+/// False where a statement that is exact fails; true for every row of an approximation.
+bool holds(const TheoryRow& row);
 
 // The parts, each a few seconds.
 std::vector<TheoryRow> compare_slopes(const TheoryOptions& options);

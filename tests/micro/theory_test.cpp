@@ -81,6 +81,11 @@ TEST(Theory, RowsWithoutErrorHaveNoZ) {
   EXPECT_TRUE(std::isnan(theory_row("a", "b", {1, kNone}, 2, true).z));
   EXPECT_TRUE(std::isnan(theory_row("a", "b", {1, 0}, 1, true).z));
   EXPECT_DOUBLE_EQ(theory_row("a", "b", {1, 0.5}, 2, true).z, -2);
+  EXPECT_TRUE(holds(theory_row("a", "b", {1, 0.5}, 2, true)));
+  EXPECT_FALSE(holds(theory_row("a", "b", {1, 0.1}, 2, true)));
+  EXPECT_TRUE(holds(theory_row("a", "b", {1, 0.1}, 2, false)));
+  EXPECT_FALSE(holds(theory_row("a", "b", {1e-4, kNone}, 0, true)));
+  EXPECT_TRUE(holds(theory_row("a", "b", {1e-6, kNone}, 0, true)));
 }
 
 SampleSettings small(std::string surface) {
