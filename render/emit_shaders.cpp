@@ -1,4 +1,5 @@
-// Build step: writes brdf.glsl (every form of the catalogue, traced) and texture_rule.glsl into a folder.
+// Build step: writes brdf.glsl (every form of the catalogue, traced), texture_rule.glsl and the probe's
+// compute shader (and its negative control, without `precise`) into a folder.
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -10,14 +11,14 @@
 namespace {
 
 // One function that picks the form; `form` is a specialisation constant, so the driver keeps one case.
-std::string dispatch() {
-  std::string text =
-      "vec3 brdf_eval_cos(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2) {\n  switch "
-      "(form) {\n";
+std::string dispatch(const std::string& function) {
+  std::string text = "vec3 " + function +
+                     "(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2) {\n  switch "
+                     "(form) {\n";
   int index = 0;
   brdf::for_each_form([&](auto form) {
     const brdf::FormInfo& info = brdf::info(brdf::AnyForm(form));
-    text += "    case " + std::to_string(index++) + ": return brdf_eval_cos_" + std::string(info.name) +
+    text += "    case " + std::to_string(index++) + ": return " + function + "_" + std::string(info.name) +
             "(wi, wo";
     for (std::size_t k = 0; k < info.shape.size(); ++k) text += ", shape[" + std::to_string(k) + "]";
     for (std::size_t k = 0; k < info.weights.size(); ++k) text += ", w" + std::to_string(k);
@@ -26,10 +27,32 @@ std::string dispatch() {
   return text + "  }\n  return vec3(0.0);\n}\n";
 }
 
-std::string forms() {
-  std::string text = brdf::glsl_kernels();
-  brdf::for_each_form([&](auto form) { text += brdf::glsl_form(brdf::AnyForm(form)); });
-  return text + dispatch();
+std::string forms(const brdf::GlslOptions& options = {}) {
+  std::string text = brdf::glsl_kernels(options);
+  brdf::for_each_form([&](auto form) { text += brdf::glsl_form(brdf::AnyForm(form), options); });
+  return text + dispatch("brdf_eval_cos");
+}
+
+// The compute shader of the probe (render/probe.h): evaluates one form on many configurations.
+std::string probe(const brdf::GlslOptions& options) {
+  return R"(#version 450
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const int form = 0;
+layout(std430, binding = 0) readonly buffer Configurations { vec4 configuration[]; };
+layout(std430, binding = 1) writeonly buffer Results { vec4 result[]; };
+layout(push_constant) uniform Push { uint count; };
+)" + forms(options) +
+         dispatch("brdf_eval") + R"(
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= count) return;
+  vec3 wi = configuration[6 * i].xyz, wo = configuration[6 * i + 1].xyz;
+  vec4 shape = configuration[6 * i + 2];
+  vec3 w0 = configuration[6 * i + 3].xyz, w1 = configuration[6 * i + 4].xyz, w2 = configuration[6 * i + 5].xyz;
+  result[2 * i] = vec4(brdf_eval(form, wi, wo, shape, w0, w1, w2), 0.0);
+  result[2 * i + 1] = vec4(brdf_eval_cos(form, wi, wo, shape, w0, w1, w2), 0.0);
+}
+)";
 }
 
 std::string texture_rule() {
@@ -62,7 +85,10 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string folder = argv[1];
-  if (write(folder + "/brdf.glsl", forms()) && write(folder + "/texture_rule.glsl", texture_rule())) return 0;
+  if (write(folder + "/brdf.glsl", forms()) && write(folder + "/texture_rule.glsl", texture_rule()) &&
+      write(folder + "/probe.comp", probe({})) &&
+      write(folder + "/probe_unprecise.comp", probe({.precise = false})))
+    return 0;
   std::fprintf(stderr, "emit_shaders: cannot write into %s\n", argv[1]);
   return 1;
 }

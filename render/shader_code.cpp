@@ -30,6 +30,9 @@ constexpr std::uint32_t kClassic[] =
 constexpr std::uint32_t kDisplay[] =
 #include "display.frag.inc"
     ;
+constexpr std::uint32_t kProbe[] =
+#include "probe.comp.inc"
+    ;
 
 }  // namespace
 
@@ -59,6 +62,9 @@ Spirv classic() {
 }
 Spirv display() {
   return kDisplay;
+}
+Spirv probe() {
+  return kProbe;
 }
 
 }  // namespace brdf::render::shader_code

@@ -14,5 +14,6 @@ Spirv sky();
 Spirv classic_vertex();
 Spirv classic();
 Spirv display();
+Spirv probe();
 
 }  // namespace brdf::render::shader_code

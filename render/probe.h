@@ -1,0 +1,63 @@
+// The proof that shader and library are one formula: a compute shader evaluates the traced forms on many
+// configurations, and every bit is compared with the float library's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brdf/forms.h"
+#include "render/vulkan/pipeline.h"
+
+namespace brdf::render {
+
+// One evaluation of an RGB material, as the shader reads it: rows of four floats.
+struct ProbeConfiguration {
+  std::array<float, 4> wi{}, wo{};                // local frame; the fourth is unused
+  std::array<float, 4> shape{};                   // in table order
+  std::array<std::array<float, 4>, 3> weights{};  // [parameter][channel]
+};
+
+// f_r and f_r cos_i of the three channels.
+using ProbeValues = std::array<float, 6>;
+ProbeValues library_values(const AnyForm& form, const ProbeConfiguration& configuration);
+
+// Random configurations over all of the form's parameters, a fifth of them grazing, half of them near the
+// mirror direction; reproducible from the seed.
+std::vector<ProbeConfiguration> random_configurations(const AnyForm& form, std::size_t count,
+                                                      std::uint64_t seed);
+// Every pair of awkward directions (normal, exact grazing, subnormal components, below the horizon, wi = wo,
+// wi = -wo, ...) with the parameters at the corners of their tables.
+std::vector<ProbeConfiguration> extreme_configurations(const AnyForm& form);
+
+struct ProbeOptions {
+  std::uint64_t random = std::uint64_t(1) << 20;  // configurations per form, beside the extremes
+  std::uint64_t seed = 1;
+  Spirv shader;  // empty: the library's; tests give their negative controls
+};
+
+struct ProbeRow {
+  std::string form;
+  std::uint64_t count = 0;             // configurations, six values each
+  std::uint64_t differing = 0;         // values with any differing bit (NaN equals NaN)
+  double max_ulp = 0;                  // largest distance in units of the last place
+  std::uint64_t beyond_tolerance = 0;  // values further apart than kProbeRelative |f| + kProbeAbsolute
+  double seconds_to_compile = 0;       // the driver's time for this form's pipeline
+  double seconds = 0;                  // all of it
+};
+
+// What Vulkan's division (2.5 ulp), square root and contraction may cost a hardware device: the exponential
+// tails multiply a relative error by up to 80.
+inline constexpr double kProbeRelative = 2e-4, kProbeAbsolute = 1e-6;
+
+// True where the device is a processor: there the promise is 0 differing bits, elsewhere the tolerance.
+bool is_software(const Device& device);
+bool passes(const ProbeRow& row, bool software);
+
+std::vector<ProbeRow> probe(Device& device, std::span<const AnyForm> forms, const ProbeOptions& options = {},
+                            const std::function<void(const ProbeRow&)>& report = {});
+
+}  // namespace brdf::render

@@ -1,0 +1,11 @@
+// The negative control of the proof: the library's formula compiled with contraction.
+#pragma once
+
+#include "render/probe.h"
+
+namespace brdf::render {
+
+// Of ward, cook_torrance and oren_nayar. Needs a processor with fused multiply-add.
+ProbeValues contracted_values(const AnyForm& form, const ProbeConfiguration& configuration);
+
+}  // namespace brdf::render
