@@ -12,6 +12,7 @@ namespace brdf {
 // Linear given the widths: lobes 1/pi, V D, V D s with weights kd, ks f0, ks (1 - f0).
 // Domain: alpha 1e-4..1, f0 0..1. Symmetry: anisotropic, reciprocal.
 // Known violations: none for kd + ks <= 1; single scattering loses up to 69 % (alpha 1, normal incidence).
+// Error: 3.1e-15, in float 1.8e-6.
 struct cook_torrance {
   static constexpr std::string_view name = "cook_torrance";
   static constexpr std::string_view family = "cook_torrance";
@@ -32,6 +33,7 @@ struct cook_torrance {
 // their rational fit): f = kd/pi + ks D G F/(4 cos_i cos_o), Schlick's Fresnel. Domain: alpha 1e-4..1, f0
 // 0..1. Symmetry: anisotropic, reciprocal. Known violations: none for kd + ks <= 1; single scattering loses
 // up to 54 % (alpha 1, normal incidence).
+// Error: 6.3e-15, in float 3e-6.
 struct cook_torrance_beckmann {
   static constexpr std::string_view name = "cook_torrance_beckmann";
   static constexpr std::string_view family = "cook_torrance";
@@ -63,6 +65,7 @@ struct RoughDielectric {
 // As cook_torrance, with the exact Fresnel reflectance of a dielectric in place of Schlick's.
 // Domain: alpha 1e-4..1, eta 1..5. Symmetry: anisotropic, reciprocal. Known violations: none for kd + ks
 // <= 1.
+// Error: 3.8e-15, in float 1.9e-6.
 struct cook_torrance_dielectric {
   static constexpr std::string_view name = "cook_torrance_dielectric";
   static constexpr std::string_view family = "cook_torrance";
@@ -84,6 +87,7 @@ struct cook_torrance_dielectric {
 // constants: eta 1.5, alpha .3). Its F D'/(pi cos_i cos_o) with D' = exp(-tan^2/m^2)/(4 m^2 cos^4) is
 // F D/(4 cos_i cos_o) with D normalised. Domain: alpha 1e-4..1, eta 1..5. Symmetry: anisotropic, reciprocal.
 // Known violations: none for kd + ks <= 1.
+// Error: 6.9e-15, in float 3.1e-6.
 struct cook_torrance_vcavity {
   static constexpr std::string_view name = "cook_torrance_vcavity";
   static constexpr std::string_view family = "cook_torrance";
@@ -105,6 +109,7 @@ struct cook_torrance_vcavity {
 // (Beckmann's), V-cavities and Schlick's Fresnel: f = kd/pi + ks D G F/(pi cos_i cos_o).
 // Domain: alpha 1e-4..1, f0 0..1. Symmetry: anisotropic, reciprocal.
 // Known violations: energy, by up to 4/pi (f0 1, alpha to 0, normal incidence).
+// Error: 6.8e-15, in float 2.9e-6.
 struct cook_torrance_1982 {
   static constexpr std::string_view name = "cook_torrance_1982";
   static constexpr std::string_view family = "cook_torrance";
@@ -129,6 +134,7 @@ struct cook_torrance_1982 {
 // Domain: alpha 1e-4..1, f0 0..1. Symmetry: anisotropic, reciprocal.
 // Known violations: G is not Smith's (92 % low at alpha .0036, cosine .01): the weak white furnace loses
 // energy.
+// Error: 3.3e-15, in float 1.7e-6.
 struct cook_torrance_schlick_ggx {
   static constexpr std::string_view name = "cook_torrance_schlick_ggx";
   static constexpr std::string_view family = "cook_torrance";
@@ -148,6 +154,7 @@ struct cook_torrance_schlick_ggx {
 // As the thesis prints it: cook_torrance_schlick_ggx with Schlick's Fresnel at n.wo in place of wi.h.
 // Domain: alpha 1e-4..1, f0 0..1. Symmetry: anisotropic, not reciprocal.
 // Known violations: reciprocity.
+// Error: 4e-15, in float 1.7e-6.
 struct cook_torrance_as_printed {
   static constexpr std::string_view name = "cook_torrance_as_printed";
   static constexpr std::string_view family = "cook_torrance";
@@ -180,6 +187,7 @@ struct MetallicRoughness {
 // cos_i, alpha = roughness^2, k = (roughness + 1)^2/8 in G, F at wi.h, kD = (1 - F)(1 - metallic) of the red
 // channel. Its tone map stands inside the function: the value is display-referred, not a reflectance. Domain:
 // roughness .01..1. Symmetry: isotropic, not reciprocal. Known violations: reciprocity, energy.
+// Error: 7.5e-15, in float 2.4e-6.
 struct cook_torrance_as_coded {
   static constexpr std::string_view name = "cook_torrance_as_coded";
   static constexpr std::string_view family = "cook_torrance";

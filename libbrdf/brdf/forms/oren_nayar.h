@@ -17,6 +17,7 @@ G oren_nayar_azimuth(const Geometry<G>& g) {
 // A = 1 - 0.5 s^2/(s^2 + 0.33), B = 0.45 s^2/(s^2 + 0.09), a and b the larger and smaller polar angle, s =
 // sigma. Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy, by up to 1.5 % at
 // rho = 1 (sigma .1985, towards grazing); none for sigma >= .32613.
+// Error: 4.3e-16, in float 2.5e-7.
 struct oren_nayar {
   static constexpr std::string_view name = "oren_nayar";
   static constexpr std::string_view family = "oren_nayar";
@@ -50,6 +51,7 @@ G sine(const Vec3<G>& w) {
 //   C3 = 0.125 s^2/(s^2 + 0.09) (4ab/pi^2)^2,  L2 = 0.17 s^2/(s^2 + 0.13) (1 - cos(dphi) (2b/pi)^2).
 // Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy up to 1.0510 at rho 1
 // (sigma .304); L1 is negative towards double grazing for sigma > .664, so f is negative there for small rho.
+// Error: 7e-16, in float 4.4e-7.
 struct oren_nayar_full {
   static constexpr std::string_view name = "oren_nayar_full";
   static constexpr std::string_view family = "oren_nayar";
@@ -123,6 +125,7 @@ struct UnitRoughness {
 // s = wi.wo - cos_i cos_o, t = max(cos_i, cos_o) where s > 0, else 1; E the exact albedo of the first term.
 // 1 - E = A r (c1 - G/pi) and 1 + s are formed without cancellation: nothing is 0/0.
 // Domain: roughness 0..1. Symmetry: isotropic, reciprocal. Albedo 1 at rho 1. Known violations: none.
+// Error: 4.5e-16, in float 2.8e-7.
 struct oren_nayar_energy {
   static constexpr std::string_view name = "oren_nayar_energy";
   static constexpr std::string_view family = "oren_nayar";
@@ -172,6 +175,7 @@ struct LinearAlbedo {
 // C1 = 1 - 0.5 s^2/(s^2 + 0.33), C2 = 0.45 s^2/(s^2 + 0.09) c (1/max(cos_i, cos_o) where c >= 0),
 // c = wi.wo - cos_i cos_o. Domain: roughness 0..1. Symmetry: isotropic, reciprocal.
 // Known violations: energy, by the factor 1 + roughness/2: 1.15 at normal incidence (roughness .5).
+// Error: 5.6e-16, in float 3e-7.
 struct oren_nayar_as_coded {
   static constexpr std::string_view name = "oren_nayar_as_coded";
   static constexpr std::string_view family = "oren_nayar";

@@ -9,6 +9,7 @@ namespace brdf {
 // Ward 1992 eq. 5a: f = kd/pi + ks exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2) / (4 pi alpha_x alpha_y
 // sqrt(cos_i cos_o)). Domain: alpha 1e-4..1. Symmetry: anisotropic, reciprocal. Known violations: energy,
 // beyond 89.4 degrees (the albedo grows as 1/sqrt(cos)); below, it loses up to 74 %.
+// Error: 4.9e-15, in float 3.2e-6.
 struct ward {
   static constexpr std::string_view name = "ward";
   static constexpr std::string_view family = "ward";
@@ -31,6 +32,7 @@ struct ward {
 // f = kd/pi + ks exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2) / (4 pi alpha_x alpha_y cos_i cos_o).
 // Domain: alpha 1e-4..1. Symmetry: anisotropic, reciprocal.
 // Known violations: energy beyond 78.9 degrees (isotropic: 81.9), growing as 1/cos.
+// Error: 4.8e-15, in float 3.3e-6.
 struct ward_duer {
   static constexpr std::string_view name = "ward_duer";
   static constexpr std::string_view family = "ward";
@@ -53,6 +55,7 @@ struct ward_duer {
 // f = kd/pi + ks |h|^2 exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2) / (pi alpha_x alpha_y h_z^4).
 // Domain: alpha 1e-4..1. Symmetry: anisotropic, reciprocal. Albedo at normal incidence, isotropic:
 // 1 - alpha^2 (1 - e^(-1/alpha^2)). Known violations: none.
+// Error: 6.5e-15, in float 3.2e-6.
 struct ward_bounded {
   static constexpr std::string_view name = "ward_bounded";
   static constexpr std::string_view family = "ward";
@@ -86,6 +89,7 @@ struct MetallicWard {
 // multiplies by the square root where Ward divides and lacks 1/(4 pi alpha_x alpha_y); its diffuse term has
 // no cosine. Domain: alpha 1e-4..1 (the listing: 1). Symmetry: anisotropic, not reciprocal. Known violations:
 // reciprocity; energy, growing as 1/cos_i.
+// Error: 7e-15, in float 3.5e-6.
 struct ward_as_coded {
   static constexpr std::string_view name = "ward_as_coded";
   static constexpr std::string_view family = "ward";

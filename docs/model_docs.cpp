@@ -1,0 +1,205 @@
+// Writes docs/models.md and docs/models/<form>.svg from the catalogue, the headers' comments and
+// measurements. With --check it writes nothing and fails where a file is not current.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "brdf/material.h"
+#include "brdf/trace.h"
+#include "validate/numerics.h"
+
+namespace {
+
+using namespace brdf;
+namespace fs = std::filesystem;
+
+const fs::path kSource = BRDF_SOURCE_DIR;
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string number(double x, const char* format = "%.6g") {
+  char text[32];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+// The comment above `struct <form> {` in its family's header.
+std::string comment_of(const FormInfo& form) {
+  std::istringstream in(read(kSource / "libbrdf/brdf/forms" / (std::string(form.family) + ".h")));
+  std::string comment;
+  for (std::string line; std::getline(in, line);) {
+    if (line == "struct " + std::string(form.name) + " {") return comment;
+    if (line.starts_with("//"))
+      comment += (line.size() > 3 ? line.substr(3) : "") + "\n";
+    else
+      comment.clear();
+  }
+  throw std::runtime_error("no comment above " + std::string(form.name));
+}
+
+void add_parameters(std::string& text, std::span<const ParameterInfo> table, const char* kind) {
+  for (const ParameterInfo& p : table)
+    text += "| `" + std::string(p.name) + "` | " + kind + " | " + number(p.min) + " .. " + number(p.max) +
+            " | " + number(p.initial) + " | " + std::string(p.unit) + " | " + std::string(p.doc) + " |\n";
+}
+
+// Operations of the generated shader function for one RGB value of f: what a device executes.
+std::string cost_of(const AnyForm& form) {
+  const std::string glsl = glsl_form(form);
+  const std::string eval_only = glsl.substr(0, glsl.find("vec3 brdf_eval_cos_"));
+  const auto count = [&](const char* pattern) {
+    const std::regex expression(pattern);
+    return std::distance(std::sregex_iterator(eval_only.begin(), eval_only.end(), expression), {});
+  };
+  std::string text = std::to_string(count(" = ")) + " operations";
+  const std::vector<std::pair<const char*, const char*>> kinds{{" / ", "divisions"},
+                                                               {"sqrt\\(", "square roots"},
+                                                               {"brdf_exp\\(", "exponentials"},
+                                                               {"brdf_log(1p)?\\(", "logarithms"},
+                                                               {"brdf_erfcx\\(", "erfcx"},
+                                                               {"brdf_angle\\(", "arc tangents"}};
+  for (const auto& [pattern, name] : kinds)
+    if (const auto n = count(pattern); n > 0) text += ", " + std::to_string(n) + " " + name;
+  return text;
+}
+
+std::string section_of(const AnyForm& form) {
+  const FormInfo& f = info(form);
+  const std::string name(f.name);
+  std::string text = "### `" + name + "`\n\n![lobe of " + name + "](models/" + name + ".svg)\n\n```text\n" +
+                     comment_of(f) +
+                     "```\n\n| parameter | kind | range | default | unit | |\n|---|---|---|---|---|---|\n";
+  add_parameters(text, f.weights, "weight");
+  add_parameters(text, f.shape, "shape");
+  text += "\nFittable: " + std::string(f.fittable ? "yes" : "no") + ". Cost: " + cost_of(form) + ".\n";
+  if (!f.violations.empty()) {
+    text += "\n| known violation | | at | angle | value |\n|---|---|---|---|---|\n";
+    for (const Violation& v : f.violations)
+      text += "| " + std::string(v.check) + " | " + std::string(v.statement) + " | `" +
+              std::string(v.witness) + "` | " + number(v.theta) + " | " + number(v.value) + " |\n";
+  }
+  return text + "\n";
+}
+
+std::string forms_text() {
+  std::string text, family;
+  for_each_form([&](auto form) {
+    if (form.family != family) {
+      family = form.family;
+      text += "## Family " + family + "\n\n";
+    }
+    text += section_of(form);
+  });
+  return text;
+}
+
+std::string accuracy_text() {
+  std::string text =
+      "| form | double: body | faint | tail | float: body | faint | tail |\n|---|---|---|---|---|---|---|\n";
+  for_each_form([&](auto form) {
+    const auto rows = validate::measure_numerics(form);
+    text += "| `" + std::string(form.name) + "`";
+    for (const validate::NumericsRow* row : {&rows[1], &rows[0]})
+      for (double error : {row->max_error, row->faint_error, row->tail_error})
+        text += error == 0 ? " | 0" : " | " + number(error, "%.1e");
+    text += " |\n";
+  });
+  return text;
+}
+
+// --- Pictures: f in the plane of incidence as a polar plot, for light at 30 and 70 degrees
+// -------------------
+
+constexpr double kDegree = kPi / 180;
+constexpr double kRadius = 130, kCentre = 160, kBase = 150;
+
+std::vector<double> values_in_plane(const Material& material, double theta_i) {
+  const Vec3<double> wi = direction(theta_i * kDegree, kPi);
+  std::vector<double> values;
+  for (int k = -89; k <= 89; ++k) {
+    double f = 0;
+    eval(material, wi, direction(std::abs(k) * kDegree, k < 0 ? kPi : 0), {&f, 1});
+    values.push_back(f);
+  }
+  return values;
+}
+
+std::string curve(const std::vector<double>& values, double scale, const char* style) {
+  std::string points;
+  for (int k = -89; k <= 89; ++k) {
+    const double r = kRadius * std::max(0.0, values[std::size_t(k + 89)]) / scale;
+    points += number(kCentre + r * std::sin(k * kDegree), "%.1f") + "," +
+              number(kBase - r * std::cos(k * kDegree), "%.1f") + " ";
+  }
+  return "<polyline fill=\"none\" " + std::string(style) + " points=\"" + points + "\"/>\n";
+}
+
+std::string light(double theta_i, const char* colour) {
+  return "<line x1=\"" + number(kCentre - 1.05 * kRadius * std::sin(theta_i * kDegree), "%.1f") + "\" y1=\"" +
+         number(kBase - 1.05 * kRadius * std::cos(theta_i * kDegree), "%.1f") + "\" x2=\"" + number(kCentre) +
+         "\" y2=\"" + number(kBase) + "\" stroke=\"" + colour + "\" stroke-dasharray=\"4 3\"/>\n";
+}
+
+std::string picture_of(const AnyForm& form) {
+  const Material material = make_material(form, {"y"});
+  const auto steep = values_in_plane(material, 30), flat = values_in_plane(material, 70);
+  const double scale =
+      std::max(*std::max_element(steep.begin(), steep.end()), *std::max_element(flat.begin(), flat.end()));
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"320\" height=\"180\" font-family=\"sans-serif\" "
+         "font-size=\"11\">\n<rect width=\"320\" height=\"180\" fill=\"white\"/>\n"
+         "<line x1=\"20\" y1=\"150\" x2=\"300\" y2=\"150\" stroke=\"black\"/>\n" +
+         light(30, "#1f77b4") + light(70, "#d62728") +
+         curve(steep, scale, "stroke=\"#1f77b4\" stroke-width=\"1.5\"") +
+         curve(flat, scale, "stroke=\"#d62728\" stroke-width=\"1.5\"") +
+         "<text x=\"20\" y=\"170\">light at 30 (blue) and 70 degrees (red); largest f " +
+         number(scale, "%.3g") + " / sr</text>\n</svg>\n";
+}
+
+// --- Files -----------------------------------------------------------------------------------------------
+
+std::map<fs::path, std::string> all_files() {
+  std::map<fs::path, std::string> files;
+  std::string page = read(kSource / "docs/models.in.md");
+  const auto put = [&](const std::string& mark, const std::string& text) {
+    page.replace(page.find(mark), mark.size(), text);
+  };
+  put("@ACCURACY@\n", accuracy_text());
+  put("@FORMS@\n", forms_text());
+  files["docs/models.md"] = page;
+  for_each_form(
+      [&](auto form) { files["docs/models/" + std::string(form.name) + ".svg"] = picture_of(form); });
+  return files;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const bool check = argc > 1 && std::string(argv[1]) == "--check";
+  int outdated = 0;
+  for (const auto& [path, text] : all_files()) {
+    const fs::path full = kSource / path;
+    if (check) {
+      if (fs::exists(full) && read(full) == text) continue;
+      std::cerr << path.string() << " is not current: run model_docs\n";
+      ++outdated;
+    } else {
+      fs::create_directories(full.parent_path());
+      std::ofstream(full) << text;
+    }
+  }
+  return outdated == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << "model_docs: " << error.what() << '\n';
+  return 1;
+}
