@@ -1,6 +1,7 @@
 // How exactly float and double evaluate every form, measured against 50 digits.
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,9 @@ NumericsBudget numerics_budget(const std::string& scalar);
 
 // Within the budget, every value finite, and none negative unless the form declares it.
 bool meets_budget(const NumericsRow& row);
+
+// Prints the rows of these forms, as a table while they are measured (about half a second a form) or as
+// {"rows": [...]}. True where all meet their budgets.
+bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out);
 
 }  // namespace brdf::validate
