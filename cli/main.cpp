@@ -49,6 +49,8 @@ int run(int argc, char** argv) {
     return report(error.what(), Exit::kEnvironment);
   } catch (const std::bad_alloc&) {
     return report("not enough memory", Exit::kEnvironment);
+  } catch (const std::exception& error) {
+    return report(std::string("stopped: ") + error.what(), Exit::kEnvironment);
   }
 }
 

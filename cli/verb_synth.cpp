@@ -4,6 +4,7 @@
 
 #include "cli/microsurface.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/text.h"
@@ -84,7 +85,7 @@ Exit run(const Options& o) {
     instrument.grid.azimuths = o.azimuths;
   else if (synth::is_anisotropic(material))
     instrument.grid.azimuths = {0, 45, 90};
-  return write(synth::measure(material, instrument), o.output);
+  return write(synth::measure(material, instrument, progress_line("brdf synth: directions")), o.output);
 }
 
 }  // namespace

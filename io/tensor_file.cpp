@@ -38,11 +38,11 @@ TensorFile::TensorFile(const std::filesystem::path& path)
     field.count = 1;
     for (std::size_t& size : field.shape) {
       size = read_value<std::uint64_t>(in_);
-      if (size > size_) fail("field \"" + field.name + "\" is larger than the file");
+      if (size > size_ || field.count * size > size_)
+        fail("field \"" + field.name + "\" is larger than the file");
       field.count *= size;
     }
-    if (field.count > size_ || field.offset > size_)
-      fail("field \"" + field.name + "\" is larger than the file");
+    if (field.offset > size_) fail("field \"" + field.name + "\" lies behind the file's end");
     fields_.push_back(std::move(field));
   }
   if (!in_) fail("the table of fields is cut off");

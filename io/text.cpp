@@ -10,7 +10,7 @@
 namespace brdf::io {
 
 LineReader::LineReader(const std::filesystem::path& path)
-    : path_(path.string()), file_(std::fopen(path.c_str(), "rb"), &std::fclose), buffer_(1 << 20) {
+    : path_(path.string()), file_(std::fopen(path.c_str(), "rb"), &std::fclose), buffer_(1 << 16) {
   std::error_code ignored;
   if (!file_) throw InputError(path_ + ": cannot be read: " + std::strerror(errno));
   if (std::filesystem::is_directory(path, ignored)) throw InputError(path_ + ": is a folder");

@@ -40,7 +40,8 @@ void check(const Instrument& instrument) {
 }
 
 // Fills the table with noise-free readings.
-void read_out(const Material& material, const Instrument& instrument, io::SampleTable& table) {
+void read_out(const Material& material, const Instrument& instrument, const Progress& progress,
+              io::SampleTable& table) {
   const std::size_t channels = material.channels.size();
   // Two cones multiply: 50 x 50 nodes together, 288 for one alone.
   const bool both = instrument.aperture > 0 && instrument.source_aperture > 0;
@@ -51,7 +52,9 @@ void read_out(const Material& material, const Instrument& instrument, io::Sample
   const io::UnitDirections d = io::unit_directions(table);
   std::vector<double> value(channels), centre(channels);
   double peak = 0, read_at_peak = 0;
+  constexpr std::size_t kStride = 256;  // rows between reports
   for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (progress && k % kStride == 0) progress(static_cast<int>(k), static_cast<int>(table.rows()));
     const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
     eval(material, wi, wo, centre);
     if (is_point)
@@ -66,6 +69,7 @@ void read_out(const Material& material, const Instrument& instrument, io::Sample
       }
     }
   }
+  if (progress) progress(static_cast<int>(table.rows()), static_cast<int>(table.rows()));
   // A Gaussian lobe as wide (full, at half its peak) as the aperture reads 0.72 of its peak.
   if (read_at_peak < 0.72 * peak)
     table.warnings.push_back("the lobe is narrower than the aperture: its peak reads " +
@@ -159,13 +163,13 @@ bool is_anisotropic(const Material& material) {
   });
 }
 
-io::SampleTable measure(const Material& material, const Instrument& instrument) {
+io::SampleTable measure(const Material& material, const Instrument& instrument, const Progress& progress) {
   check(instrument);
   io::SampleTable table = make_grid(instrument.grid);
   table.channels = material.channels;
   table.values.resize(material.channels.size());
   table.sigma.resize(material.channels.size());
-  read_out(material, instrument, table);
+  read_out(material, instrument, progress, table);
   disturb(instrument, table);
   record(material, instrument, table);
   return table;
