@@ -108,8 +108,13 @@ double cost_of_storing(double alpha) {
     const Geometry<double> g = geometry(wi, wo);
     return quotient(d_ggx(a, g), v_smith_ggx(a, g));
   };
-  const auto stored = [](const Vec3<double>& w) {
-    const Vec3<double> v{double(float(w.x)), double(float(w.y)), double(float(w.z))};
+  // volatile: g++ 12 at -O2 drops the rounding of a pair that goes to float and back.
+  const auto rounded = [](double x) {
+    volatile float y = float(x);
+    return double(y);
+  };
+  const auto stored = [&](const Vec3<double>& w) {
+    const Vec3<double> v{rounded(w.x), rounded(w.y), rounded(w.z)};
     return v * (1 / std::sqrt(dot(v, v)));
   };
   double worst = 0;
@@ -123,8 +128,8 @@ double cost_of_storing(double alpha) {
   return worst;
 }
 TEST(StoredDirections, CostByThemselves) {
-  EXPECT_NEAR(cost_of_storing(1e-4), 3e-4, 1e-4);
-  EXPECT_NEAR(cost_of_storing(1e-2), 3e-6, 1e-6);
+  EXPECT_NEAR(cost_of_storing(1e-4), 1.4e-3, 0.2e-3);
+  EXPECT_NEAR(cost_of_storing(1e-2), 1.3e-5, 0.2e-5);
 }
 
 TEST(ExtremeDirections, AreUnitVectorsToAHundredthOfAnUlp) {
