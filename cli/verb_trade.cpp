@@ -40,7 +40,8 @@ void add_trade(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("trade", "Measure speed against accuracy: the ledger of every approximation");
   verb->add_flag("--quick", arguments->options.quick, "fewer points and rounds: about a minute");
-  verb->add_option("--only", arguments->options.only, "only questions whose name contains this");
+  verb->add_option("--only", arguments->options.only,
+                   "only batches, families, fits, frames, or the questions whose name contains this");
   verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
   verb->add_option("-o,--output", arguments->outputs,
                    "file to write: .json (the ledger), .csv; may be repeated");
@@ -49,7 +50,8 @@ void add_trade(CLI::App& app) {
     if (isatty(STDERR_FILENO)) arguments->options.progress = show_progress;
     const trade::Ledger ledger = trade::measure_ledger(arguments->options);
     if (ledger.rows.empty())
-      throw InputError("--only " + arguments->options.only + ": no question's name contains it");
+      throw InputError("--only " + arguments->options.only +
+                       ": is no group of questions, and no question's name contains it");
     for (const std::string& path : arguments->outputs) write_ledger_as(path, ledger);
     if (arguments->json)
       std::cout << io::to_text(trade::to_json(ledger)) << '\n';

@@ -8,6 +8,7 @@
 namespace brdf::trade {
 namespace {
 
+constexpr std::string_view kUnused = "-";  // an axis that a domain's maker needs and its user does not
 constexpr double kDegree = kPi / 180;
 
 // The root of x^(d+1) = x + 1.
@@ -45,6 +46,7 @@ std::string describe(const Domain& domain) {
   std::string text;
   std::string fixed;
   for (const Axis& axis : domain.axes) {
+    if (axis.name == kUnused) continue;
     if (axis.min == axis.max)
       fixed += (fixed.empty() ? "" : ", ") + axis.name + " " + number(axis.min);
     else
@@ -59,7 +61,8 @@ std::string describe(const Domain& domain) {
 std::string describe(const Domain& domain, const std::vector<double>& at) {
   std::string text;
   for (std::size_t k = 0; k < at.size(); ++k)
-    text += (k ? ", " : "") + domain.axes[k].name + " " + number(at[k]);
+    if (domain.axes[k].name != kUnused)
+      text += (text.empty() ? "" : ", ") + domain.axes[k].name + " " + number(at[k]);
   return text;
 }
 

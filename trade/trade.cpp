@@ -4,7 +4,10 @@
 #include <cstdio>
 
 #include "trade/ball.h"
+#include "trade/fits.h"
+#include "trade/frames.h"
 #include "trade/questions.h"
+#include "trade/variants.h"
 
 namespace brdf::trade {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 std::vector<Question> kernel_questions() {
   std::vector<Question> all;
   for (const auto list : {precision_questions, fresnel_questions, masking_questions, lobe_questions,
-                          lookup_questions, albedo_questions}) {
+                          lookup_questions, variant_questions, albedo_questions}) {
     std::vector<Question> some = list();
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }
@@ -32,12 +35,27 @@ Ledger measure_ledger(const TradeOptions& options) {
   measuring.picture = &picture;
   measuring.points = options.quick ? 4096 : 16384;
   measuring.rounds = options.quick ? 21 : 31;
+  const auto add = [&](std::vector<LedgerRow> rows) {
+    std::move(rows.begin(), rows.end(), std::back_inserter(ledger.rows));
+  };
+  const auto group = [&](const char* name) { return options.only.empty() || options.only == name; };
   std::vector<Question> questions = kernel_questions();
   std::erase_if(questions, [&](const Question& q) { return q.name.find(options.only) == std::string::npos; });
+  // Shares of the whole run, roughly: kernels a third, fits a third, frames a third.
   for (std::size_t k = 0; k < questions.size(); ++k) {
-    options.progress(double(k) / double(questions.size()), questions[k].name);
-    for (LedgerRow& row : measure(questions[k], measuring)) ledger.rows.push_back(std::move(row));
+    options.progress(0.35 * double(k) / double(questions.size()), questions[k].name);
+    add(measure(questions[k], measuring));
   }
+  const FitRowsOptions fits{options.quick, &picture, [&, done = 0.35](const std::string& what) mutable {
+                              options.progress(done = std::min(0.65, done + 0.03), what);
+                            }};
+  if (group("batches")) add(batch_rows(fits));
+  if (group("families")) add(family_rows(fits));
+  if (group("fits")) add(sample_count_rows(fits));
+  const FrameOptions frames{options.quick, [&, done = 0.65](const std::string& what) mutable {
+                              options.progress(done = std::min(0.99, done + 0.05), what);
+                            }};
+  if (group("frames")) add(frame_rows(frames));
   options.progress(1, "");
   return ledger;
 }

@@ -10,7 +10,7 @@ namespace brdf::trade {
 
 struct TradeOptions {
   bool quick = false;
-  std::string only;  // questions whose name contains this
+  std::string only;  // batches, families, fits, frames, or questions whose name contains this
   std::function<void(double fraction, const std::string& what)> progress = [](double, const std::string&) {};
 };
 

@@ -1,0 +1,101 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "cli/verbs.h"
+#include "io/error.h"
+#include "trade/recommend.h"
+
+namespace brdf::cli {
+namespace {
+
+struct RecommendArguments {
+  trade::RecommendOptions options;
+  std::string metric = "image", output;
+  std::string compare;  // the folder with scenes and materials
+  bool json = false;
+};
+
+void show_progress(double fraction, const std::string& what) {
+  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str());
+  if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
+}
+
+Exit run_comparison(const RecommendArguments& a) {
+  const std::filesystem::path data = a.compare;
+  const auto rows = trade::compare_held_out(data / "scenes", data / "materials", a.options.progress);
+  io::Json json = io::Json::array();
+  std::size_t better = 0;
+  if (!a.json)
+    std::printf("%-22s %-20s %-14s %14s %14s\n", "scene", "material", "form", "scene-weighted", "hemisphere");
+  for (const trade::HeldOut& row : rows) {
+    better += row.scene_weighted < row.hemisphere_wide;
+    json.push_back({{"scene", row.scene},
+                    {"material", row.material},
+                    {"form", row.form},
+                    {"scene_weighted", row.scene_weighted},
+                    {"hemisphere_wide", row.hemisphere_wide}});
+    if (!a.json)
+      std::printf("%-22s %-20s %-14s %14.4f %14.4f\n", row.scene.c_str(), row.material.c_str(),
+                  row.form.c_str(), row.scene_weighted, row.hemisphere_wide);
+  }
+  if (a.json)
+    std::cout << io::to_text({{"rows", json}, {"better", better}}) << '\n';
+  else
+    std::printf(
+        "image error at held-out light and camera positions: the scene's weighting is better in %zu of %zu\n",
+        better, rows.size());
+  return Exit::kGood;
+}
+
+Exit run_recommendation(const RecommendArguments& a) {
+  const trade::Recommendation r = trade::recommend(a.options);
+  if (!a.output.empty()) trade::write_recommendation(a.output, r);
+  if (a.json)
+    std::cout << io::to_text(trade::to_json(r)) << '\n';
+  else
+    std::cout << trade::to_text(r);
+  return r.chosen ? Exit::kGood : Exit::kFailed;
+}
+
+}  // namespace
+
+void add_recommend(CLI::App& app) {
+  auto a = std::make_shared<RecommendArguments>();
+  CLI::App* verb = app.add_subcommand("recommend", "Find the cheapest model that a scene needs");
+  verb->add_option("--scene", a->options.scene, "scene file");
+  verb->add_option("--reference", a->options.reference, "material file, or samples (interpolated)");
+  verb->add_option("--tolerance", a->options.tolerance, "largest error allowed")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--metric", a->metric,
+                   "image: mean |dL| / mean L over lit pixels; brdf: the same over hemispheres")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"image", "brdf"}));
+  verb->add_option("--max-cost", a->options.max_cost_ns, "largest cost, ns per evaluation")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--ledger", a->options.ledger,
+                   "ledger that `brdf trade -o` wrote (default: costs measured now)");
+  verb->add_option(
+      "--compare-weightings", a->compare,
+      "instead: scene-weighted against hemisphere-wide fits for the scenes/ and materials/ of this folder");
+  verb->add_option("-o,--output", a->output, "folder for material, pictures and report");
+  verb->add_flag("--json", a->json, "JSON on stdout");
+  verb->footer(
+      "Example: brdf recommend --scene data/scenes/recommend_grazing.json --reference "
+      "data/materials/ivory_plastic.json --tolerance 0.05 -o out\nExit code 1: no model meets the "
+      "tolerance.");
+  on_run(*verb, [a] {
+    if (isatty(STDERR_FILENO)) a->options.progress = show_progress;
+    a->options.judge = a->metric == "image" ? trade::Judge::image : trade::Judge::brdf;
+    if (!a->compare.empty()) return run_comparison(*a);
+    if (a->options.scene.empty() || a->options.reference.empty())
+      throw InputError("recommend needs --scene and --reference (see brdf recommend --help)");
+    return run_recommendation(*a);
+  });
+}
+
+}  // namespace brdf::cli
