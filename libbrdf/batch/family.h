@@ -12,9 +12,11 @@ namespace brdf {
 namespace detail {
 
 // The one loop: one clone per generation of the CPU, chosen when the program is loaded. Without `flatten` the
-// form would not be inlined into the clones, which costs a factor of 8. clang refuses the two together.
+// form would not be inlined into the clones, which costs a factor of 8. clang refuses the two together; under
+// sanitizers plain code, because instrumented clones take minutes to compile and test nothing more.
 template <class Body>
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__SANITIZE_ADDRESS__)
+#elif defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
 #else
 [[gnu::flatten]]
