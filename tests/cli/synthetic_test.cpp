@@ -22,6 +22,7 @@ struct Set {
   std::string file, command, fit;
   double within;  // NaN: nothing is recovered
   int exit_code;
+  friend void PrintTo(const Set& set, std::ostream* out) { *out << set.file; }
 };
 
 // The rows of the README's table.
