@@ -59,9 +59,11 @@ std::string material_function(const Material& material) {
   return text + "  return f;\n}\n";
 }
 
-std::string glsl(const Material& material, bool is_form) {
+// A whole shader, so that it compiles as it is; `include` leaves out what only a whole shader may have.
+std::string glsl(const Material& material, bool is_form, bool include) {
   std::string text = "// Written by brdf " BRDF_VERSION ": " + io::provenance().command +
                      "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n";
+  if (!include) text += "#version 450\n";
   text += glsl_kernels();
   std::vector<std::size_t> written;
   for (const Term& term : material.terms) {
@@ -69,7 +71,9 @@ std::string glsl(const Material& material, bool is_form) {
     written.push_back(term.form.index());
     text += glsl_form(term.form);
   }
-  return is_form ? text : text + material_function(material);
+  if (!is_form) text += material_function(material);
+  if (!include) text += "void main() {}\n";
+  return text;
 }
 
 }  // namespace
@@ -78,13 +82,17 @@ void add_export(CLI::App& app) {
   struct Options {
     MaterialChoice material;
     std::string to, output;
+    bool include = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("export", "Write a form or a material as shader source");
   add_material_options(*verb, options->material);
   verb->add_option("--to", options->to, "glsl")->required()->check(CLI::IsMember({"glsl"}));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
+  verb->add_flag("--include", options->include,
+                 "Functions only, for an #include: without #version and main()");
   verb->footer(
+      "The output is a whole shader of any stage (GLSL 4.50, Vulkan) with an empty main().\n"
       "With --form alone the functions take the parameters as arguments; with --set or --material a "
       "function\n"
       "brdf_material(wi, wo) with the parameters as constants is added.\n"
@@ -92,7 +100,7 @@ void add_export(CLI::App& app) {
   on_run(*verb, [options] {
     const Material material = choose_material(options->material);
     const std::string text =
-        glsl(material, options->material.material.empty() && options->material.set.empty());
+        glsl(material, options->material.material.empty() && options->material.set.empty(), options->include);
     if (options->output.empty())
       std::cout << text;
     else

@@ -190,6 +190,11 @@ TEST_F(Cli, ExportWritesShaderSource) {
       form.out,
       HasSubstr("vec3 brdf_eval_cook_torrance(vec3 wi, vec3 wo, float alpha_x, float alpha_y, vec3 kd"));
   EXPECT_THAT(form.out, testing::Not(HasSubstr("brdf_material")));
+  EXPECT_THAT(form.out, HasSubstr("#version 450\n"));
+  EXPECT_THAT(form.out, HasSubstr("void main() {}\n"));
+  const Outcome snippet = run("export --form cook_torrance --to glsl --include");
+  EXPECT_THAT(snippet.out, testing::Not(HasSubstr("#version")));
+  EXPECT_THAT(snippet.out, testing::Not(HasSubstr("main()")));
   EXPECT_EQ(run("export --material m.json --to glsl -o m.glsl").exit_code, 0);
   EXPECT_THAT(file_text(folder_.path() / "m.glsl"),
               HasSubstr("f += brdf_eval_ward(wi, wo, 0.10000000149011612, 0.25, vec3(0.10000000149011612"));

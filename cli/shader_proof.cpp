@@ -1,0 +1,78 @@
+#include "cli/shader_proof.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+#include "cli/progress.h"
+#include "io/error.h"
+#include "io/json.h"
+#include "io/provenance.h"
+
+#ifdef BRDF_HAS_RENDER
+#include "render/probe.h"
+#endif
+
+namespace brdf::cli {
+
+#ifdef BRDF_HAS_RENDER
+
+namespace {
+
+void print_json(const std::vector<render::ProbeRow>& rows, const std::string& device, bool software,
+                std::uint64_t seed) {
+  io::Json out;
+  out["device"] = device;
+  out["software"] = software;
+  out["rows"] = io::Json::array();
+  for (const render::ProbeRow& row : rows)
+    out["rows"].push_back({{"form", row.form},
+                           {"count", row.count},
+                           {"differing", row.differing},
+                           {"max_ulp", row.max_ulp},
+                           {"beyond_tolerance", row.beyond_tolerance},
+                           {"seconds_to_compile", row.seconds_to_compile},
+                           {"passes", render::passes(row, software)}});
+  out["provenance"] = io::to_json(io::provenance(seed));
+  std::cout << io::to_text(out) << '\n';
+}
+
+void print_table(const std::vector<render::ProbeRow>& rows, const std::string& device, bool software) {
+  std::cout << device << (software ? ": every bit must agree" : ": within the tolerance") << '\n'
+            << std::left << std::setw(28) << "form" << std::right << std::setw(14) << "configurations"
+            << std::setw(18) << "differing values" << std::setw(12) << "max ulp" << std::setw(18)
+            << "beyond tolerance" << '\n';
+  for (const render::ProbeRow& row : rows)
+    std::cout << std::left << std::setw(28) << row.form << std::right << std::setw(14) << row.count
+              << std::setw(18) << row.differing << std::setw(12) << row.max_ulp << std::setw(18)
+              << row.beyond_tolerance << (render::passes(row, software) ? "" : "  FAILS") << '\n';
+}
+
+}  // namespace
+
+Exit validate_gpu(std::span<const AnyForm> forms, std::uint64_t seed, bool json) {
+  render::Device device;
+  const bool software = render::is_software(device);
+  const auto progress = progress_line("brdf validate: forms probed");
+  int done = 0;
+  const std::vector<render::ProbeRow> rows = render::probe(
+      device, forms, {.seed = seed}, [&](const render::ProbeRow&) { progress(++done, int(forms.size())); });
+  if (json)
+    print_json(rows, device.name(), software, seed);
+  else
+    print_table(rows, device.name(), software);
+  return std::all_of(rows.begin(), rows.end(),
+                     [&](const render::ProbeRow& row) { return render::passes(row, software); })
+             ? Exit::kGood
+             : Exit::kFailed;
+}
+
+#else
+
+Exit validate_gpu(std::span<const AnyForm>, std::uint64_t, bool) {
+  throw EnvironmentError("this build has no shaders: Vulkan was missing (see the messages of cmake)");
+}
+
+#endif
+
+}  // namespace brdf::cli

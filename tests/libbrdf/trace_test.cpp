@@ -1,0 +1,96 @@
+// The tracing scalar writes the formula down, once, as the library computes it.
+#include "brdf/trace.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace brdf {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string statements(Traced value) {
+  return Trace::current().statements({value.node()}, "return %0;", true);
+}
+
+struct Tracing : testing::Test {
+  Trace trace;
+  Trace::Scope scope{trace};
+  Traced x = Traced::input("x"), y = Traced::input("y");
+};
+
+TEST_F(Tracing, SharesEqualExpressions) {
+  EXPECT_EQ(statements((x + y) * (x + y)),
+            "  precise float t0 = x + y;\n  precise float t1 = t0 * t0;\n  return t1;\n");
+}
+
+TEST_F(Tracing, KeepsTheOrderOfOperands) {
+  EXPECT_THAT(statements(x - y), HasSubstr("x - y"));
+  EXPECT_THAT(statements(y - x), HasSubstr("y - x"));
+  EXPECT_NE((x + y).node(), (y + x).node());
+}
+
+TEST_F(Tracing, FoldsConstantsInFloat) {
+  // 1 + 2^-25 is 1 in float and more in double.
+  EXPECT_EQ((Traced(1.0) + Traced(0x1p-25)).node(), Traced(1.0).node());
+  EXPECT_EQ((Traced(1.0) / Traced(3.0)).node(), Traced(double(1.0f / 3.0f)).node());
+  EXPECT_EQ(sqrt(Traced(2.0)).node(), Traced(double(std::sqrt(2.0f))).node());
+  EXPECT_EQ(exp(Traced(1.5)).node(), Traced(double(kernels::exp(1.5f))).node());
+}
+
+TEST_F(Tracing, DoesNotFoldToInfinity) {
+  EXPECT_THAT(statements(Traced(1.0) / Traced(0.0)), HasSubstr("1.0 / 0.0"));
+}
+
+TEST_F(Tracing, LiteralsReadBackExactly) {
+  for (const float value : {0.1f, 1.0f / 3.0f, 1e-30f, 16777217.0f, -2.5f}) {
+    const std::string text = trace[Traced(double(value)).node()].code;
+    EXPECT_EQ(std::stof(text), value) << text;
+    EXPECT_NE(text.find_first_of(".e"), std::string::npos) << text << " is an integer in GLSL";
+  }
+}
+
+TEST_F(Tracing, ChoicesAreExpressions) {
+  EXPECT_EQ(statements(larger(x, y)), "  bool t0 = x < y;\n  precise float t1 = t0 ? y : x;\n  return t1;\n");
+}
+
+TEST(Glsl, EveryFloatOfEveryFormIsPrecise) {
+  const auto count = [](const std::string& text, const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+    return n;
+  };
+  for_each_form([&](auto form) {
+    const std::string text = glsl_kernels() + glsl_form(form);
+    EXPECT_GT(count(text, "\n  precise float t"), 50u) << form.name;
+    EXPECT_EQ(count(text, "\n  float t"), 0u) << form.name;
+    EXPECT_EQ(count(glsl_form(form, {.precise = false}), "precise"), 0u) << form.name;
+  });
+}
+
+TEST(Glsl, ArgumentsFollowTheTables) {
+  EXPECT_THAT(glsl_form(cook_torrance{}),
+              HasSubstr("vec3 brdf_eval_cos_cook_torrance(vec3 wi, vec3 wo, float alpha_x, float alpha_y, "
+                        "vec3 kd, vec3 ks, vec3 f0) {\n"));
+  EXPECT_THAT(glsl_form(lambert{}), HasSubstr("vec3 brdf_eval_lambert(vec3 wi, vec3 wo, vec3 rho) {\n"));
+}
+
+TEST(Glsl, UsesNoFunctionOfTheShadingLanguageThatRoundsFreely) {
+  for_each_form([&](auto form) {
+    const std::string text = glsl_kernels() + glsl_form(form);
+    for (const char* name :
+         {" exp(", " log(", " pow(", " inversesqrt(", " fma(", " mix(", " dot(", " normalize("})
+      EXPECT_THAT(text, Not(HasSubstr(name))) << form.name;
+  });
+}
+
+TEST(Glsl, IsTheSameTextEachTime) {
+  for_each_form([](auto form) { EXPECT_EQ(glsl_form(form), glsl_form(form)); });
+}
+
+}  // namespace
+}  // namespace brdf
