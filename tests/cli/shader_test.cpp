@@ -26,7 +26,7 @@ TEST(ExportedShader, OfEveryFormCompilesAsItIs) {
 
 TEST(ExportedShader, OfAMaterialCompilesInEveryStageAndWithinAnotherShader) {
   TemporaryFolder folder;
-  const std::string command = "export --form ward --set alpha_x=0.1 tangent_phi=0.3 --to glsl -o m.glsl";
+  const std::string command = "export --form ward --set alpha_x=0.1 --set tangent_phi=17 --to glsl -o m.glsl";
   ASSERT_EQ(run_brdf(command, folder.path()).exit_code, 0);
   for (const char* stage : {"vert", "frag", "comp"})
     EXPECT_TRUE(compiles(folder.path() / "m.glsl", stage)) << stage;
