@@ -15,30 +15,33 @@
 namespace brdf::cli {
 
 void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
-  const char* group = "Traced microsurface";
-  verb.add_option(
-          "--microsurface", s.surface,
-          "Trace rays on explicit microgeometry instead: gaussian or lambert_gaussian (--set alpha, or "
-          "alpha_x and alpha_y), mirror_grooves (alpha), lambert_grooves (sigma); mirrors take eta, "
-          "Lambertian facets rho; --theta-i, --azimuths and --seed apply")
-      ->group(group);
-  verb.add_option("--bounces", s.bounces, "Reflections to follow; 1: single reflection")
-      ->capture_default_str()
-      ->group(group);
-  verb.add_flag("--orders", s.orders, "One channel for each order of reflection: 1, 2, 3 and more")
-      ->group(group);
-  verb.add_option("--cell", s.cell, "Side of the outgoing cells, degrees (default by the lobe's width)")
-      ->group(group);
-  verb.add_option("--min-power", s.min_power, "Leave out cells with less than this share of the light")
-      ->capture_default_str()
-      ->group(group);
-  verb.add_option("--surfaces", s.surfaces,
-                  "Independent surfaces, at least 8 (default 16; mirror grooves 512)")
-      ->group(group);
-  verb.add_option(
+  CLI::App& group = *verb.add_option_group("Traced microsurface", "Rays on explicit microgeometry");
+  CLI::Option* surface = group.add_option(
+      "--microsurface", s.surface,
+      "gaussian or lambert_gaussian (--set alpha, or alpha_x and alpha_y), mirror_grooves (alpha), "
+      "lambert_grooves (sigma); mirrors take eta, Lambertian facets rho; --theta-i, --azimuths and --seed "
+      "apply");
+  const std::vector<CLI::Option*> details{
+      group.add_option("--bounces", s.bounces, "Reflections to follow; 1: single reflection")
+          ->capture_default_str(),
+      group.add_flag("--orders", s.orders, "One channel for each order of reflection: 1, 2, 3 and more"),
+      group.add_option("--cell", s.cell, "Side of the outgoing cells, degrees (default by the lobe's width)"),
+      group.add_option("--min-power", s.min_power, "Leave out cells with less than this share of the light")
+          ->capture_default_str(),
+      group.add_option("--surfaces", s.surfaces,
+                       "Independent surfaces, at least 8 (default 16; mirror grooves 512)"),
+      group.add_option("--size", s.size, "Cells along each side of a height field's period")
+          ->capture_default_str(),
+      group.add_option(
           "--rays", s.rays,
-          "Rays per surface and direction (default 262144; mirror grooves 8192, Lambertian facets 4096)")
-      ->group(group);
+          "Rays per surface and direction (default 262144; mirror grooves 8192, Lambertian facets 4096)")};
+  for (CLI::Option* detail : details) detail->needs(surface);
+  // What a material or the instrument would do to its readings says nothing about a traced surface.
+  for (const char* name :
+       {"--form", "--material", "--grid", "--step", "--blind-zone", "--aperture", "--source-aperture",
+        "--noise", "--noise-floor", "--saturation", "--clip-negatives", "--sigma-columns"}) {
+    if (CLI::Option* other = verb.get_option_no_throw(name)) surface->excludes(other);
+  }
 }
 
 #ifdef BRDF_HAS_MICRO
@@ -69,7 +72,7 @@ void print_json(const std::vector<micro::TheoryRow>& rows, std::uint64_t seed) {
     out["rows"].push_back(std::move(one));
   }
   out["provenance"] = io::to_json(io::provenance(seed));
-  std::cout << out.dump(1) << '\n';
+  std::cout << io::to_text(out) << '\n';
 }
 
 void print_number(double number, int width, int digits) {

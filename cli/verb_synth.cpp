@@ -6,7 +6,6 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
-#include "io/error.h"
 #include "io/text.h"
 #include "synth/instrument.h"
 
@@ -65,8 +64,6 @@ Exit write(const io::SampleTable& table, const std::string& path) {
 }
 
 Exit run_microsurface(const Options& o) {
-  if (!o.material.form.empty() || !o.material.material.empty())
-    throw InputError("--microsurface: takes neither --form nor --material");
   micro::SampleSettings settings = o.microsurface;
   if (!o.instrument.grid.theta_i.empty()) settings.theta_i = o.instrument.grid.theta_i;
   if (!o.azimuths.empty()) settings.azimuths = o.azimuths;

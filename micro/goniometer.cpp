@@ -108,12 +108,6 @@ void view_path(Tracer& tracer, const Simulation& s, const Vec& wo, const std::ve
 
 }  // namespace
 
-double Account::albedo() const {
-  double sum = 0;
-  for (const double e : escaped) sum += e;
-  return sum;
-}
-
 Surface make_surface(const Simulation& simulation, int index) {
   Random random(simulation.seed, index, Stream::geometry);
   if (const auto* field = std::get_if<HeightField>(&simulation.geometry))

@@ -5,24 +5,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <string>
+
+#include "io/error.h"
 
 namespace brdf::micro {
 namespace {
 
-constexpr int kMaxPeriods = 100000;  // a ray at .01 degrees over the roughest surface crosses a few hundred
-constexpr double kMarginCells =
-    0.5;  // the mesh reaches one cell past the period, rays are wrapped half a cell past it
-constexpr double kOverlap =
-    1e-3;  // consecutive segments overlap by this share of a cell, so that no hit is missed
+// A ray at .01 degrees over the roughest surface crosses a few hundred periods.
+constexpr int kMaxPeriods = 100000;
+// The mesh reaches one cell past the period, rays are wrapped this share of a cell past it.
+constexpr double kMarginCells = 0.5;
+// Consecutive segments overlap by this share of a cell, so that no hit is missed between them.
+constexpr double kOverlap = 1e-3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Vertices and triangles of the period and one more cell on every side, centred: floats are finest near zero.
-void fill_mesh(const Surface& s, RTCGeometry geometry) {
+// False where the memory is lacking.
+bool fill_mesh(const Surface& s, RTCGeometry geometry) {
   const int columns = s.nx + 3, rows = s.ny + 3;
   auto* vertices =
       static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                   3 * sizeof(float), std::size_t(columns) * rows));
+  if (!vertices) return false;
   for (int j = -1; j < rows - 1; ++j) {
     for (int i = -1; i < columns - 1; ++i) {
       *vertices++ = static_cast<float>(i * s.dx - s.period_x() / 2);
@@ -33,6 +38,7 @@ void fill_mesh(const Surface& s, RTCGeometry geometry) {
   auto* triangle = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
                                                                   RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
                                                                   2 * std::size_t(columns - 1) * (rows - 1)));
+  if (!triangle) return false;
   for (int j = -1; j < rows - 2; ++j) {
     for (int i = -1; i < columns - 2; ++i) {
       const unsigned v00 = (j + 1) * columns + i + 1, v10 = v00 + 1, v01 = v00 + columns, v11 = v01 + 1;
@@ -41,6 +47,7 @@ void fill_mesh(const Surface& s, RTCGeometry geometry) {
       for (const unsigned v : {rising ? v00 : v10, v11, v01}) *triangle++ = v;
     }
   }
+  return true;
 }
 
 RTCRay make_ray(const Surface& s, const Vec& origin, const Vec& direction, double end) {
@@ -62,26 +69,28 @@ RTCRay make_ray(const Surface& s, const Vec& origin, const Vec& direction, doubl
 }  // namespace
 
 struct Tracer::Embree {
-  RTCDevice device;
-  RTCScene scene;
+  struct Release {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  std::unique_ptr<RTCDeviceTy, Release> device;
+  std::unique_ptr<RTCSceneTy, Release> scene;
 
-  explicit Embree(const Surface& surface) : device(rtcNewDevice("threads=1")), scene(nullptr) {
-    if (!device) throw std::runtime_error("Embree found no device on this machine");
-    scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // watertight along shared edges
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    fill_mesh(surface, geometry);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+  explicit Embree(const Surface& surface) : device(rtcNewDevice("threads=1")) {
+    if (!device) throw EnvironmentError("Embree finds no processor that it can run on");
+    scene.reset(rtcNewScene(device.get()));
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);  // watertight along shared edges
+    const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    const bool filled = fill_mesh(surface, geometry);
+    if (filled) rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene.get(), geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
+    if (filled) rtcCommitScene(scene.get());
+    if (!filled || rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
+      throw EnvironmentError("Embree could not build the surface of " +
+                             std::to_string(2LL * surface.nx * surface.ny) +
+                             " triangles (not enough memory?)");
   }
-  ~Embree() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Embree(const Embree&) = delete;
-  Embree& operator=(const Embree&) = delete;
 };
 
 Tracer::Tracer(const Surface& surface) : surface_(surface), embree_(std::make_unique<Embree>(surface)) {
@@ -149,7 +158,7 @@ Fate Tracer::next(Vec& origin, const Vec& direction, Facet& facet) {
     query.ray = make_ray(surface_, origin, direction, s.end);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree_->scene, &context, &query);
+    rtcIntersect1(embree_->scene.get(), &context, &query);
     if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
       facet = facet_of(query.hit.primID);
       origin = origin + direction * query.ray.tfar;
@@ -175,7 +184,7 @@ bool Tracer::escapes(const Vec& start, const Vec& direction) {
     const Segment s = segment(origin, direction);
     if (s.end == kInfinity) return false;
     RTCRay ray = make_ray(surface_, origin, direction, s.end);
-    rtcOccluded1(embree_->scene, &context, &ray);
+    rtcOccluded1(embree_->scene.get(), &context, &ray);
     if (ray.tfar < 0) return false;
     if (s.limit == Segment::Limit::z) return direction.z > 0;
     continue_past(origin, direction, s);

@@ -1,6 +1,7 @@
 // A ray's way over the surface, and the account of where the power went.
 #pragma once
 
+#include <numeric>
 #include <vector>
 
 #include "micro/facets.h"
@@ -16,7 +17,7 @@ struct Account {
   double beyond = 0;            // still travelling after the last allowed reflection
   double leaked = 0;            // slipped through the mesh (rounding)
 
-  double albedo() const;
+  double albedo() const { return std::accumulate(escaped.begin(), escaped.end(), 0.0); }
   double lost() const { return beyond + leaked; }
 };
 
