@@ -7,7 +7,6 @@
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 
@@ -58,19 +57,18 @@ void add_parameters(std::string& text, std::span<const ParameterInfo> table, con
 std::string cost_of(const AnyForm& form) {
   const std::string glsl = glsl_form(form);
   const std::string eval_only = glsl.substr(0, glsl.find("vec3 brdf_eval_cos_"));
-  const auto count = [&](const char* pattern) {
-    const std::regex expression(pattern);
-    return std::distance(std::sregex_iterator(eval_only.begin(), eval_only.end(), expression), {});
+  const auto count = [&](std::string_view pattern) {
+    int n = 0;
+    for (std::size_t at = 0; (at = eval_only.find(pattern, at)) != std::string::npos; ++at) ++n;
+    return n;
   };
   std::string text = std::to_string(count(" = ")) + " operations";
-  const std::vector<std::pair<const char*, const char*>> kinds{{" / ", "divisions"},
-                                                               {"sqrt\\(", "square roots"},
-                                                               {"brdf_exp\\(", "exponentials"},
-                                                               {"brdf_log(1p)?\\(", "logarithms"},
-                                                               {"brdf_erfcx\\(", "erfcx"},
-                                                               {"brdf_angle\\(", "arc tangents"}};
-  for (const auto& [pattern, name] : kinds)
-    if (const auto n = count(pattern); n > 0) text += ", " + std::to_string(n) + " " + name;
+  const std::vector<std::pair<int, const char*>> kinds{
+      {count(" / "), "divisions"},          {count("sqrt("), "square roots"},
+      {count("brdf_exp("), "exponentials"}, {count("brdf_log(") + count("brdf_log1p("), "logarithms"},
+      {count("brdf_erfcx("), "erfcx"},      {count("brdf_angle("), "arc tangents"}};
+  for (const auto& [n, name] : kinds)
+    if (n > 0) text += ", " + std::to_string(n) + " " + name;
   return text;
 }
 
