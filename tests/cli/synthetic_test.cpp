@@ -108,6 +108,18 @@ TEST(SyntheticFolder, HoldsEverySetOfTheTableAndNoOther) {
   EXPECT_GE(listed.size(), 12u);
 }
 
+TEST(SyntheticFolder, WithoutItsApertureTheSharpLobeFitsTooWide) {
+  const TemporaryFolder folder;
+  const std::string fit = "fit '" + (kFolder / "aperture.csv").string() + "' --form ward";
+  const auto alpha = [&](const std::string& options) {
+    const Outcome outcome = run_brdf(fit + options + " -o m.json", folder.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return io::read_material(folder.path() / "m.json").terms[0].shape[0][0];
+  };
+  EXPECT_GT(alpha(""), 1.15 * 0.004);
+  EXPECT_NEAR(alpha(" --aperture 1"), 0.004, 0.03 * 0.004);
+}
+
 TEST(SyntheticFolder, CoversAllSixFamilies) {
   std::string commands;
   for (const Set& set : sets()) commands += set.command + '\n';
