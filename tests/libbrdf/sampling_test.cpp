@@ -177,7 +177,7 @@ TEST(Sampling, TheTestNoticesAWrongDensity) {
 double largest_weight(const Subject& subject, const Vec3<double>& wo, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   double largest = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     const double u1 = unit(random), u2 = unit(random);
     const Vec3<double> wi = draw(subject, u1, u2, 0, wo, 1);
     if (wi.z <= 0) continue;
@@ -213,7 +213,7 @@ struct Estimate {
 };
 Estimate albedo_by_sampling(const Subject& subject, const Vec3<double>& wo, bool specular,
                             std::mt19937_64& random) {
-  constexpr int kSamples = 100000;
+  constexpr int kSamples = 40000;
   std::uniform_real_distribution<double> unit(0, 1);
   double sum = 0, sum2 = 0;
   for (int k = 0; k < kSamples; ++k) {
