@@ -85,7 +85,8 @@ struct blinn_phong_as_coded {
       Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=1", 89.5, 115.001},
       Violation{"reciprocity", "the diffuse term is divided by cos_i alone", "albedo=1 metallic=0", 89.5,
-                0.99113}};
+                0.99113},
+      Violation{"continuity", "the diffuse term is not times cos_i", "albedo=1 metallic=0", 0, 0.996}};
   template <class T>
   using Weights = Albedo<T>;
   template <class T>

@@ -138,7 +138,10 @@ struct cook_torrance_1982 {
 struct cook_torrance_schlick_ggx {
   static constexpr std::string_view name = "cook_torrance_schlick_ggx";
   static constexpr std::string_view family = "cook_torrance";
-  static constexpr NoViolations violations{};
+  static constexpr std::array violations{Violation{"energy",
+                                                   "anisotropic lobes: k is taken from the geometric mean of "
+                                                   "the widths, and masks too little along the wider",
+                                                   "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.5, 3.27715}};
   template <class T>
   using Weights = SchlickWeights<T>;
   template <class T>
@@ -159,7 +162,11 @@ struct cook_torrance_as_printed {
   static constexpr std::string_view name = "cook_torrance_as_printed";
   static constexpr std::string_view family = "cook_torrance";
   static constexpr std::array violations{Violation{"reciprocity", "the Fresnel term depends on cos_o alone",
-                                                   "kd=0 ks=1 f0=0 alpha_x=1 alpha_y=1", 89.5, 1}};
+                                                   "kd=0 ks=1 f0=0 alpha_x=1 alpha_y=1", 89.5, 1},
+                                         Violation{"energy",
+                                                   "anisotropic lobes: k is taken from the geometric mean of "
+                                                   "the widths, and masks too little along the wider",
+                                                   "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.5, 3.27715}};
   template <class T>
   using Weights = SchlickWeights<T>;
   template <class T>

@@ -68,7 +68,8 @@ struct phong_classic {
   static constexpr std::array violations{
       Violation{"energy", "albedo with the light fixed grows as 1/cos_i", "kd=0 ks=1 exponent=0", 89.5,
                 28.897},
-      Violation{"reciprocity", "divided by cos_i alone", "kd=0 ks=1 exponent=0", 89.5, 0.99127}};
+      Violation{"reciprocity", "divided by cos_i alone", "kd=0 ks=1 exponent=0", 89.5, 0.99127},
+      Violation{"continuity", "the lobe is not times cos_i", "kd=0 ks=1 exponent=0", 0, 1}};
   template <class T>
   using Weights = LobeWeights<T>;
   template <class T>
@@ -92,7 +93,8 @@ struct phong_as_coded {
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo (albedo + pi F0 cos_i^16)/cos_i",
                 "albedo=1 metallic=1", 89.5, 114.593},
-      Violation{"reciprocity", "depends on cos_i alone", "albedo=0 metallic=0", 89.5, 1}};
+      Violation{"reciprocity", "depends on cos_i alone", "albedo=0 metallic=0", 89.5, 1},
+      Violation{"continuity", "the diffuse term is not times cos_i", "albedo=1 metallic=0", 0, 0.983}};
   template <class T>
   using Weights = Albedo<T>;
   template <class T>

@@ -36,9 +36,11 @@ struct ward {
 struct ward_duer {
   static constexpr std::string_view name = "ward_duer";
   static constexpr std::string_view family = "ward";
-  static constexpr std::array violations{Violation{"energy",
-                                                   "albedo above 1 beyond 78.9 degrees, growing as 1/cos",
-                                                   "kd=0 ks=1 alpha_x=0.92 alpha_y=0.0001", 89.5, 13.39}};
+  static constexpr std::array violations{
+      Violation{"energy", "albedo above 1 beyond 78.9 degrees, growing as 1/cos",
+                "kd=0 ks=1 alpha_x=0.92 alpha_y=0.0001", 89.5, 13.39},
+      Violation{"continuity", "f cos_i does not tend to 0 with cos_i", "kd=0 ks=1 alpha_x=1 alpha_y=1", 90,
+                1}};
   template <class T>
   using Weights = LobeWeights<T>;
   template <class T>
@@ -97,7 +99,9 @@ struct ward_as_coded {
       Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=0 alpha_x=1 alpha_y=1", 89.5, 108.105},
       Violation{"reciprocity", "the terms depend on cos_i alone", "albedo=1 metallic=0 alpha_x=1 alpha_y=1",
-                89.5, 0.99123}};
+                89.5, 0.99123},
+      Violation{"continuity", "the diffuse term is not times cos_i",
+                "albedo=1 metallic=0 alpha_x=1 alpha_y=1", 0, 1}};
   template <class T>
   using Weights = Albedo<T>;
   template <class T>

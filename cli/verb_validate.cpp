@@ -1,0 +1,166 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "cli/options.h"
+#include "cli/verbs.h"
+#include "io/error.h"
+#include "io/material_file.h"
+#include "io/output.h"
+#include "io/samples.h"
+#include "io/text.h"
+#include "validate/integrators.h"
+#include "validate/report.h"
+
+namespace brdf::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> files, forms, pictures, require;
+  bool all = false, json = false;
+  std::string effort = "quick", output;
+  double max_theta = 89.5;
+  std::uint64_t seed = 1;
+  bool integrators = false;
+};
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": cannot be opened");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bool is_json(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": cannot be opened");
+  file >> std::ws;
+  return file.peek() == '{';
+}
+
+std::vector<std::string> required(const Options& o) {
+  std::vector<std::string> known = validate::check_names();
+  for (const std::string& name : validate::data_sheet_names()) known.push_back(name);
+  for (const std::string& name : o.require)
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string list;
+      for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
+      throw InputError("--require " + name + ": no such check; there are " + list);
+    }
+  return o.require;
+}
+
+// Forms, materials and tables with their findings.
+validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
+  validate::ReportContent content;
+  if (o.all) for_each_form([&](auto form) { content.subjects.push_back(validate::Subject::form(form)); });
+  for (const std::string& name : o.forms)
+    content.subjects.push_back(validate::Subject::form(require_form(name)));
+  for (const std::string& file : o.files) {
+    if (is_json(file)) {
+      content.subjects.push_back(validate::Subject::material(file, io::read_material(file)));
+    } else {
+      io::SampleTable table = io::read_samples(file);
+      validate::DataSheet sheet = validate::data_sheet(table);
+      content.tables.push_back({std::move(table), std::move(sheet)});
+    }
+  }
+  if (content.subjects.empty() && content.tables.empty())
+    throw InputError("nothing to validate: give materials, samples, --form or --all");
+  content.findings = validate::run_checks(content.subjects, options);
+  for (const auto& measured : content.tables)
+    content.findings.insert(content.findings.end(), measured.sheet.findings.begin(),
+                            measured.sheet.findings.end());
+  return content;
+}
+
+Exit judge(const std::vector<validate::Finding>& findings, const std::vector<std::string>& require) {
+  for (const validate::Finding& f : findings) {
+    const bool needed = std::find(require.begin(), require.end(), f.check) != require.end();
+    if (needed ? f.verdict != validate::Verdict::pass : f.verdict == validate::Verdict::fail)
+      return Exit::kFailed;
+  }
+  return Exit::kGood;
+}
+
+void write_report(const Options& o, validate::ReportContent& content) {
+  if (o.output.empty()) return;
+  if (o.output.ends_with(".md")) {
+    io::write_file_atomically(o.output, validate::to_markdown(content.findings));
+    return;
+  }
+  for (const std::string& path : o.pictures) content.pictures.push_back({path, read_bytes(path)});
+  io::write_file_atomically(o.output, validate::to_html(content));
+}
+
+Exit run_integrators(const Options& o) {
+  io::Json rows = io::Json::array();
+  bool honest = true;
+  validate::check_integrators(o.seed, [&](const validate::IntegratorRow& row) {
+    honest = honest && row.wrong == 0;
+    rows.push_back({{"set", row.set},
+                    {"tolerance", row.tolerance},
+                    {"cases", row.cases},
+                    {"wrong", row.wrong},
+                    {"unconverged", row.unconverged},
+                    {"mean_evaluations", row.mean_evaluations},
+                    {"worst_over_allowed", row.worst},
+                    {"worst_case", row.worst_case}});
+    if (!o.json)
+      std::cout << row.set << " at " << row.tolerance << ": " << row.cases << " cases, " << row.wrong
+                << " wrong, " << row.unconverged << " unconverged, " << row.mean_evaluations
+                << " evaluations each\n"
+                << std::flush;
+  });
+  if (o.json) std::cout << io::to_text(io::Json{{"rows", rows}}) << '\n';
+  return honest ? Exit::kGood : Exit::kFailed;
+}
+
+Exit run(const Options& o) {
+  if (o.integrators) return run_integrators(o);
+  if (!(o.max_theta > 0 && o.max_theta <= 90))
+    throw InputError("--max-theta " + io::to_text(o.max_theta) + ": must be above 0 and at most 90 degrees");
+  if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
+    throw InputError("-o " + o.output + ": must end in .html or .md");
+  const std::vector<std::string> require = required(o);
+  validate::CheckOptions options;
+  options.effort = o.effort == "full" ? validate::Effort::full : validate::Effort::quick;
+  options.max_theta = o.max_theta;
+  options.seed = o.seed;
+  validate::ReportContent content = judged(o, options);
+  write_report(o, content);
+  if (o.json)
+    std::cout << io::to_text(validate::to_json(content.findings)) << '\n';
+  else
+    validate::print_findings(std::cout, content.findings, isatty(STDOUT_FILENO) != 0);
+  return judge(content.findings, require);
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("validate", "Judge forms, materials and measured samples");
+  verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
+  add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
+  verb->add_flag("--all", o->all, "every form");
+  verb->add_option("--effort", o->effort, "of the search for the worst case")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+  verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(',');
+  verb->add_option("--max-theta", o->max_theta, "largest angle of the energy check, degrees")
+      ->capture_default_str();
+  verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
+  add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
+  verb->add_option("-o,--output", o->output, "report.html or report.md");
+  verb->add_flag("--json", o->json, "findings as JSON");
+  verb->add_flag("--integrators", o->integrators, "check the error bounds of the integrals on random cases");
+  verb->footer("Example: brdf validate material.json --require energy,reciprocity -o report.html");
+  on_run(*verb, [o] { return run(*o); });
+}
+
+}  // namespace brdf::cli

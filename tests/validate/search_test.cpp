@@ -1,0 +1,47 @@
+#include "validate/search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace brdf::validate {
+namespace {
+
+TEST(Search, FindsTheHighestOfTwoPeaks) {
+  const auto f = [](std::span<const double> x) {
+    const auto peak = [&](double a, double b) {
+      return std::exp(-80 * (std::pow(x[0] - a, 2) + std::pow(x[1] - b, 2)));
+    };
+    return peak(0.2, 0.3) + 1.1 * peak(0.8, 0.63);
+  };
+  const Best best = maximise(f, 2, {});
+  EXPECT_NEAR(best.point[0], 0.8, 1e-4);
+  EXPECT_NEAR(best.point[1], 0.63, 1e-4);
+}
+
+TEST(Search, ReachesACornerExactly) {
+  const Best best = maximise([](std::span<const double> x) { return x[0] - x[1] + x[2]; }, 3, {});
+  EXPECT_EQ(best.point, (std::vector<double>{1, 0, 1}));
+}
+
+TEST(Search, IsDeterministic) {
+  const auto f = [](std::span<const double> x) { return std::sin(40 * x[0]) + std::cos(31 * x[1]); };
+  EXPECT_EQ(maximise(f, 2, {}).point, maximise(f, 2, {}).point);
+}
+
+TEST(Search, IgnoresNaN) {
+  const Best best = maximise([](std::span<const double> x) { return x[0] > 0.5 ? NAN : x[0]; }, 1, {});
+  EXPECT_NEAR(best.value, 0.5, 1e-5);
+}
+
+TEST(Search, TheCoverIsEvenlySpread) {
+  int quadrant[4] = {};
+  for (std::size_t k = 0; k < 400; ++k) {
+    const auto p = cover_point(k, 2, 1);
+    ++quadrant[(p[0] > 0.5) + 2 * (p[1] > 0.5)];
+  }
+  for (const int count : quadrant) EXPECT_NEAR(count, 100, 8);
+}
+
+}  // namespace
+}  // namespace brdf::validate

@@ -1,0 +1,37 @@
+// What a table of measurements is worth, before anything is fitted to it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/html_report.h"
+#include "io/samples.h"
+#include "validate/finding.h"
+
+namespace brdf::validate {
+
+// The reflected fraction of light from one direction, integrated over the samples.
+struct MeasuredAlbedo {
+  double theta_i;                    // degrees
+  double coverage;                   // fraction of the projected hemisphere within reach of a sample
+  std::vector<double> value, bound;  // per channel
+};
+
+struct DataSheet {
+  std::vector<Finding> findings;
+  std::vector<MeasuredAlbedo> albedo;
+  std::vector<std::pair<std::string, std::string>> facts;  // rows, channels, angles, ...
+};
+
+// Checks: negative, missing, duplicates, directions (is a pole's azimuth without effect?), outliers,
+// reciprocity (exact pairs), noise_floor (interpolated reciprocity), cosine_factor (is the quantity f_r?),
+// isotropy, coverage, energy. What the table does not allow is not_applicable, and says why.
+DataSheet data_sheet(const io::SampleTable& table);
+
+// The names of its checks.
+std::vector<std::string> data_sheet_names();
+
+void add_to_report(io::HtmlReport& report, const io::SampleTable& table, const DataSheet& sheet);
+
+}  // namespace brdf::validate

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "brdf/integrals.h"
+#include "io/text.h"
+#include "validate/checks.h"
+#include "validate/search.h"
+
+namespace brdf::validate {
+namespace {
+
+constexpr double kRadians = kPi / 180;
+constexpr double kSlack = 1e-9;  // an albedo of exactly 1 may come out this much above
+
+// The elevation at x in [0, 1]: from the normal to max_theta, closer together towards grazing.
+double elevation_at(double x, double max_theta) {
+  const double lowest = (90 - max_theta) * kRadians;
+  return lowest + (kPi / 2 - lowest) * (1 - x) * (1 - x);
+}
+
+struct Albedo {
+  double value = -HUGE_VAL, bound = 0;
+  bool converged = true;
+  std::size_t channel = 0;
+  std::vector<double> weights;  // of a form, where they were chosen here
+  long evaluations = 0;
+};
+
+// Largest albedo over the weights that a form may have. Albedo is linear in each weight, so the worst weights
+// are corners of their domain.
+Albedo over_weights(const AnyForm& form, std::span<const double> shape, double theta, double phi,
+                    const AlbedoOptions& options) {
+  Albedo worst;
+  const auto lobes = lobe_albedos(form, shape, theta, phi, options);
+  const FormInfo& f = info(form);
+  std::visit(
+      [&](auto g) {
+        using F = decltype(g);
+        if constexpr (LinearForm<F>) {
+          using Weights = typename F::template Weights<double>;
+          const int kd = f.weight_index("kd"), ks = f.weight_index("ks");
+          for (std::size_t corner = 0; corner < std::size_t{1} << f.weights.size(); ++corner) {
+            std::vector<double> w;
+            for (std::size_t k = 0; k < f.weights.size(); ++k)
+              w.push_back(corner >> k & 1 ? std::min(f.weights[k].max, 1.0) : f.weights[k].min);
+            if (kd >= 0 && ks >= 0 && w[std::size_t(kd)] + w[std::size_t(ks)] > 1) continue;
+            const auto linear = from_values<Weights>(std::span<const double>(w)).linear();
+            double value = 0, bound = 0;
+            for (std::size_t k = 0; k < linear.size(); ++k) {
+              value += linear[k] * lobes[k].value;
+              if (linear[k] != 0) bound += std::abs(linear[k]) * lobes[k].error_bound;
+            }
+            if (value > worst.value) {
+              worst.value = value;
+              worst.bound = bound;
+              worst.weights = w;
+            }
+          }
+          worst.converged = worst.bound <= options.tolerance * std::abs(worst.value);
+          worst.evaluations = lobes.front().evaluations;
+        }
+      },
+      form);
+  return worst;
+}
+
+Albedo over_channels(const Material& m, double theta, double phi, const AlbedoOptions& options) {
+  Albedo worst;
+  const auto results = directional_albedo(m, theta, phi, options);
+  for (std::size_t c = 0; c < results.size(); ++c)
+    if (results[c].value > worst.value)
+      worst = {results[c].value, results[c].error_bound, results[c].converged, c, {}, results[c].evaluations};
+  return worst;
+}
+
+class EnergySearch {
+ public:
+  EnergySearch(const Subject& subject, const CheckOptions& options) : subject_(subject), options_(options) {
+    linear_ =
+        subject.of_form() && std::visit([](auto f) { return LinearForm<decltype(f)>; }, *subject.of_form());
+    parameters_ = linear_ ? subject.shape_dimensions() : subject.dimensions();
+  }
+
+  Finding run() {
+    const bool full = options_.effort == Effort::full;
+    const std::size_t dimensions = parameters_ + (subject_.anisotropic() ? 2 : 1);
+    SearchOptions search;
+    search.cover = full ? 400 : 100;
+    search.starts = full ? 8 : 4;
+    search.steps = full ? 80 : 45;
+    search.finest = 1e-6;
+    search.seed = options_.seed;
+    const Objective objective = [&](std::span<const double> point) { return albedo(point, 3e-5).value; };
+    const Best best = maximise(objective, dimensions, search, corners(dimensions));
+    return judge(best.point);
+  }
+
+ private:
+  // All corners: the extremes of the parameters, at the normal and at the largest angle, and points near
+  // there.
+  std::vector<std::vector<double>> corners(std::size_t dimensions) const {
+    std::vector<std::vector<double>> points;
+    for (std::size_t c = 0; c < std::size_t{1} << std::min<std::size_t>(dimensions, 6); ++c) {
+      std::vector<double> point(dimensions);
+      for (std::size_t d = 0; d < dimensions; ++d) point[d] = double(c >> d & 1);
+      points.push_back(point);
+      if (parameters_ == 0) continue;
+      for (std::size_t d = 0; d < parameters_; ++d) point[d] = 0.2 + 0.6 * point[d];
+      points.push_back(point);
+    }
+    return points;
+  }
+
+  std::vector<double> padded(std::span<const double> point) const {
+    std::vector<double> p(point.begin(), point.begin() + long(parameters_));
+    p.resize(subject_.dimensions(), 1.0);
+    return p;
+  }
+  double elevation(std::span<const double> point) const {
+    return elevation_at(point[parameters_], options_.max_theta);
+  }
+  double azimuth(std::span<const double> point) const {
+    return subject_.anisotropic() ? kPi / 2 * point[parameters_ + 1] : 0;
+  }
+
+  Albedo albedo(std::span<const double> point, double tolerance, double lift = 1) {
+    AlbedoOptions options;
+    options.tolerance = tolerance;
+    const double theta = kPi / 2 - elevation(point) * lift;
+    const Material m = subject_.at(padded(point));
+    Albedo found = linear_ ? over_weights(*subject_.of_form(), m.terms.front().shape.front(), theta,
+                                          azimuth(point), options)
+                           : over_channels(m, theta, azimuth(point), options);
+    evaluations_ += found.evaluations;
+    return found;
+  }
+
+  Finding judge(const std::vector<double>& point) {
+    const Albedo worst = albedo(point, 1e-9);
+    Finding finding{subject_.name(), "energy"};
+    finding.value = worst.value;
+    finding.bound = 1;
+    const bool above = worst.value - worst.bound > 1 + kSlack;
+    finding.verdict = above ? Verdict::fail : Verdict::pass;
+    const double theta = 90 - elevation(point) / kRadians, phi = azimuth(point) / kRadians;
+    Material at = subject_.at(padded(point));
+    if (linear_) at.terms.front().weights.front() = worst.weights;
+    Witness w;
+    w.parameters = subject_.parameters(at);
+    w.angles = {{"theta", theta}, {"phi", phi}};
+    w.channel = at.channels[worst.channel];
+    w.command = "brdf albedo " + subject_.selector(at) + " --theta " + io::to_text(theta) + " --phi " +
+                io::to_text(phi) + " --tolerance 1e-9";
+    finding.witness = w;
+    std::ostringstream text;
+    text.precision(7);
+    text << (above ? "reflects up to " : "albedo at most ") << worst.value << " (+-";
+    text.precision(2);
+    text << worst.bound << ") up to " << io::to_text(options_.max_theta) << " degrees";
+    if (above) text << growth(point, worst.value);
+    if (!worst.converged) text << "; the integral did not reach 1e-9";
+    finding.statement = text.str();
+    finding.evaluations = evaluations_;
+    return finding;
+  }
+
+  // Where the worst angle is the limit, what happens beyond it: E ~ cos^-p.
+  std::string growth(const std::vector<double>& point, double here) {
+    if (point[parameters_] < 1 || options_.max_theta >= 90) return "";
+    const double nearer = albedo(point, 1e-6, 0.01).value, nearest = albedo(point, 1e-6, 1e-4).value;
+    std::ostringstream text;
+    text.precision(3);
+    const double power = std::log(nearest / nearer) / std::log(100.0);
+    if (power > 0.05)
+      text << "; beyond, it grows as 1/cos^" << power << " without limit";
+    else
+      text << "; beyond, it tends to " << nearest << (nearest > here ? "" : " (no higher)");
+    return text.str();
+  }
+
+  const Subject& subject_;
+  const CheckOptions& options_;
+  bool linear_ = false;
+  std::size_t parameters_ = 0;
+  long evaluations_ = 0;
+};
+
+}  // namespace
+
+Finding check_energy(const Subject& subject, const CheckOptions& options) {
+  return EnergySearch(subject, options).run();
+}
+
+}  // namespace brdf::validate

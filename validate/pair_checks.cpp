@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "validate/checks.h"
+#include "validate/pair_search.h"
+
+namespace brdf::validate {
+namespace {
+
+constexpr double kReciprocityBound = 1e-10;  // rounding: the form sees the same numbers in another order
+constexpr double kIsotropyBound = 1e-6;  // a tangent frame rounds the directions, which narrow lobes magnify
+constexpr double kFaint = 0.01;          // 1/sr: differences below it are judged against it
+constexpr double kTiny = 1e-30;          // below this a value is an underflowing tail
+
+// Channel with the largest |measure(values)|.
+template <class Measure>
+double worst_channel(const Material& m, Measure&& measure) {
+  double worst = -HUGE_VAL;
+  for (std::size_t c = 0; c < m.channels.size(); ++c) worst = std::max(worst, measure(c));
+  return worst;
+}
+
+double difference(double a, double b, double least) {
+  const double scale = std::max(std::abs(a), std::abs(b));
+  return scale < kTiny ? 0 : std::abs(a - b) / std::max(scale, least);
+}
+
+double asymmetry(const Material& m, const Vec3<double>& i1, const Vec3<double>& o1, const Vec3<double>& i2,
+                 const Vec3<double>& o2, double least) {
+  std::vector<double> a(m.channels.size()), b(a.size());
+  eval(m, i1, o1, a);
+  eval(m, i2, o2, b);
+  return worst_channel(m, [&](std::size_t c) { return difference(a[c], b[c], least); });
+}
+
+Finding from_best(const Subject& subject, std::string check, const Best& best, double value, double bound,
+                  int evals) {
+  Finding finding;
+  finding.subject = subject.name();
+  finding.check = std::move(check);
+  finding.value = value;
+  finding.bound = bound;
+  finding.evaluations = best.calls * evals * long(subject.channels().size());
+  finding.witness = pair_witness(subject, subject.at(best.point), pair_of(subject, best.point));
+  return finding;
+}
+
+std::string in_words(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+Finding check_finite(const Subject& subject, const CheckOptions&) {
+  Finding finding{subject.name(), "finite"};
+  std::vector<Vec3<double>> directions;
+  for (const double z : {1.0, 0.7, 0.1, 1e-3, 1e-6, 1e-9, 1e-13, 1e-300, 0.0, -1e-300, -1e-9, -0.5, -1.0})
+    for (const double phi : {0.0, 1.0, kPi / 2, kPi}) {
+      const double s = std::sqrt(std::max((1 - z) * (1 + z), 0.0));
+      directions.push_back({s * std::cos(phi), s * std::sin(phi), z});
+    }
+  directions.push_back({1e-310, 0, 1});
+  directions.push_back({1, 1e-310, 1e-310});
+  const std::size_t n = subject.dimensions(), corners = std::size_t{1} << std::min<std::size_t>(n, 6);
+  for (std::size_t k = 0; k < corners + 16; ++k) {
+    std::vector<double> point = k < corners ? std::vector<double>(n) : cover_point(k, n, 1);
+    if (k < corners)
+      for (std::size_t d = 0; d < n; ++d) point[d] = double(k >> d & 1);
+    const Material m = subject.at(point);
+    std::vector<double> f(m.channels.size()), f_cos(m.channels.size());
+    for (const auto& wi : directions)
+      for (const auto& wo : directions) {
+        eval(m, wi, wo, f);
+        eval_cos(m, wi, wo, f_cos);
+        finding.evaluations += 2 * long(f.size());
+        for (std::size_t c = 0; c < f.size(); ++c) {
+          if (std::isfinite(f[c]) && std::isfinite(f_cos[c])) continue;
+          if (finding.value++ > 0) continue;
+          const auto degrees = [](double x) { return x * 180 / kPi; };
+          const Pair pair{wi,
+                          wo,
+                          degrees(std::acos(wi.z)),
+                          degrees(std::atan2(wi.y, wi.x)),
+                          degrees(std::acos(wo.z)),
+                          degrees(std::atan2(wo.y, wo.x))};
+          finding.witness = pair_witness(subject, m, pair);
+        }
+      }
+  }
+  finding.verdict = finding.value > 0 ? Verdict::fail : Verdict::pass;
+  finding.statement =
+      finding.value > 0 ? "values that are not finite" : "finite for every pair of directions tried";
+  return finding;
+}
+
+Finding check_non_negative(const Subject& subject, const CheckOptions& options) {
+  const Best best = worst_pair(
+      subject,
+      [](const Material& m, const Pair& p) {
+        std::vector<double> f(m.channels.size());
+        eval(m, p.wi, p.wo, f);
+        return worst_channel(m, [&](std::size_t c) { return -f[c]; });
+      },
+      options);
+  Finding finding = from_best(subject, "non_negative", best, -best.value, 0, 1);
+  finding.verdict = finding.value < -1e-12 ? Verdict::fail : Verdict::pass;
+  finding.statement =
+      finding.verdict == Verdict::pass ? "never below 0" : "f down to " + in_words(finding.value) + " /sr";
+  return finding;
+}
+
+Finding check_reciprocity(const Subject& subject, const CheckOptions& options) {
+  const Best best = worst_pair(
+      subject, [](const Material& m, const Pair& p) { return asymmetry(m, p.wi, p.wo, p.wo, p.wi, 0); },
+      options);
+  Finding finding = from_best(subject, "reciprocity", best, best.value, kReciprocityBound, 2);
+  finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
+  finding.statement =
+      finding.verdict == Verdict::pass
+          ? "f(i,o) = f(o,i) to rounding, cosines from 1 to 1e-6"
+          : "f(i,o) and f(o,i) differ by " + in_words(100 * finding.value) + " % of the larger";
+  return finding;
+}
+
+Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
+  // Isotropic: every turn of both directions; anisotropic: the reflection at the plane of the tangent.
+  const bool anisotropic = subject.anisotropic();
+  const Best best = worst_pair(
+      subject,
+      [&](const Material& m, const Pair& p) {
+        if (anisotropic) {
+          double worst = 0;
+          for (const Term& term : m.terms) {
+            const double c = std::cos(2 * term.tangent_phi), s = std::sin(2 * term.tangent_phi);
+            const auto reflected = [&](const Vec3<double>& w) -> Vec3<double> {
+              return {c * w.x + s * w.y, s * w.x - c * w.y, w.z};
+            };
+            worst = std::max(worst, asymmetry(Material{m.channels, {term}}, p.wi, p.wo, reflected(p.wi),
+                                              reflected(p.wo), kFaint));
+          }
+          return worst;
+        }
+        // Exact turns only: at the edge of a cosine lobe x^n, rounding a direction can be any change of f.
+        double worst = 0;
+        for (const auto& [c, s] : {std::pair{0.0, 1.0}, std::pair{-1.0, 0.0}})
+          worst = std::max(worst, asymmetry(m, p.wi, p.wo, turn(p.wi, c, s), turn(p.wo, c, s), kFaint));
+        return worst;
+      },
+      options);
+  Finding finding = from_best(subject, "isotropy", best, best.value, kIsotropyBound, anisotropic ? 2 : 4);
+  finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
+  if (!anisotropic)
+    finding.statement = finding.verdict == Verdict::pass ? "isotropic" : "changes when the sample is turned";
+  else if (subject.of_form())
+    finding.statement = "anisotropic: symmetric about the tangent";
+  else
+    finding.statement = "anisotropic: symmetric about the tangent at " +
+                        in_words(subject.own().terms.front().tangent_phi * 180 / kPi) + " degrees";
+  return finding;
+}
+
+Finding check_continuity(const Subject& subject, const CheckOptions& options) {
+  constexpr double kBound = 0.01;
+  // f cos_i with the light at the horizon, over its largest value on the way there.
+  const Best best = worst_pair(
+      subject,
+      [](const Material& m, const Pair& p) {
+        std::vector<double> f(m.channels.size()), largest(f.size(), kTiny);
+        const double phi = p.phi_i * kPi / 180;
+        for (double z = 0.9; z > 1e-12; z *= 0.1) {
+          const double s = std::sqrt((1 - z) * (1 + z));
+          eval_cos(m, {s * std::cos(phi), s * std::sin(phi), z}, p.wo, f);
+          for (std::size_t c = 0; c < f.size(); ++c) largest[c] = std::max(largest[c], std::abs(f[c]));
+        }
+        eval_cos(m, {std::cos(phi), std::sin(phi), 1e-12}, p.wo, f);
+        // What is left of a lobe's far tail is no edge that anyone could see.
+        return worst_channel(
+            m, [&](std::size_t c) { return largest[c] < 1e-9 ? 0 : std::abs(f[c]) / largest[c]; });
+      },
+      options);
+  Finding finding = from_best(subject, "continuity", best, best.value, kBound, 13);
+  finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
+  finding.statement =
+      finding.verdict == Verdict::pass
+          ? "reflected light fades out as the light sets"
+          : "reflected light does not fade out as the light sets: it jumps to 0 at the horizon";
+  return finding;
+}
+
+}  // namespace brdf::validate

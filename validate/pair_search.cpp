@@ -1,0 +1,88 @@
+#include "validate/pair_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/text.h"
+
+namespace brdf::validate {
+namespace {
+
+// Corners of the parameters' cube (the first 32) and a cover of its inside.
+std::vector<std::vector<double>> parameter_points(std::size_t dimensions, std::size_t cover,
+                                                  std::uint64_t seed) {
+  std::vector<std::vector<double>> points;
+  const std::size_t corners = std::size_t{1} << std::min<std::size_t>(dimensions, 5);
+  for (std::size_t c = 0; c < corners; ++c) {
+    std::vector<double> point;
+    for (std::size_t d = 0; d < dimensions; ++d) point.push_back(c >> d & 1 ? 1.0 : 0.0);
+    points.push_back(point);
+  }
+  if (dimensions > 0)
+    for (std::size_t k = 0; k < cover; ++k) points.push_back(cover_point(k, dimensions, seed));
+  return points;
+}
+
+}  // namespace
+
+Pair pair_at(double a, double b, double turn_o, double turn_i) {
+  const auto place = [](double t, double phi, double& theta) -> Vec3<double> {
+    const double z = std::pow(10.0, -6 * t), s = std::sqrt((1 - z) * (1 + z));
+    theta = std::atan2(s, z) * 180 / kPi;
+    return {s * std::cos(phi), s * std::sin(phi), z};
+  };
+  Pair pair;
+  const double phi_i = kPi * turn_i, phi_o = phi_i + kPi * turn_o;
+  pair.wi = place(a, phi_i, pair.theta_i);
+  pair.wo = place(b, phi_o, pair.theta_o);
+  pair.phi_i = phi_i * 180 / kPi;
+  pair.phi_o = phi_o * 180 / kPi;
+  return pair;
+}
+
+std::size_t pair_dimensions(const Subject& subject) {
+  return subject.dimensions() + (subject.anisotropic() ? 4 : 3);
+}
+
+Pair pair_of(const Subject& subject, std::span<const double> point) {
+  const std::size_t p = subject.dimensions();
+  return pair_at(point[p], point[p + 1], point[p + 2], subject.anisotropic() ? point[p + 3] : 0);
+}
+
+Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options) {
+  const bool full = options.effort == Effort::full;
+  std::vector<std::vector<double>> grid;
+  const std::vector<double> cosines{0, 0.05, 0.15, 0.3, 0.5, 0.75, 1};
+  for (const auto& parameters : parameter_points(subject.dimensions(), full ? 48 : 12, options.seed))
+    for (const double a : cosines)
+      for (const double b : cosines)
+        for (const double turn : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+          std::vector<double> point = parameters;
+          point.insert(point.end(), {a, b, turn});
+          if (subject.anisotropic()) point.push_back(0.15);
+          grid.push_back(std::move(point));
+        }
+  SearchOptions search;
+  search.cover = full ? 20000 : 3000;
+  search.starts = full ? 24 : 8;
+  search.steps = full ? 120 : 60;
+  search.seed = options.seed;
+  const Objective objective = [&](std::span<const double> point) {
+    return measure(subject.at(point), pair_of(subject, point));
+  };
+  return maximise(objective, pair_dimensions(subject), search, grid);
+}
+
+Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair) {
+  Witness w;
+  w.parameters = subject.parameters(at);
+  w.angles = {
+      {"theta_i", pair.theta_i}, {"phi_i", pair.phi_i}, {"theta_o", pair.theta_o}, {"phi_o", pair.phi_o}};
+  std::string row;
+  for (const auto& [name, value] : w.angles) row += (row.empty() ? "" : ",") + io::to_text(value);
+  w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + row + "\\n' > pair.csv && brdf eval " +
+              subject.selector(at) + " pair.csv";
+  return w;
+}
+
+}  // namespace brdf::validate

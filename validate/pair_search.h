@@ -1,0 +1,32 @@
+// Search over a subject's parameters and pairs of directions.
+#pragma once
+
+#include <functional>
+
+#include "validate/checks.h"
+#include "validate/search.h"
+
+namespace brdf::validate {
+
+struct Pair {
+  Vec3<double> wi, wo;
+  double theta_i, phi_i, theta_o, phi_o;  // degrees
+};
+
+// Cosines 10^(-6 a) and 10^(-6 b), the azimuth between them turn_o half turns.
+Pair pair_at(double a, double b, double turn_o, double turn_i);
+
+// Coordinates: the subject's, then two cosines and the azimuth between, then the azimuth of wi if
+// anisotropic.
+std::size_t pair_dimensions(const Subject& subject);
+Pair pair_of(const Subject& subject, std::span<const double> point);
+
+using PairMeasure = std::function<double(const Material&, const Pair&)>;
+
+// The largest value of the measure: a structured grid (corners and cover of the parameters, all pairs of
+// graded cosines, the mirror plane among the azimuths), a cover, and climbs from the best.
+Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options);
+
+Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair);
+
+}  // namespace brdf::validate

@@ -1,0 +1,128 @@
+#include "validate/report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+namespace brdf::validate {
+namespace {
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(6);
+  text << value;
+  return text.str();
+}
+
+std::string readable(const Witness& w) {
+  std::string text;
+  for (const auto* list : {&w.parameters, &w.angles})
+    for (const auto& [name, value] : *list) text += (text.empty() ? "" : " ") + name + "=" + number(value);
+  return text;
+}
+
+std::string plain(Verdict verdict) {
+  std::string name = verdict_name(verdict);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+bool shows_witness(const Finding& f) {
+  return f.witness && (f.verdict == Verdict::fail || f.verdict == Verdict::known_violation);
+}
+
+io::Mark mark_of(Verdict verdict) {
+  constexpr std::array marks{io::Mark::good, io::Mark::warn, io::Mark::bad, io::Mark::none};
+  return marks[std::size_t(verdict)];
+}
+
+std::size_t count(const std::vector<Finding>& findings, Verdict verdict) {
+  return std::size_t(std::count_if(findings.begin(), findings.end(),
+                                   [&](const Finding& f) { return f.verdict == verdict; }));
+}
+
+}  // namespace
+
+std::string summary(const std::vector<Finding>& findings) {
+  const std::size_t failed = count(findings, Verdict::fail),
+                    known = count(findings, Verdict::known_violation),
+                    passed = count(findings, Verdict::pass);
+  std::string text = std::to_string(passed) + " passed";
+  if (known > 0) text += ", " + std::to_string(known) + " known violation" + (known > 1 ? "s" : "");
+  text += ", " + std::to_string(failed) + " failed";
+  if (const std::size_t none = count(findings, Verdict::not_applicable); none > 0)
+    text += ", " + std::to_string(none) + " not applicable";
+  return text;
+}
+
+void print_findings(std::ostream& out, const std::vector<Finding>& findings, bool colour) {
+  constexpr std::array colours{"\033[32m", "\033[33m", "\033[31m", "\033[2m"};
+  std::string subject;
+  for (const Finding& f : findings) {
+    if (f.subject != subject) out << (subject.empty() ? "" : "\n") << f.subject << '\n';
+    subject = f.subject;
+    out << "  " << std::left << std::setw(15) << f.check;
+    if (colour) out << colours[std::size_t(f.verdict)];
+    out << std::setw(16) << plain(f.verdict);
+    if (colour) out << "\033[0m";
+    out << std::right << f.statement << '\n';
+    if (!shows_witness(f)) continue;
+    out << "      at " << readable(*f.witness) << '\n';
+    out << "      $ " << f.witness->command << '\n';
+  }
+  out << '\n' << summary(findings) << '\n';
+}
+
+io::Json to_json(const Finding& f) {
+  io::Json json{{"subject", f.subject}, {"check", f.check}, {"verdict", verdict_name(f.verdict)}};
+  json["value"] = std::isfinite(f.value) ? io::Json(f.value) : io::Json(nullptr);
+  json["bound"] = f.bound;
+  json["statement"] = f.statement;
+  json["witness"] = nullptr;
+  if (f.witness) {
+    io::Json witness = io::Json::object();
+    for (const auto& [name, value] : f.witness->parameters) witness[name] = value;
+    for (const auto& [name, value] : f.witness->angles) witness[name] = value;
+    if (!f.witness->channel.empty()) witness["channel"] = f.witness->channel;
+    witness["command"] = f.witness->command;
+    json["witness"] = std::move(witness);
+  }
+  json["evaluations"] = f.evaluations;
+  return json;
+}
+
+io::Json to_json(const std::vector<Finding>& findings) {
+  io::Json json{{"findings", io::Json::array()}};
+  for (const Finding& f : findings) json["findings"].push_back(to_json(f));
+  return json;
+}
+
+std::string to_markdown(const std::vector<Finding>& findings) {
+  std::string text =
+      "**" + summary(findings) + "**\n\n| subject | check | verdict | finding |\n|---|---|---|---|\n";
+  for (const Finding& f : findings) {
+    constexpr std::array signs{"pass", "known violation", "**fail**", "not applicable"};
+    text += "| " + f.subject + " | " + f.check + " | " + signs[std::size_t(f.verdict)] + " | " + f.statement;
+    if (shows_witness(f)) text += "<br>`" + f.witness->command + "`";
+    text += " |\n";
+  }
+  return text;
+}
+
+void add_table(io::HtmlReport& report, const std::vector<Finding>& findings) {
+  std::vector<std::vector<io::Cell>> rows;
+  for (const Finding& f : findings) {
+    std::string text = f.statement;
+    rows.push_back({{f.subject},
+                    {f.check},
+                    {plain(f.verdict), mark_of(f.verdict)},
+                    {text},
+                    {shows_witness(f) ? f.witness->command : "", io::Mark::none, true}});
+  }
+  report.table({"subject", "check", "verdict", "finding", "reproduce"}, rows);
+}
+
+}  // namespace brdf::validate

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/integrals.h"
+#include "io/text.h"
+#include "validate/report.h"
+
+namespace brdf::validate {
+namespace {
+
+constexpr double kRadians = kPi / 180;
+
+// The material that a subject's plots show: its own, or a form's table defaults at full weight.
+Material shown(const Subject& subject) {
+  Material m = subject.own();
+  if (!subject.of_form()) return m;
+  const FormInfo& f = info(*subject.of_form());
+  for (std::size_t k = 0; k < f.weights.size(); ++k)
+    if (f.weights[k].name == "rho" || f.weights[k].name == "albedo") m.terms[0].weights[0][k] = 1;
+  return m;
+}
+
+std::string with_selector(const Subject& subject, const Material& m, const std::string& verb,
+                          const std::string& rest) {
+  return "brdf " + verb + " " + subject.selector(m) + " " + rest;
+}
+
+io::Plot albedo_plot(const Subject& subject, const Material& m) {
+  io::Plot plot;
+  plot.title = "Albedo against angle: " + subject.name();
+  plot.x_label = "polar angle of the light, degrees";
+  plot.y_label = "reflected fraction";
+  std::vector<double> angles;
+  for (double theta = 0; theta < 85; theta += 2.5) angles.push_back(theta);
+  for (double theta = 85; theta <= 90; theta += 0.25) angles.push_back(theta);
+  double widest = 0;
+  std::string list;
+  for (const double theta : angles) list += (list.empty() ? "" : ",") + io::to_text(theta);
+  for (const std::string& channel : m.channels)
+    plot.series.push_back({channel, angles, {}, io::Series::Style::line});
+  for (const double theta : angles) {
+    AlbedoOptions options;
+    options.tolerance = 1e-5;
+    const auto results = directional_albedo(m, theta * kRadians, 0, options);
+    for (std::size_t c = 0; c < results.size(); ++c) {
+      plot.series[c].y.push_back(results[c].value);
+      widest = std::max(widest, results[c].error_bound);
+    }
+  }
+  plot.series.push_back({"1: all of it", {0, 90}, {1, 1}, io::Series::Style::faint});
+  plot.caption =
+      "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
+      "would give off more than it receives. Error bound of every point: at most " +
+      io::to_text(float(widest)) + ".";
+  plot.command = with_selector(subject, m, "albedo", "--theta " + list + " --tolerance 1e-5");
+  return plot;
+}
+
+io::Plot polar_plot(const Subject& subject, const Material& m) {
+  io::Plot plot;
+  plot.title = "Reflected lobes in the plane of incidence: " + subject.name();
+  plot.x_label = "f cos, along the surface";
+  plot.y_label = "f cos, along the normal";
+  plot.equal_axes = true;
+  std::vector<double> f(m.channels.size());
+  for (const double theta_i : {0.0, 30.0, 60.0}) {
+    io::Series lobe{"light at " + io::to_text(theta_i) + " degrees", {}, {}, io::Series::Style::line};
+    for (double theta = -89; theta <= 89; theta += 0.5) {
+      const Vec3<double> wi = direction(theta_i * kRadians, kPi), wo = direction(theta * kRadians, 0);
+      eval(m, wi, wo, f);
+      const double r = *std::max_element(f.begin(), f.end()) * wo.z;
+      lobe.x.push_back(r * std::sin(theta * kRadians));
+      lobe.y.push_back(r * std::cos(theta * kRadians));
+    }
+    plot.series.push_back(std::move(lobe));
+  }
+  plot.caption =
+      "How bright the surface sends light on to each side, the light coming from the left; the brightest "
+      "channel.";
+  plot.command =
+      with_selector(subject, m, "eval", "DIRECTIONS.csv   # phi_i = 180, phi_o = 0; f times cos(theta_o)");
+  return plot;
+}
+
+// White furnace: reflected fraction of uniform light against the first shape parameter.
+void add_furnace(io::HtmlReport& report, const Subject& subject, const Material& m) {
+  if (!subject.of_form() || subject.shape_dimensions() == 0) return;
+  const FormInfo& f = info(*subject.of_form());
+  std::vector<std::size_t> tied{0};
+  if (f.shape.size() > 1 && f.shape[0].name == "alpha_x") tied.push_back(1);
+  io::Plot plot;
+  plot.title = "White furnace: " + subject.name();
+  plot.log_x = f.shape[0].log_scale && f.shape[0].min > 0;
+  plot.x_label = tied.size() > 1 ? "alpha (both widths)" : std::string(f.shape[0].name);
+  plot.y_label = "albedo of the lobe at full weight";
+  std::vector<double> values;
+  for (int k = 0; k <= 40; ++k) values.push_back(parameter_value(f.shape[0], k / 40.0, f.shape[0].usual_max));
+  Material full = m;
+  for (std::size_t k = 0; k < f.weights.size(); ++k)
+    full.terms[0].weights[0][k] = f.weights[k].name == "kd" ? 0 : 1;
+  for (const double theta : {0.0, 60.0, 80.0}) {
+    io::Series s{"light at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
+    for (const double value : values) {
+      for (const std::size_t k : tied) full.terms[0].shape[0][k] = value;
+      AlbedoOptions options;
+      options.tolerance = 1e-4;
+      s.y.push_back(directional_albedo(full, theta * kRadians, 0, options)[0].value);
+    }
+    plot.series.push_back(std::move(s));
+  }
+  plot.series.push_back(
+      {"1: nothing lost", {values.front(), values.back()}, {1, 1}, io::Series::Style::faint});
+  plot.caption =
+      "In a room that is equally bright everywhere a lossless surface would be invisible (1). What is "
+      "missing is lost by the model.";
+  plot.command =
+      with_selector(subject, full, "albedo", "--theta 0,60,80   # for each value of " + plot.x_label);
+  report.plot(plot);
+}
+
+// Relative difference of f under exchange of light and viewer, over pairs of polar angles; worst azimuth.
+void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const Material& m) {
+  constexpr std::size_t kCells = 60, kScale = 6;
+  std::vector<double> cells(kCells * kCells);
+  double worst = 0;
+  std::vector<double> f(m.channels.size()), g(f.size());
+  for (std::size_t i = 0; i < kCells; ++i)
+    for (std::size_t o = 0; o < kCells; ++o)
+      for (const double phi : {0.0, 0.7, 1.5, 2.4, kPi}) {
+        const Vec3<double> wi = direction((double(i) + 0.5) * 1.5 * kRadians, 0.3);
+        const Vec3<double> wo = direction((double(o) + 0.5) * 1.5 * kRadians, 0.3 + phi);
+        eval(m, wi, wo, f);
+        eval(m, wo, wi, g);
+        for (std::size_t c = 0; c < f.size(); ++c) {
+          const double scale = std::max(std::abs(f[c]), std::abs(g[c]));
+          if (scale > 1e-30)
+            cells[o * kCells + i] = std::max(cells[o * kCells + i], std::abs(f[c] - g[c]) / scale);
+        }
+        worst = std::max(worst, cells[o * kCells + i]);
+      }
+  std::vector<unsigned char> rgb(3 * kCells * kScale * kCells * kScale);
+  for (std::size_t y = 0; y < kCells * kScale; ++y)
+    for (std::size_t x = 0; x < kCells * kScale; ++x) {
+      const double v = cells[(kCells - 1 - y / kScale) * kCells + x / kScale];
+      // From 1e-16 (dark) to 1 (bright), logarithmic.
+      io::map_colour(v > 0 ? 1 + std::log10(v) / 16 : 0, &rgb[3 * (y * kCells * kScale + x)]);
+    }
+  report.picture(
+      io::png_of_pixels(kCells * kScale, kCells * kScale, rgb),
+      "Reciprocity of " + subject.name() +
+          ": the difference when light and viewer change places, for every pair of polar angles (light 0 to "
+          "90 "
+          "degrees from left to right, viewer from bottom to top). Dark: rounding (1e-16), bright: of the "
+          "order of the value itself. Worst here: " +
+          io::to_text(float(worst)) + ".");
+}
+
+}  // namespace
+
+std::string to_html(const ReportContent& content) {
+  const std::size_t count = content.subjects.size() + content.tables.size();
+  const std::string what = count != 1               ? std::to_string(count) + " subjects"
+                           : content.tables.empty() ? content.subjects.front().name()
+                                                    : content.tables.front().table.source;
+  io::HtmlReport report("Validation of " + what);
+  const auto any = [&](Verdict verdict) {
+    return std::any_of(content.findings.begin(), content.findings.end(),
+                       [&](const Finding& f) { return f.verdict == verdict; });
+  };
+  report.verdict(any(Verdict::fail)              ? io::Mark::bad
+                 : any(Verdict::known_violation) ? io::Mark::warn
+                                                 : io::Mark::good,
+                 summary(content.findings));
+  report.heading("Verdicts");
+  add_table(report, content.findings);
+  for (const Picture& p : content.pictures) report.picture(p.png, p.name);
+  for (const MeasuredTable& measured : content.tables) {
+    report.heading(measured.table.source);
+    add_to_report(report, measured.table, measured.sheet);
+  }
+  for (const Subject& subject : content.subjects) {
+    report.heading(subject.name());
+    const Material m = shown(subject);
+    report.plot(albedo_plot(subject, m));
+    report.plot(polar_plot(subject, m));
+    add_furnace(report, subject, m);
+    add_reciprocity_map(report, subject, m);
+  }
+  return report.document(io::provenance());
+}
+
+}  // namespace brdf::validate

@@ -1,0 +1,36 @@
+// Search for the largest value of a function on the unit cube. Deterministic.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace brdf::validate {
+
+struct SearchOptions {
+  std::size_t cover = 256;  // points of the low-discrepancy cover
+  std::size_t starts = 6;   // of these, the best are climbed from
+  int steps = 60;           // of a climb; each costs about two evaluations per dimension
+  double finest = 1e-7;     // step at which a climb ends
+  std::uint64_t seed = 1;   // shifts the cover
+};
+
+struct Best {
+  std::vector<double> point;
+  double value;
+  long calls;
+};
+
+using Objective = std::function<double(std::span<const double>)>;
+
+// The k-th point of the additive recurrence with the generalised golden ratio (Roberts 2018), shifted.
+std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint64_t seed);
+
+// Evaluates the cover and `extra`, then climbs from the best points by pattern search (Hooke and Jeeves
+// 1961), which needs no derivatives, stands kinks, and reaches the cube's faces exactly. NaN counts as
+// lowest.
+Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
+              const std::vector<std::vector<double>>& extra = {});
+
+}  // namespace brdf::validate
