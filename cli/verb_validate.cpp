@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 
+#include "cli/microsurface.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
 #include "io/error.h"
@@ -26,7 +27,7 @@ struct Options {
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
-  bool integrators = false;
+  bool integrators = false, microsurface = false;
 };
 
 std::string read_bytes(const std::string& path) {
@@ -121,6 +122,8 @@ Exit run_integrators(const Options& o) {
 }
 
 Exit run(const Options& o) {
+  if (o.microsurface)
+    return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
   if (o.integrators) return run_integrators(o);
   if (!(o.max_theta > 0 && o.max_theta <= 90))
     throw InputError("--max-theta " + io::to_text(o.max_theta) + ": must be above 0 and at most 90 degrees");
@@ -159,6 +162,9 @@ void add_validate(CLI::App& app) {
   verb->add_option("-o,--output", o->output, "report.html or report.md");
   verb->add_flag("--json", o->json, "findings as JSON");
   verb->add_flag("--integrators", o->integrators, "check the error bounds of the integrals on random cases");
+  verb->add_flag(
+      "--microsurface", o->microsurface,
+      "compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
   verb->footer("Example: brdf validate material.json --require energy,reciprocity -o report.html");
   on_run(*verb, [o] { return run(*o); });
 }
