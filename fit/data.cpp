@@ -10,6 +10,9 @@
 namespace brdf::fit {
 namespace {
 
+// Tables with more rows are grids without common incidences: rows are grouped by degrees of theta_i.
+constexpr std::size_t kManyIncidences = 100000;
+
 // Whether a value has a residual under the metric.
 bool in_domain(Metric metric, double value, double cos_i, double cos_o) {
   constexpr double margin = 1e-6;
@@ -36,6 +39,7 @@ void append_row(const FitData& from, std::size_t k, FitData& to) {
 FitData empty_like(const FitData& data) {
   FitData out;
   out.channels = data.channels;
+  out.grouped = data.grouped;
   out.values.resize(data.values.size());
   out.sigma.resize(data.sigma.size());
   return out;
@@ -63,6 +67,7 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
   FitData data;
   data.channels = table.channels;
   data.values.resize(channels);
+  data.grouped = table.rows() > kManyIncidences;
   if (weighting == Weighting::kSigma) data.sigma.resize(channels);
   std::map<std::pair<double, double>, std::uint32_t> incidences;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -87,6 +92,10 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
     if (weighting == Weighting::kSolidAngle)
       data.weight.push_back(std::hypot(wi[0], wi[1]) * std::hypot(wo[0], wo[1]));
     data.row.push_back(std::uint32_t(k));
+    if (data.grouped) {
+      data.incidence.push_back(std::uint32_t(table.theta_i[k]));
+      continue;
+    }
     const auto [it, added] =
         incidences.try_emplace({table.theta_i[k], table.phi_i[k]}, std::uint32_t(incidences.size()));
     data.incidence.push_back(it->second);
@@ -106,15 +115,12 @@ FitData subset(const FitData& data, const std::vector<bool>& keep) {
 
 FitData thinned(const FitData& data, std::size_t rows) {
   FitData out = empty_like(data);
-  const double step = std::max(1.0, double(data.rows()) / double(rows));
-  // A step by the golden ratio's fraction keeps the choice off the grid's own period.
-  std::size_t taken = 0;
-  for (std::size_t k = 0; k < data.rows(); ++k) {
-    const double jitter = std::fmod(double(taken) * 0.6180339887498949, 1.0);
-    if (double(k) + 1 > (double(taken) + jitter) * step || step == 1.0) {
-      append_row(data, k, out);
-      ++taken;
-    }
+  const std::size_t count = std::min(rows, data.rows());
+  const double step = double(data.rows()) / double(std::max<std::size_t>(count, 1));
+  for (std::size_t k = 0; k < count; ++k) {
+    // Steps by the golden ratio's fraction keep the choice off the grid's own period.
+    const double jitter = count == data.rows() ? 0 : std::fmod(double(k) * 0.6180339887498949, 1.0);
+    append_row(data, std::min(std::size_t((double(k) + jitter) * step), data.rows() - 1), out);
   }
   return out;
 }

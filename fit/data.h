@@ -18,6 +18,7 @@ struct FitData {
   std::vector<double> weight;               // [row] of the squared residual; empty: 1
   std::vector<std::uint32_t> row;           // in the table
   std::vector<std::uint32_t> incidence;     // [row] which direction of incidence, for cross-validation
+  bool grouped = false;                     // incidence is theta_i in whole degrees instead
   std::size_t beyond_max_theta = 0;         // rows left out
   std::size_t outside_domain = 0;           // rows whose value has no residual (far below zero)
 

@@ -56,6 +56,7 @@ double median_relative_error(const FitData& data, const std::vector<std::vector<
 
 std::optional<double> noise_floor(const FitData& data) {
   constexpr std::size_t kMostIncidences = 64, kMostRows = 1024, kNeighbours = 4;
+  if (data.grouped) return std::nullopt;
   std::map<std::uint32_t, std::vector<std::size_t>> by_incidence;
   for (std::size_t k = 0; k < data.rows(); ++k) by_incidence[data.incidence[k]].push_back(k);
   std::vector<double> scatter;

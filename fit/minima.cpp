@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kCoarseRows = 4096;  // what the starts are solved on
 constexpr std::size_t kMiddleShare = 16;   // then every 16th row, then all
 constexpr double kWidthFloor = 0.004;      // narrowest width in the grid, as a share of the widest
+constexpr std::size_t kReseats = 12;       // widths at which a lobe of a sum is tried again
 constexpr std::size_t kPolished = 6;       // minima that are solved on all rows
 constexpr double kSameCost = 1e-6, kSamePoint = 1e-3;
 
@@ -241,7 +242,7 @@ class Search {
       minima = polish(first, minima, 1e-12);
     }
     if (coarse) {
-      if (data_.rows() > 4 * kMiddleShare * kCoarseRows / 4) {
+      if (data_.rows() > kMiddleShare * kCoarseRows) {
         const FitData middle = thinned(data_, data_.rows() / kMiddleShare);
         minima = polish(middle, minima, 1e-8);
       }
@@ -292,6 +293,34 @@ class Search {
     return o;
   }
 
+  // In a sum, one lobe can be caught by a few outliers where it keeps the other from its place. Each lobe in
+  // turn is taken out and tried at every width of the grid, the others held; the best is solved again.
+  Minimum reseat_lobes(const Stream& stream, Minimum m, double tolerance) {
+    if (model_.terms().size() < 2) return m;
+    for (std::size_t s = 0; s < model_.shape_slots(); ++s) {
+      const Slot& slot = model_.slots()[s];
+      if (slot.kind != Slot::Kind::kShape || slot.group != 0 || options_.stop()) continue;
+      std::vector<double> best;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < kReseats; ++k) {
+        std::vector<double> p = m.p;
+        for (std::size_t other = 0; other < model_.shape_slots(); ++other) {
+          const Slot& same = model_.slots()[other];  // the same parameter of other channels, too
+          if (same.kind == slot.kind && same.term == slot.term && same.members == slot.members)
+            p[other] = grid_value(same, k, kReseats);
+        }
+        start_weights(stream, p);
+        ++result_.passes;
+        const double cost = stream.normal_equations(p).cost;
+        if (cost < least) least = cost, best = std::move(p);
+      }
+      if (best.empty()) continue;
+      Minimum other = solve_one(stream, best, tolerance);
+      if (other.cost < m.cost) m = std::move(other);
+    }
+    return m;
+  }
+
   Minimum solve_one(const Stream& stream, std::span<const double> start, double tolerance) {
     Solution s = refine(stream, start, solver(tolerance));
     result_.passes += s.passes;
@@ -312,7 +341,7 @@ class Search {
       }
       start_weights(stream, p);
       if (k == 0 && !options_.start.empty()) model_.apply_start_weights(options_.start, p);
-      Minimum m = solve_one(stream, p, tolerance);
+      Minimum m = reseat_lobes(stream, solve_one(stream, p, tolerance), tolerance);
       if (std::isfinite(m.cost)) add_minimum(model_, std::move(m), minima);
     }
     sort_minima(minima);
@@ -353,9 +382,10 @@ Solution refine(const Stream& stream, std::span<const double> start, const Solve
   const std::vector<double> low = model.low(), high = model.high();
   const Objective objective = [&](std::span<const double> p) { return stream.normal_equations(p); };
   if (!projects(stream)) return solve(objective, start, low, high, options);
-  // The projected cost loses its digits to cancellation where the fit is near perfect: finish on the
-  // residuals themselves.
-  const Solution projected = solve_projected(stream, start, options);
+  bool exact = false;
+  Solution projected = solve_projected(stream, start, options, exact);
+  if (exact) return projected;
+  // Finish on the residuals themselves, which lose no digits.
   Solution s = solve(objective, projected.p, low, high, options);
   s.passes += projected.passes;
   s.iterations += projected.iterations;

@@ -48,19 +48,26 @@ class CompressedCost : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const std::span p(parameters[0], size_);
     const Eigen::Index n = Eigen::Index(size_);
-    if (!std::equal(p.begin(), p.end(), last_.begin(), last_.end())) {
-      const NormalEquations equations = objective_(p);
-      ++passes_;
-      if (!std::isfinite(equations.cost)) return false;
-      last_.assign(p.begin(), p.end());
+    const NormalEquations& e = equations(p);
+    if (!std::isfinite(e.cost)) return false;
+    if (!compressed_) {
       jacobian_.resize(n + 1, n);
       residuals_.resize(n + 1);
-      compress(equations, jacobian_, residuals_);
-      // A rotation of the residuals would serve as well; the cost must come out as it is.
+      compress(e, jacobian_, residuals_);
+      compressed_ = true;
     }
     std::copy(residuals_.data(), residuals_.data() + n + 1, residuals);
     if (jacobians && jacobians[0]) std::copy(jacobian_.data(), jacobian_.data() + (n + 1) * n, jacobians[0]);
     return true;
+  }
+  const NormalEquations& equations(std::span<const double> p) const {
+    if (!std::equal(p.begin(), p.end(), last_.begin(), last_.end()) || passes_ == 0) {
+      equations_ = objective_(p);
+      ++passes_;
+      last_.assign(p.begin(), p.end());
+      compressed_ = false;
+    }
+    return equations_;
   }
   int passes() const { return passes_; }
 
@@ -68,6 +75,8 @@ class CompressedCost : public ceres::CostFunction {
   const Objective& objective_;
   std::size_t size_;
   mutable std::vector<double> last_;
+  mutable NormalEquations equations_;
+  mutable bool compressed_ = false;
   mutable RowMatrix jacobian_;
   mutable Eigen::VectorXd residuals_;
   mutable int passes_ = 0;
@@ -152,7 +161,7 @@ Solution solve(const Objective& objective, std::span<const double> start, std::s
   for (int round = 0; round < rounds; ++round) {
     run_ceres(cost, s.p, low, high, held, options, s);
     if (s.termination == Termination::kFailed || s.termination == Termination::kInterrupted) break;
-    const NormalEquations n = objective(s.p);
+    const NormalEquations& n = cost.equations(s.p);
     std::vector<int> next(held.size(), 0);
     const double scale = std::sqrt(2 * n.cost);
     for (std::size_t k = 0; k < held.size(); ++k) {
@@ -170,7 +179,7 @@ Solution solve(const Objective& objective, std::span<const double> start, std::s
     held = next;
   }
   s.at_bound = held;
-  s.cost = objective(s.p).cost;
+  s.cost = cost.equations(s.p).cost;
   s.passes = cost.passes();
   return s;
 }

@@ -24,11 +24,11 @@ struct Stream::Workspace {
       blocks.emplace_back(t.form);
       for (std::size_t q = 0; q < t.partials; ++q) derivatives[t.first_partial + q].resize(t.lobes);
     }
-    storage.resize((scaled.size() + 6 + model.size()) * kBlock);
+    storage.resize((scaled.size() + 7 + model.size()) * kBlock);
     double* next = storage.data();
     const auto take = [&] { return std::exchange(next, next + kBlock); };
     for (double*& column : scaled) column = take();
-    for (double** column : {&f, &r, &slope, &rho, &root, &curvature}) *column = take();
+    for (double** column : {&f, &r, &slope, &rho, &root, &curvature, &mixed}) *column = take();
     for (std::size_t k = 0; k < model.size(); ++k) scores.push_back(take());
   }
 
@@ -37,7 +37,7 @@ struct Stream::Workspace {
   std::vector<std::vector<double*>> derivatives;  // [partial][lobe of its term]
   std::vector<double> storage;
   std::vector<double*> scaled;  // lobes, then partials, then the residual
-  double *f, *r, *slope, *rho, *root, *curvature;
+  double *f, *r, *slope, *rho, *root, *curvature, *mixed;
   std::vector<double*> scores;  // [slot]
 };
 
@@ -75,6 +75,26 @@ void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out) {
       for (const Contribution& x : map[i])
         for (const Contribution& y : map[j]) out(x.slot, y.slot) += x.factor * y.factor * value;
     }
+}
+
+// The matrix of the solver's parameters as seen by one channel's columns.
+Matrix of_columns(const Contributions& map, const Matrix& m) {
+  Matrix out(map.size(), map.size());
+  for (std::size_t i = 0; i < map.size(); ++i)
+    for (std::size_t j = 0; j < map.size(); ++j)
+      for (const Contribution& x : map[i])
+        for (const Contribution& y : map[j]) out(i, j) += x.factor * y.factor * m(x.slot, y.slot);
+  return out;
+}
+
+// How much of its own residual a value explains: at most 0.99, so that a value that fixes a parameter alone
+// counts as very uncertain, not as infinitely so.
+double leverage(const Matrix& inverse, const std::vector<double*>& columns, std::size_t row,
+                double curvature) {
+  double h = 0;
+  for (std::size_t i = 0; i < inverse.rows; ++i)
+    for (std::size_t j = 0; j < inverse.cols; ++j) h += columns[i][row] * inverse(i, j) * columns[j][row];
+  return std::clamp(h * curvature, 0.0, 0.99);
 }
 
 }  // namespace
@@ -127,6 +147,16 @@ void Stream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t row
             block.derivative(k, term.partial.size());
     }
   }
+}
+
+// Derivatives of one channel's residuals by its lobes' weights and by the shapes, before the scales.
+void Stream::fill_jacobian(const double* weights, Workspace& w) const {
+  for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
+  for (const TermModel& term : model_.terms())
+    for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
+      mix(term.lobes, w.derivatives[q].data(), weights + term.first_lobe, w.mixed);
+      multiply(w.mixed, w.slope, w.scaled[model_.lobes() + q]);
+    }
 }
 
 // visit(thread, first, rows): every thread takes a contiguous run of blocks.
@@ -191,13 +221,10 @@ NormalEquations Stream::accumulate(std::span<const double> p, const Residual& re
           w.slope[j] *= w.root[j];
         }
       }
-      for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
       if (derivatives)
-        for (const TermModel& term : model_.terms())
-          for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
-            mix(term.lobes, w.derivatives[q].data(), &weights(c, term.first_lobe), w.f);
-            multiply(w.f, w.slope, w.scaled[model_.lobes() + q]);
-          }
+        fill_jacobian(&weights(c, 0), w);
+      else
+        for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
       std::copy(w.r, w.r + kBlock, w.scaled.back());
       add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, parts[thread].raw[c].a.data());
     }
@@ -237,18 +264,20 @@ NormalEquations Stream::linearised_weights(std::span<const double> p) const {
   return accumulate(q, linear, false);
 }
 
-ScoreMatrices Stream::scores(std::span<const double> p) const {
+ScoreMatrices Stream::scores(std::span<const double> p, const Matrix* inverse) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
   const std::size_t size = model_.size();
   ScoreMatrices out{Matrix(size, size), Matrix(size, size)};
   std::vector<Matrix> raw(channels, Matrix(columns, columns));
   std::vector<Contributions> map;
+  std::vector<Matrix> column_inverse;
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, true));
   Matrix weights(channels, model_.lobes());
   for (std::size_t c = 0; c < channels; ++c) {
     model_.lobe_weights(p, c, std::span(&weights(c, 0), model_.lobes()));
     map.push_back(contributions(model_, p, c));
+    if (inverse) column_inverse.push_back(of_columns(map.back(), *inverse));
   }
   Workspace w(model_);
   std::vector<double> curved(columns * kBlock);
@@ -263,12 +292,10 @@ ScoreMatrices Stream::scores(std::span<const double> p) const {
       mix(model_.lobes(), w.lobes.data(), &weights(c, 0), w.f);
       residuals(residual_, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
       apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
-      for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
-      for (const TermModel& term : model_.terms())
-        for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
-          mix(term.lobes, w.derivatives[q].data(), &weights(c, term.first_lobe), w.f);
-          multiply(w.f, w.slope, w.scaled[model_.lobes() + q]);
-        }
+      fill_jacobian(&weights(c, 0), w);
+      if (inverse)
+        for (std::size_t j = 0; j < rows; ++j)
+          w.r[j] /= std::sqrt(1 - leverage(column_inverse[c], w.scaled, j, w.curvature[j]));
       for (std::size_t k = 0; k < columns; ++k) {
         for (std::size_t j = 0; j < rows; ++j) {
           curved_columns[k][j] = w.scaled[k][j] * w.curvature[j];
@@ -285,6 +312,43 @@ ScoreMatrices Stream::scores(std::span<const double> p) const {
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t j = 0; j < i; ++j) out.meat(i, j) = out.meat(j, i);
   return out;
+}
+
+std::vector<double> Stream::freedom(std::span<const double> p,
+                                    const std::vector<std::vector<double>>& v) const {
+  const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
+  std::vector<double> square(v.size(), 0), fourth(v.size(), 0), weights(model_.lobes());
+  Workspace w(model_);
+  for (std::size_t c = 0; c < channels; ++c) {
+    const Shapes group_shapes = shapes(p, model_.group_of(c), true);
+    model_.lobe_weights(p, c, weights);
+    const Contributions map = contributions(model_, p, c);
+    Matrix by_column(v.size(), columns);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      for (std::size_t k = 0; k < columns; ++k)
+        for (const Contribution& x : map[k]) by_column(i, k) += x.factor * v[i][x.slot];
+    for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
+      const std::size_t rows = std::min(kBlock, data_.rows() - first);
+      fill_lobes(group_shapes, first, rows, w);
+      mix(model_.lobes(), w.lobes.data(), weights.data(), w.f);
+      residuals(residual_, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
+      apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
+      fill_jacobian(weights.data(), w);
+      for (std::size_t j = 0; j < rows; ++j) {
+        const double noise = w.f[j] * w.slope[j] * w.root[j] * w.root[j];
+        for (std::size_t i = 0; i < v.size(); ++i) {
+          double a = 0;
+          for (std::size_t k = 0; k < columns; ++k) a += by_column(i, k) * w.scaled[k][j];
+          a *= a * noise * noise;
+          square[i] += a;
+          fourth[i] += a * a;
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < v.size(); ++i)
+    square[i] = fourth[i] > 0 ? square[i] * square[i] / fourth[i] : double(data_.rows());
+  return square;
 }
 
 LobeGram Stream::lobe_gram(std::span<const double> p, std::size_t group) const {

@@ -48,7 +48,12 @@ class Stream {
   NormalEquations normal_equations(std::span<const double> p) const;
   // The same at linear weights 0 for the residual linearised at the measurement: a quadratic in the weights.
   NormalEquations linearised_weights(std::span<const double> p) const;
-  ScoreMatrices scores(std::span<const double> p) const;
+  // With `inverse`, the inverse of the bread, every residual is divided by the root of 1 less its
+  // leverage, which makes its square unbiased (MacKinnon and White 1985, HC2).
+  ScoreMatrices scores(std::span<const double> p, const Matrix* inverse = nullptr) const;
+  // Degrees of freedom of the variance of v'g for each v, g the gradient of one value: (sum a^2)^2 / sum a^4
+  // of the values' influences a, noise taken as proportional to the value (Bell and McCaffrey 2002).
+  std::vector<double> freedom(std::span<const double> p, const std::vector<std::vector<double>>& v) const;
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
   // [channel][row]: the model's values.
   std::vector<std::vector<double>> values(std::span<const double> p) const;
@@ -60,6 +65,7 @@ class Stream {
   struct Workspace;
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
+  void fill_jacobian(const double* weights, Workspace& w) const;
   template <class Visit>
   void for_each_block(Visit&& visit) const;
   NormalEquations accumulate(std::span<const double> p, const Residual& residual, bool derivatives) const;

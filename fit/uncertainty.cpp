@@ -20,6 +20,9 @@ constexpr double kInNullSpace = 1e-3;
 // quarter for f0, half of the channel's weights for a weight.
 constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
 
+// Above this many rows no value has a leverage worth a second pass.
+constexpr std::size_t kManyRows = 100000;
+
 // 97.5 % quantile of Student's t (Cornish-Fisher expansion, Abramowitz and Stegun 26.7.5; 1e-3 from 4 degrees
 // of freedom).
 double t_quantile(double freedom) {
@@ -145,6 +148,7 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
 // Covariance of the solver's free parameters, and the directions without effect.
 struct Covariance {
   RowMatrix matrix;       // of all slots; 0 for those held
+  RowMatrix inverse;      // of the normal matrix, likewise
   RowMatrix null_space;   // columns, on the scaled axes
   Eigen::VectorXd scale;  // of the axes: 1/sqrt(diagonal); 0 for slots without effect
   RowMatrix weakest;      // the least certain direction, on the scaled axes
@@ -155,7 +159,7 @@ Covariance covariance(const Stream& stream, const Minimum& m) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   const ScoreMatrices scores = stream.scores(m.p);
-  const Eigen::Map<const RowMatrix> bread(scores.bread.a.data(), n, n), meat(scores.meat.a.data(), n, n);
+  const Eigen::Map<const RowMatrix> bread(scores.bread.a.data(), n, n);
   Covariance out;
   out.scale = Eigen::VectorXd::Zero(n);
   std::vector<Eigen::Index> free;
@@ -165,16 +169,15 @@ Covariance covariance(const Stream& stream, const Minimum& m) {
       out.scale(k) = 1 / std::sqrt(bread(k, k));
     }
   const Eigen::Index f = Eigen::Index(free.size());
-  out.matrix = RowMatrix::Zero(n, n);
+  out.matrix = out.inverse = RowMatrix::Zero(n, n);
   out.null_space = RowMatrix::Zero(n, f);
   out.weakest = RowMatrix::Zero(n, 1);
   if (f == 0) return out;
-  RowMatrix scaled(f, f), noise(f, f);
+  RowMatrix scaled(f, f);
   for (Eigen::Index i = 0; i < f; ++i)
     for (Eigen::Index j = 0; j < f; ++j) {
       const double s = out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
       scaled(i, j) = bread(free[std::size_t(i)], free[std::size_t(j)]) * s;
-      noise(i, j) = meat(free[std::size_t(i)], free[std::size_t(j)]) * s;
     }
   const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(scaled);
   const double largest = eigen.eigenvalues()(f - 1);
@@ -192,13 +195,19 @@ Covariance covariance(const Stream& stream, const Minimum& m) {
   for (Eigen::Index i = 0; i < f; ++i) out.weakest(free[std::size_t(i)], 0) = eigen.eigenvectors()(i, 0);
   out.null_space.conservativeResize(n, nulls);
   out.condition = std::sqrt(largest / std::max(eigen.eigenvalues()(0), largest * 1e-32));
-  const double rows = double(stream.data().rows());
-  const double correction = rows > double(f) ? rows / (rows - double(f)) : 0;
-  const RowMatrix c = inverse * noise * inverse * correction;
+  // Back on the solver's scale; then the scores with every residual freed of its own influence.
+  const auto unscaled = [&](Eigen::Index i, Eigen::Index j) {
+    return inverse(i, j) * out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
+  };
+  Matrix influence{model.size(), model.size()};
   for (Eigen::Index i = 0; i < f; ++i)
     for (Eigen::Index j = 0; j < f; ++j)
-      out.matrix(free[std::size_t(i)], free[std::size_t(j)]) =
-          c(i, j) * out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
+      influence(std::size_t(free[std::size_t(i)]), std::size_t(free[std::size_t(j)])) = unscaled(i, j);
+  const bool many = stream.data().rows() > kManyRows;
+  const ScoreMatrices freed = many ? scores : stream.scores(m.p, &influence);
+  const Eigen::Map<const RowMatrix> c(influence.a.data(), n, n), meat(freed.meat.a.data(), n, n);
+  out.inverse = c;
+  out.matrix = c * meat * c;
   return out;
 }
 
@@ -342,7 +351,15 @@ Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
   double free = 0;
   for (int b : m.at_bound) free += b == 0;
   const double freedom = double(stream.data().rows()) - free;
-  const double t = t_quantile(freedom);
+  // Where a few values decide a parameter, its variance is known from those few only.
+  std::vector<std::vector<double>> influence;
+  for (const Reported& r : all) {
+    const Eigen::VectorXd v = c.inverse * gradient_vector(r, n);
+    influence.emplace_back(v.data(), v.data() + n);
+  }
+  const bool many = stream.data().rows() > kManyRows;
+  const std::vector<double> own_freedom =
+      many ? std::vector<double>(all.size(), freedom) : stream.freedom(m.p, influence);
   // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
   const std::size_t per_channel =
       (model.size() - model.shape_slots()) / model.channels().size() + model.shape_slots() / model.groups();
@@ -377,7 +394,7 @@ Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
     } else if (no_information(r, model, error, solver_error)) {
       e.status = Estimate::Status::kUnidentified;
     } else {
-      set_interval(r, model, m, error, solver_error, t);
+      set_interval(r, model, m, error, solver_error, t_quantile(std::min(freedom, own_freedom[k])));
       certain.push_back(k);
     }
   }

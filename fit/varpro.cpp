@@ -9,6 +9,9 @@ namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+// Share of the cost in the measurements' own square above which nine digits of it survive the subtraction.
+constexpr double kExactShare = 1e-7;
+
 // One channel's linear unknowns: the affine map to all lobes, and where they stand in p.
 struct Unknowns {
   RowMatrix a;
@@ -120,13 +123,15 @@ bool projects(const Stream& stream) {
   return true;
 }
 
-NormalEquations project(const Stream& stream, std::vector<double>& p) {
+NormalEquations project(const Stream& stream, std::vector<double>& p, double& square) {
+  square = 0;
   const Model& model = stream.model();
   const std::size_t shapes = model.shape_slots();
   NormalEquations out{Matrix(shapes, shapes), std::vector<double>(shapes, 0), 0};
   for (std::size_t group = 0; group < model.groups(); ++group) {
     const LobeGram g = stream.lobe_gram(p, group);
     const std::vector<PartialColumns> partials = partial_columns(model, p, group);
+    for (double s : g.square) square += 0.5 * s;
     std::size_t member = 0;
     for (std::size_t c = 0; c < model.channels().size(); ++c)
       if (model.group_of(c) == group) add_channel(model, g, member++, c, partials, p, out);
@@ -134,17 +139,20 @@ NormalEquations project(const Stream& stream, std::vector<double>& p) {
   return out;
 }
 
-Solution solve_projected(const Stream& stream, std::span<const double> start, const SolveOptions& options) {
+Solution solve_projected(const Stream& stream, std::span<const double> start, const SolveOptions& options,
+                         bool& exact) {
   const std::size_t shapes = stream.model().shape_slots();
   std::vector<double> p(start.begin(), start.end());
+  double square = 0;
   const Objective objective = [&](std::span<const double> s) {
     std::copy(s.begin(), s.end(), p.begin());
-    return project(stream, p);
+    return project(stream, p, square);
   };
   const std::vector<double> low = stream.model().low(), high = stream.model().high();
-  Solution s = solve(objective, std::span(p).first(shapes), std::span(low).first(shapes),
+  Solution s = solve(objective, std::span(start).first(shapes), std::span(low).first(shapes),
                      std::span(high).first(shapes), options);
-  objective(std::vector<double>(s.p));
+  if (!std::equal(s.p.begin(), s.p.end(), p.begin())) objective(std::vector<double>(s.p));
+  exact = s.cost > kExactShare * square;
   s.p = p;
   s.at_bound.resize(p.size(), 0);
   for (std::size_t k = shapes; k < p.size(); ++k)

@@ -12,9 +12,13 @@ bool projects(const Stream& stream);
 
 // Fills the linear unknowns of `p` with the best ones for its shapes and returns cost, gradient and
 // Gauss-Newton matrix (Kaufman's) by the shape parameters alone. One pass per group of shapes.
-NormalEquations project(const Stream& stream, std::vector<double>& p);
+// `square` receives half the sum of the squared measurements.
+NormalEquations project(const Stream& stream, std::vector<double>& p, double& square);
 
-// Minimises over the shape parameters alone. Leaves the weights that belong to them in the solution.
-Solution solve_projected(const Stream& stream, std::span<const double> start, const SolveOptions& options);
+// Minimises over the shape parameters alone. Leaves the weights that belong to them in the solution. The
+// projected cost is a difference of sums: `exact` is false where the fit is so good that it has lost its
+// digits.
+Solution solve_projected(const Stream& stream, std::span<const double> start, const SolveOptions& options,
+                         bool& exact);
 
 }  // namespace brdf::fit

@@ -1,0 +1,87 @@
+#include "fit/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/error.h"
+#include "samples.h"
+
+namespace brdf::fit {
+namespace {
+
+namespace fs = std::filesystem;
+
+class BatchOfFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              ("brdf_batch_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "in");
+    for (int k = 0; k < 3; ++k) {
+      Material truth = make_material(*find_form("ward"), {"f"});
+      truth.terms[0].shape[0] = {0.1 + 0.05 * k, 0.1 + 0.05 * k};
+      const fs::path file = folder_ / "in" / ("s" + std::to_string(k) + ".csv");
+      io::write_samples(file, measured(truth, {"hemisphere"}, 0.02));
+      files_.push_back(file.string());
+    }
+    batch_ = {folder_ / "out", 2, "settings", {}};
+    options_.cross_validation = false;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::vector<BatchRow> run() { return run_batch(files_, {forms({"ward"})}, options_, batch_); }
+
+  fs::path folder_;
+  std::vector<std::string> files_;
+  BatchOptions batch_;
+  FitOptions options_;
+};
+
+TEST_F(BatchOfFiles, KeepsWhatIsFinishedAndRedoesTheRest) {
+  for (const BatchRow& row : run()) EXPECT_FALSE(row.reused);
+  fs::remove(folder_ / "out" / "s1.fit.json");  // as if killed before the second was finished
+  const auto again = run();
+  EXPECT_TRUE(again[0].reused);
+  EXPECT_FALSE(again[1].reused);
+  EXPECT_TRUE(again[2].reused);
+  EXPECT_EQ(again[0].best["form"], "ward");
+}
+
+TEST_F(BatchOfFiles, RedoesFilesAndSettingsThatChanged) {
+  run();
+  std::ofstream(files_[2], std::ios::app) << "10,180,20,0,0.3\n";
+  auto rows = run();
+  EXPECT_TRUE(rows[0].reused);
+  EXPECT_FALSE(rows[2].reused);
+  batch_.settings = "others";
+  for (const BatchRow& row : run()) EXPECT_FALSE(row.reused);
+}
+
+TEST_F(BatchOfFiles, OneBadFileDoesNotStopTheOthers) {
+  std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,x,0.1\n";
+  const auto rows = run();
+  EXPECT_TRUE(usable(rows[0]));
+  EXPECT_FALSE(usable(rows[1]));
+  EXPECT_NE(rows[1].error.find("line 2"), std::string::npos) << rows[1].error;
+  EXPECT_TRUE(usable(rows[2]));
+  write_summary(rows, batch_.folder);
+  std::ifstream csv(batch_.folder / "summary.csv");
+  int lines = 0;
+  for (std::string line; std::getline(csv, line);) ++lines;
+  EXPECT_EQ(lines, 4);
+  EXPECT_GT(fs::file_size(batch_.folder / "summary.html"), 10000u);
+  EXPECT_GT(fs::file_size(batch_.folder / "s0.html"), 10000u);
+}
+
+TEST_F(BatchOfFiles, FilesWhoseResultsWouldOverwriteEachOtherAreRefused) {
+  files_.push_back(files_[0]);  // its results would be called s0.csv: the stem is taken
+  EXPECT_EQ(run().back().name, "s0.csv");
+  files_.push_back(files_[0]);
+  EXPECT_THROW(run(), InputError);
+}
+
+}  // namespace
+}  // namespace brdf::fit
