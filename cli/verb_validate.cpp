@@ -9,6 +9,7 @@
 
 #include "cli/microsurface.h"
 #include "cli/options.h"
+#include "cli/shader_proof.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/material_file.h"
@@ -27,7 +28,7 @@ struct Options {
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
-  bool integrators = false, microsurface = false;
+  bool integrators = false, microsurface = false, gpu = false;
 };
 
 std::string read_bytes(const std::string& path) {
@@ -121,10 +122,20 @@ Exit run_integrators(const Options& o) {
   return honest ? Exit::kGood : Exit::kFailed;
 }
 
+// --form, repeated, or --all.
+std::vector<AnyForm> forms_of(const Options& o) {
+  std::vector<AnyForm> forms;
+  if (o.all) for_each_form([&](auto form) { forms.push_back(form); });
+  for (const std::string& name : o.forms) forms.push_back(require_form(name));
+  if (forms.empty()) throw InputError("which forms? give --form or --all");
+  return forms;
+}
+
 Exit run(const Options& o) {
   if (o.microsurface)
     return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
   if (o.integrators) return run_integrators(o);
+  if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
   if (!(o.max_theta > 0 && o.max_theta <= 90))
     throw InputError("--max-theta " + io::to_text(o.max_theta) + ": must be above 0 and at most 90 degrees");
   if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
@@ -165,6 +176,7 @@ void add_validate(CLI::App& app) {
   verb->add_flag(
       "--microsurface", o->microsurface,
       "compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
+  verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit");
   verb->footer("Example: brdf validate material.json --require energy,reciprocity -o report.html");
   on_run(*verb, [o] { return run(*o); });
 }
