@@ -8,6 +8,7 @@
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "trade/report.h"
 #include "trade/trade.h"
 
 namespace brdf::cli {
@@ -29,8 +30,10 @@ void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& led
     io::write_file_atomically(path, trade::to_csv(ledger));
   else if (path.extension() == ".json")
     trade::write_ledger(path, ledger);
+  else if (path.extension() == ".html")
+    io::write_file_atomically(path, trade::to_html(ledger));
   else
-    throw InputError(path.string() + ": the ledger is written as .json or .csv");
+    throw InputError(path.string() + ": the ledger is written as .json, .csv or .html");
 }
 
 }  // namespace
@@ -44,8 +47,8 @@ void add_trade(CLI::App& app) {
                    "only batches, families, fits, frames, or the questions whose name contains this");
   verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
   verb->add_option("-o,--output", arguments->outputs,
-                   "file to write: .json (the ledger), .csv; may be repeated");
-  verb->footer("Example: brdf trade --quick -o ledger.json -o ledger.csv");
+                   "file to write: .json (the ledger), .csv, .html; may be repeated");
+  verb->footer("Example: brdf trade --quick -o ledger.json -o ledger.html");
   on_run(*verb, [arguments] {
     if (isatty(STDERR_FILENO)) arguments->options.progress = show_progress;
     const trade::Ledger ledger = trade::measure_ledger(arguments->options);

@@ -50,7 +50,7 @@ LedgerRow row_from(const JsonPlace& place) {
   row.exact = place.at("exact").text();
   row.unit = Unit(index_of(kUnitNames, place.at("unit")));
   row.cost_ratio = place.at("cost_ratio").number();
-  row.cost = {place.at("cost_ns").number() * 1e-9, place.at("cost_spread").number(),
+  row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(),
               int(place.at("rounds").number())};
   const JsonPlace error = place.at("error");
   row.error = {error.at("max").number(), error.at("mean").number(), error.at("p99").number(),

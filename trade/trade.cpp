@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "trade/ball.h"
+#include "trade/claims.h"
 #include "trade/fits.h"
 #include "trade/frames.h"
 #include "trade/questions.h"
@@ -56,6 +57,7 @@ Ledger measure_ledger(const TradeOptions& options) {
                               options.progress(done = std::min(0.99, done + 0.05), what);
                             }};
   if (group("frames")) add(frame_rows(frames));
+  ledger.claims = judge_claims(ledger);
   options.progress(1, "");
   return ledger;
 }
@@ -79,6 +81,8 @@ std::string to_terminal(const Ledger& ledger) {
                   row.dominated_by.empty() ? "" : ("   dominated by " + row.dominated_by).c_str());
     text += line;
   }
+  for (const Claim& c : ledger.claims)
+    text += "\n" + c.source + ": " + c.claim + "\n  " + c.verdict + ": " + c.evidence + "\n";
   return text;
 }
 

@@ -1,0 +1,84 @@
+#include "trade/ledger.h"
+
+#include <gtest/gtest.h>
+
+#include "io/error.h"
+
+namespace brdf::trade {
+namespace {
+
+LedgerRow row(const char* choice, double seconds, double max, double mean) {
+  LedgerRow r;
+  r.question = "q";
+  r.choice = choice;
+  r.exact = "exact";
+  r.cost = {seconds, 0.01, 21};
+  r.cost_ratio = seconds;
+  r.error = {max, mean, max, Measure::relative, "x 1"};
+  return r;
+}
+
+TEST(Ledger, NamesWhatIsNeitherFasterNorMoreAccurate) {
+  std::vector<LedgerRow> rows{row("exact", 1, 0, 0), row("fast", 0.2, 0.1, 0.01),
+                              row("naive", 1.2, 0.3, 0.1)};
+  mark_dominated(rows);
+  EXPECT_EQ(rows[0].dominated_by, "");
+  EXPECT_EQ(rows[1].dominated_by, "");
+  EXPECT_EQ(rows[2].dominated_by, "fast");  // the cheapest that dominates it
+}
+
+TEST(Ledger, DifferencesOfCostWithinTheNoiseDecideNothing) {
+  std::vector<LedgerRow> rows{row("a", 1.00, 0.1, 0.1), row("b", 1.04, 0.1, 0.1)};
+  mark_dominated(rows);
+  EXPECT_EQ(rows[0].dominated_by, "");
+  EXPECT_EQ(rows[1].dominated_by, "");
+  rows[1].error.max = 0.05;  // not measurably dearer, and more accurate
+  mark_dominated(rows);
+  EXPECT_EQ(rows[0].dominated_by, "b");
+}
+
+TEST(Ledger, ALowerMeanDoesNotDominateALowerMaximum) {
+  std::vector<LedgerRow> rows{row("a", 1, 0.2, 0.01), row("b", 1, 0.1, 0.02)};
+  mark_dominated(rows);
+  EXPECT_EQ(rows[0].dominated_by, "");
+  EXPECT_EQ(rows[1].dominated_by, "");
+}
+
+TEST(Ledger, QuestionsDoNotMix) {
+  std::vector<LedgerRow> rows{row("a", 1, 0, 0), row("b", 2, 1, 1)};
+  rows[1].question = "another";
+  mark_dominated(rows);
+  EXPECT_EQ(rows[1].dominated_by, "");
+}
+
+TEST(Ledger, ReadsBackWhatItWrote) {
+  Ledger ledger;
+  ledger.machine = this_machine();
+  ledger.rows = {row("exact", 1e-9, 0, 0), row("fast", 2e-10, 0.1, 0.01)};
+  ledger.rows[1].image_error = 0.25;
+  ledger.rows[1].extremes = {{"alpha 0.0001", 1e30}};
+  ledger.rows[1].unit = Unit::albedo;
+  ledger.claims = {{"a", "b", "c", "d", "q", "fast"}};
+  const io::Json json = to_json(ledger);
+  const Ledger back = ledger_from_json(io::JsonPlace(json, "memory"));
+  EXPECT_EQ(to_json(back).dump(), json.dump());
+  ASSERT_NE(back.find("q", "fast"), nullptr);
+  EXPECT_EQ(back.find("q", "fast")->unit, Unit::albedo);
+  EXPECT_EQ(back.find("q", "nobody"), nullptr);
+}
+
+TEST(Ledger, RefusesWhatIsNoLedger) {
+  const io::Json json = {{"format", "brdf-material"}};
+  EXPECT_THROW(ledger_from_json(io::JsonPlace(json, "m.json")), InputError);
+}
+
+TEST(Ledger, TableHasOneLinePerRow) {
+  Ledger ledger;
+  ledger.rows = {row("exact", 1, 0, 0), row("with \"quotes\"", 1, 0, 0)};
+  const std::string csv = to_csv(ledger);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+  EXPECT_NE(csv.find("\"with \"\"quotes\"\"\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brdf::trade
