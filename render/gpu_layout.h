@@ -30,4 +30,6 @@ struct GpuItem {
 };
 static_assert(sizeof(GpuItem) == 128 + 10 * 16);
 
+inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold these
+
 }  // namespace brdf::render

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/error.h"
 #include "render/gpu_layout.h"
 #include "render/view.h"
 
@@ -10,7 +11,7 @@ namespace brdf::render {
 namespace {
 
 constexpr std::array kFrameBindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-                                    Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}};
+                                    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
 constexpr std::array<Binding, 1> kMapBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
 
 const AnyForm& form_at(int index) {
@@ -136,16 +137,25 @@ void GpuScene::upload_textures(const PreparedScene& scene) {
 void GpuScene::update(const PreparedScene& scene) {
   const GpuFrame frame = gpu_frame(scene);
   std::vector<GpuItem> items;
+  if (scene.layers.size() * scene.meshes.size() > kMostItems) {
+    throw InputError("the renderer draws at most " + std::to_string(kMostItems) + " objects, terms counted");
+  }
   for (const auto& layer : scene.layers) {
     for (const Item& item : layer) items.push_back(gpu_item(item, scene.textures[item.object]));
   }
-  const std::size_t bytes = items.size() * sizeof(GpuItem);
   if (!frame_) frame_ = Buffer(*device_, sizeof frame, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  if (!items_ || items_.size() < bytes) items_ = Buffer(*device_, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  if (!items_) items_ = Buffer(*device_, kMostItems * sizeof(GpuItem), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   std::memcpy(frame_.data(), &frame, sizeof frame);
-  std::memcpy(items_.data(), items.data(), bytes);
+  std::memcpy(items_.data(), items.data(), items.size() * sizeof(GpuItem));
   write_buffer(*device_, frame_set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, frame_.get());
-  write_buffer(*device_, frame_set_, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, items_.get());
+  write_buffer(*device_, frame_set_, 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, items_.get());
+}
+
+VkCullModeFlags GpuScene::cull_mode(const PreparedScene& scene, std::size_t object) const {
+  const Item& item = scene.layers[0][object];
+  const bool outside = glm::distance(scene.scene.camera.position, item.origin) > item.extent;
+  const bool mirrored = glm::determinant(item.linear) < 0;
+  return sources_[object]->closed && outside && !mirrored ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
 }
 
 void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,

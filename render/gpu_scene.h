@@ -22,6 +22,8 @@ class GpuScene {
   VkDescriptorSet frame_set() const { return frame_set_; }
   VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
   bool textured(std::size_t object) const { return textured_[object]; }
+  // Faces seen from behind are left out where they are hidden anyway: closed meshes seen from outside.
+  VkCullModeFlags cull_mode(const PreparedScene& scene, std::size_t object) const;
   // Binds the object's mesh (with one normal per face where `flat`), pushes the item's index, draws.
   void draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
             bool flat = false);

@@ -29,6 +29,17 @@ void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, first, 1, &set, 0, nullptr);
 }
 
+// The index of the one item of this form, -1 where there are several.
+int only_item(const PreparedScene& scene, std::size_t layer, int form) {
+  int found = -1;
+  for (const Item& item : scene.layers[layer]) {
+    if (item.form != form) continue;
+    if (found >= 0) return -1;
+    found = item_index(scene, layer, item.object);
+  }
+  return found;
+}
+
 std::set<int> forms_in(const std::vector<Item>& layer) {
   std::set<int> forms;
   for (const Item& item : layer) {
@@ -137,7 +148,7 @@ DeferredPass::DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer
   const std::array geometry_sets{gpu.frame_layout(), gpu.maps_layout()};
   const std::array lighting_sets{gpu.frame_layout(), targets_layout_.get()};
   geometry_layout_ = make_pipeline_layout(device, geometry_sets, sizeof(int));
-  lighting_layout_ = make_pipeline_layout(device, lighting_sets, 0);
+  lighting_layout_ = make_pipeline_layout(device, lighting_sets, sizeof(int));
 }
 
 VkPipeline DeferredPass::geometry_pipeline(bool textured) {
@@ -149,20 +160,22 @@ VkPipeline DeferredPass::geometry_pipeline(bool textured) {
                                         .input = VertexInput::mesh,
                                         .colors = std::vector(kTargetCount, gbuffer_format(gbuffer_->bits)),
                                         .depth = true,
+                                        .culls = true,
                                         .layout = geometry_layout_.get()});
   }
   return pipeline.get();
 }
 
-VkPipeline DeferredPass::lighting_pipeline(int form, bool add) {
-  Owned<VkPipeline>& pipeline = lighting_pipelines_[{form, add}];
+VkPipeline DeferredPass::lighting_pipeline(int form, bool add, bool single) {
+  Owned<VkPipeline>& pipeline = lighting_pipelines_[{form, add, single}];
   if (!pipeline) {
-    pipeline = make_pipeline(*device_, {.vertex = shader_code::screen_vertex(),
-                                        .fragment = shader_code::lighting(),
-                                        .constants = {std::uint32_t(form), std::uint32_t(gbuffer_->bits)},
-                                        .colors = {kColorFormat},
-                                        .blend = add ? Blend::add : Blend::replace,
-                                        .layout = lighting_layout_.get()});
+    pipeline =
+        make_pipeline(*device_, {.vertex = shader_code::screen_vertex(),
+                                 .fragment = shader_code::lighting(),
+                                 .constants = {std::uint32_t(form), std::uint32_t(gbuffer_->bits), single},
+                                 .colors = {kColorFormat},
+                                 .blend = add ? Blend::add : Blend::replace,
+                                 .layout = lighting_layout_.get()});
   }
   return pipeline.get();
 }
@@ -190,6 +203,7 @@ void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene
   for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, geometry_pipeline(gpu.textured(object)));
     bind(commands, geometry_layout_.get(), 1, gpu.maps_set(object));
+    vkCmdSetCullMode(commands, gpu.cull_mode(scene, object));
     gpu.draw(commands, geometry_layout_.get(), object, item_index(scene, layer, object));
   }
   vkCmdEndRendering(commands);
@@ -208,7 +222,11 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
   for (const int form : forms_in(scene.layers[layer])) {
     const VkRect2D scissor = covered_by_form(scene, layer, form, color.extent());
     vkCmdSetScissor(commands, 0, 1, &scissor);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, lighting_pipeline(form, layer > 0));
+    const int single = only_item(scene, layer, form);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      lighting_pipeline(form, layer > 0, single >= 0));
+    vkCmdPushConstants(commands, lighting_layout_.get(),
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof single, &single);
     vkCmdDraw(commands, 3, 1, 0, 0);
   }
   vkCmdEndRendering(commands);
@@ -240,6 +258,7 @@ VkPipeline ForwardPass::pipeline(int form, bool textured) {
                                      .input = VertexInput::mesh,
                                      .colors = {kColorFormat},
                                      .depth = true,
+                                     .culls = true,
                                      .layout = layout_.get()});
   }
   return found.get();
@@ -253,6 +272,7 @@ void ForwardPass::record(VkCommandBuffer commands, const PreparedScene& scene, G
     const Item& item = scene.layers[0][object];
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline(item.form, gpu.textured(object)));
     bind(commands, layout_.get(), 1, gpu.maps_set(object));
+    vkCmdSetCullMode(commands, gpu.cull_mode(scene, object));
     gpu.draw(commands, layout_.get(), object, item_index(scene, 0, object));
   }
   vkCmdEndRendering(commands);

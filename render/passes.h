@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <tuple>
 
 #include "render/gpu_scene.h"
 
@@ -56,7 +57,7 @@ class DeferredPass {
 
  private:
   VkPipeline geometry_pipeline(bool textured);
-  VkPipeline lighting_pipeline(int form, bool add);
+  VkPipeline lighting_pipeline(int form, bool add, bool single);
 
   Device* device_;
   GBuffer* gbuffer_;
@@ -66,7 +67,7 @@ class DeferredPass {
   VkDescriptorSet targets_set_ = VK_NULL_HANDLE;
   Owned<VkPipelineLayout> geometry_layout_, lighting_layout_;
   std::map<bool, Owned<VkPipeline>> geometry_pipelines_;
-  std::map<std::pair<int, bool>, Owned<VkPipeline>> lighting_pipelines_;
+  std::map<std::tuple<int, bool, bool>, Owned<VkPipeline>> lighting_pipelines_;
 };
 
 // Lights every fragment as it is rasterised: what deferred rendering is compared with. One layer only.

@@ -33,6 +33,9 @@ constexpr std::uint32_t kDisplay[] =
 constexpr std::uint32_t kProbe[] =
 #include "probe.comp.inc"
     ;
+constexpr std::uint32_t kCopy[] =
+#include "copy.frag.inc"
+    ;
 
 }  // namespace
 
@@ -65,6 +68,9 @@ Spirv display() {
 }
 Spirv probe() {
   return kProbe;
+}
+Spirv copy() {
+  return kCopy;
 }
 
 }  // namespace brdf::render::shader_code

@@ -15,5 +15,6 @@ Spirv classic_vertex();
 Spirv classic();
 Spirv display();
 Spirv probe();
+Spirv copy();
 
 }  // namespace brdf::render::shader_code

@@ -138,7 +138,7 @@ std::array<Texture, 4> rusty_metal(int size, std::uint64_t seed) {
       const glm::vec2 slope(height_at(uv + glm::vec2(step, 0)) - height_at(uv - glm::vec2(step, 0)),
                             height_at(uv - glm::vec2(0, step)) - height_at(uv + glm::vec2(0, step)));
       const glm::vec3 normal = glm::normalize(glm::vec3(-slope * (0.005f / step), 1));
-      const float roughness = glm::mix(0.25f + 0.1f * fine, 0.85f + 0.1f * fine, rust);
+      const float roughness = glm::mix(0.45f + 0.1f * fine, 0.85f + 0.1f * fine, rust);
       const std::size_t at = std::size_t(y) * std::size_t(size) + std::size_t(x);
       maps[0].texels[at] = {to_byte(srgb_encoded(albedo.r)), to_byte(srgb_encoded(albedo.g)),
                             to_byte(srgb_encoded(albedo.b)), 255};

@@ -50,6 +50,7 @@ glm::vec3 any_tangent(const glm::vec3& n) {
 
 Mesh make_sphere(int slices, int stacks) {
   Mesh mesh;
+  mesh.closed = true;
   for (int j = 0; j <= stacks; ++j) {
     const double theta = glm::pi<double>() * j / stacks;
     for (int i = 0; i <= slices; ++i) {
@@ -103,6 +104,7 @@ Mesh make_icosphere(int levels) {
     faces = std::move(finer);
   }
   Mesh mesh;
+  mesh.closed = true;
   mesh.indices = std::move(faces);
   for (const glm::vec3& p : points) mesh.vertices.push_back(sphere_vertex(p));
   return mesh;

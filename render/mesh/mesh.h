@@ -21,6 +21,8 @@ struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;  // three per triangle, counter-clockwise seen from outside
 
+  bool closed = false;  // no inside can be seen from outside
+
   std::size_t triangles() const { return indices.size() / 3; }
 };
 

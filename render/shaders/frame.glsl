@@ -23,4 +23,5 @@ struct Item {
   ivec4 form;          // x: index of the form, -1: none; y: shapes on a logarithmic scale, bit per slot
   vec4 weight_scale;   // x: of the 8-bit encoding
 };
-layout(set = 0, binding = 1, std430) readonly buffer Items { Item items[]; };
+// A uniform buffer: the software driver loads from storage buffers lane by lane.
+layout(set = 0, binding = 1, std140) uniform Items { Item items[224]; };

@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 layout(constant_id = 0) const int kForm = 0;  // one pipeline per form: a uniform branch would evaluate all of them
 layout(constant_id = 1) const int kBits = 16;
+layout(constant_id = 2) const bool kSingle = false;  // only one item has this form: its data are the same for all pixels
+layout(push_constant) uniform Push { int item; } push;
 #include "frame.glsl"
 #include "brdf.glsl"
 #include "shade.glsl"
@@ -11,8 +13,9 @@ layout(location = 0) out vec4 color;
 void main() {
   const ivec2 pixel = ivec2(gl_FragCoord.xy);
   const vec4 place = texelFetch(targets[3], pixel, 0);
-  const int id = int((kBits == 8 ? place.a * 255.0 : place.a) + 0.5) - 1;
-  if (id < 0 || items[id].form.x != kForm) discard;
+  const int stored = int((kBits == 8 ? place.a * 255.0 : place.a) + 0.5) - 1;
+  if (stored < 0 || (kSingle ? stored != push.item : items[stored].form.x != kForm)) discard;
+  const int id = kSingle ? push.item : stored;
   const vec4 albedo = texelFetch(targets[0], pixel, 0);
   if (albedo.a < 0.5) {
     color = vec4(frame.back_color.rgb, 1.0);

@@ -80,7 +80,8 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
   VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = std::uint32_t(attachments.size());
   blend.pAttachments = attachments.data();
-  const std::array dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  std::vector dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  if (d.culls) dynamic_states.push_back(VK_DYNAMIC_STATE_CULL_MODE);
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
   dynamic.dynamicStateCount = std::uint32_t(dynamic_states.size());
   dynamic.pDynamicStates = dynamic_states.data();

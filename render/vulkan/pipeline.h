@@ -20,6 +20,7 @@ struct PipelineDescription {
   VertexInput input = VertexInput::none;
   std::vector<VkFormat> colors;
   bool depth = false;          // D32, reversed: nearer is greater
+  bool culls = false;          // vkCmdSetCullMode decides before each draw; otherwise nothing is culled
   bool vertices_only = false;  // nothing is rasterised: the cost of the vertex work alone
   Blend blend = Blend::replace;
   VkPipelineLayout layout = VK_NULL_HANDLE;
