@@ -13,7 +13,7 @@ namespace brdf::render {
 namespace {
 
 constexpr int kDimensions = 3;
-constexpr std::size_t kNeighbours = 8;
+constexpr std::size_t kNeighbours = 32;
 using Point = std::array<float, kDimensions>;
 
 // Isotropic half-vector coordinates: the half angle (stretched near the lobe's centre by the square root, as
@@ -105,12 +105,14 @@ class Tree {
 
 glm::vec3 weighted_mean(const Tree& tree, const Tree::Found& found) {
   glm::vec3 logs(0), plain(0);
-  float total = 0;
+  float total = 1e-20f;
   bool positive = true;
   for (std::size_t k = 0; k < found.count; ++k) {
     const auto [d2, row] = found.nearest[k];
     const glm::vec3& f = tree[row].value;
-    const float weight = 1 / (d2 + 1e-8f);
+    // 0 at the farthest one: rows that come and go among the nearest leave no edge.
+    const float inside = 1 - d2 / (found.nearest[found.count - 1].first + 1e-8f);
+    const float weight = inside * inside / (d2 + 1e-8f);
     total += weight;
     plain += weight * f;
     positive = positive && f.r > 0 && f.g > 0 && f.b > 0;
