@@ -17,6 +17,7 @@
 #include "io/samples.h"
 #include "io/text.h"
 #include "validate/integrators.h"
+#include "validate/numerics.h"
 #include "validate/report.h"
 
 namespace brdf::cli {
@@ -28,7 +29,7 @@ struct Options {
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
-  bool integrators = false, microsurface = false, gpu = false;
+  bool integrators = false, microsurface = false, numerics = false, gpu = false;
 };
 
 std::string read_bytes(const std::string& path) {
@@ -135,6 +136,8 @@ Exit run(const Options& o) {
   if (o.microsurface)
     return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
   if (o.integrators) return run_integrators(o);
+  if (o.numerics)
+    return validate::report_numerics(forms_of(o), o.json, std::cout) ? Exit::kGood : Exit::kFailed;
   if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
   if (!(o.max_theta > 0 && o.max_theta <= 90))
     throw InputError("--max-theta " + io::to_text(o.max_theta) + ": must be above 0 and at most 90 degrees");
@@ -176,6 +179,7 @@ void add_validate(CLI::App& app) {
   verb->add_flag(
       "--microsurface", o->microsurface,
       "compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
+  verb->add_flag("--numerics", o->numerics, "measure the forms in float and double against 50 digits");
   verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit");
   verb->footer("Example: brdf validate material.json --require energy,reciprocity -o report.html");
   on_run(*verb, [o] { return run(*o); });
