@@ -121,7 +121,7 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
     std::cout << io::to_text(fit::to_json(result, table, options));
   else
     fit::print(std::cout, result, table, options);
-  return fit::usable(best.verdict) ? Exit::kGood : Exit::kFailed;
+  return fit::usable(best.verdict) && !result.interrupted ? Exit::kGood : Exit::kFailed;
 }
 
 // A sphere of every new material, where this build and this machine can draw.

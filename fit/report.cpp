@@ -150,6 +150,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
   Json j = io::to_json(io::provenance(options.seed));
   j["metric"] = metric_name(options.metric);
   j["samples"] = samples_json(result, table, options);
+  j["interrupted"] = result.interrupted;
   j["recommended"] = result.ranking.empty() ? Json(nullptr) : Json(result.ranking[result.recommended].form);
   j["ranking"] = std::move(ranking);
   return j;
@@ -175,6 +176,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
     out << "  " << result.outside_domain << " rows left out: negative values without a residual\n";
   if (result.noise_floor)
     out << "  values scatter about their neighbours by " << percent(*result.noise_floor) << '\n';
+  if (result.interrupted) out << "  interrupted: this is what was reached\n";
   out << "  " << std::left << std::setw(28) << "form" << std::setw(18) << "verdict" << std::setw(14)
       << "median error" << std::setw(14) << "left out"
       << "parameters\n";
