@@ -14,9 +14,17 @@ struct NamedCheck {
 };
 
 constexpr NamedCheck kChecks[] = {
-    {"finite", check_finite},     {"non_negative", check_non_negative}, {"reciprocity", check_reciprocity},
-    {"energy", check_energy},     {"isotropy", check_isotropy},         {"continuity", check_continuity},
-    {"sampling", check_sampling}, {"derivatives", check_derivatives},
+    {"finite", check_finite},
+    {"non_negative", check_non_negative},
+    {"reciprocity", check_reciprocity},
+    {"energy", check_energy},
+    {"albedo", check_albedo},
+    {"normalisation", check_normalisation},
+    {"white_furnace", check_white_furnace},
+    {"isotropy", check_isotropy},
+    {"continuity", check_continuity},
+    {"sampling", check_sampling},
+    {"derivatives", check_derivatives},
 };
 
 // A witness that the search could not meet proves nothing: its angle lies beyond the limit.
