@@ -67,16 +67,17 @@ struct Parts {
   const char* form;
   double (*density)(const Widths&, const Vec3<double>&);
   double (*g1)(const Widths&, const Vec3<double>&, const Vec3<double>&);
+  double far;  // in widths: beyond, the distribution holds nothing (GGX falls as the fourth power)
 };
 
 constexpr Parts kParts[] = {
-    {"cook_torrance", Ggx::density, SmithGgx::g1},
-    {"cook_torrance_dielectric", Ggx::density, SmithGgx::g1},
-    {"cook_torrance_beckmann", Beckmann::density, SmithBeckmann::g1},
-    {"cook_torrance_vcavity", Beckmann::density, VCavities::g1},
-    {"cook_torrance_1982", Beckmann::density, VCavities::g1},
-    {"cook_torrance_schlick_ggx", Ggx::density, SchlickGgx::g1},
-    {"cook_torrance_as_printed", Ggx::density, SchlickGgx::g1},
+    {"cook_torrance", Ggx::density, SmithGgx::g1, 1e9},
+    {"cook_torrance_dielectric", Ggx::density, SmithGgx::g1, 1e9},
+    {"cook_torrance_beckmann", Beckmann::density, SmithBeckmann::g1, 9},
+    {"cook_torrance_vcavity", Beckmann::density, VCavities::g1, 9},
+    {"cook_torrance_1982", Beckmann::density, VCavities::g1, 9},
+    {"cook_torrance_schlick_ggx", Ggx::density, SchlickGgx::g1, 1e9},
+    {"cook_torrance_as_printed", Ggx::density, SchlickGgx::g1, 1e9},
 };
 
 const Parts* parts_of(const Subject& subject) {
@@ -96,7 +97,6 @@ struct Integrals {
 // then s has the width 1/sqrt(A - B^2/C).
 Integrals integrate(const Parts& parts, const Widths& a, double theta, double phi) {
   constexpr int kPoints = 48;
-  constexpr double kFar = 1e9;  // slopes beyond carry nothing: D falls as their fourth power
   const auto& rule = integrals::gauss_legendre(kPoints);
   const double c = std::cos(phi), s0 = std::sin(phi), sin_o = std::sin(theta), cos_o = std::cos(theta);
   const Vec3<double> o{sin_o * c, sin_o * s0, cos_o};
@@ -108,7 +108,7 @@ Integrals integrate(const Parts& parts, const Widths& a, double theta, double ph
   const auto row = [&](double s, double weight) {
     const double centre = -B * s / C, ridge = std::sqrt((1 + along * s * s) / C);
     for (const double sign : {-1.0, 1.0})
-      integrals::graded_panel(rule, kFar * ridge, ridge, false, [&](double d, double w) {
+      integrals::graded_panel(rule, parts.far * ridge, ridge, false, [&](double d, double w) {
         const double t = centre + sign * d;
         const Vec3<double> h{s * c - t * s0, s * s0 + t * c, 1};
         const double slopes = parts.density(a, h) / square(dot(h, h)) * w * weight;  // D cos_h^4
@@ -119,9 +119,9 @@ Integrals integrate(const Parts& parts, const Widths& a, double theta, double ph
       });
   };
   // Facets face the viewer above s = -cot(theta); V-cavities have their kink at s = +cot(theta).
-  const double edge = sin_o > 0 ? cos_o / sin_o : kFar;
-  std::vector<double> ends{-kFar * width, 0, kFar * width};
-  if (edge < kFar * width) ends.insert(ends.end(), {-edge, edge});
+  const double edge = sin_o > 0 ? cos_o / sin_o : parts.far;
+  std::vector<double> ends{-parts.far * width, 0, parts.far * width};
+  if (edge < parts.far * width) ends.insert(ends.end(), {-edge, edge});
   std::sort(ends.begin(), ends.end());
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double half = (ends[k + 1] - ends[k]) / 2;

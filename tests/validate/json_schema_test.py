@@ -1,0 +1,30 @@
+"""Output of `brdf validate --json` against docs/validate.schema.json: schema_test.py EXECUTABLE SCHEMA"""
+import json
+import subprocess
+import sys
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not installed")
+    sys.exit(77)
+
+executable, schema_file = sys.argv[1:3]
+with open(schema_file, encoding="utf-8") as f:
+    schema = json.load(f)
+run = subprocess.run([executable, "validate", "--form", "lambert", "--form", "blinn_phong_n8", "--json"],
+                     capture_output=True, text=True, check=False)
+assert run.returncode == 0, run.stderr
+findings = json.loads(run.stdout)
+jsonschema.validate(findings, schema)
+verdicts = {f["verdict"] for f in findings["findings"]}
+assert {"pass", "known_violation", "not_applicable"} <= verdicts, verdicts
+required = subprocess.run([executable, "validate", "--form", "blinn_phong_n8", "--require", "energy"],
+                          capture_output=True, text=True, check=False)
+assert required.returncode == 1, required.returncode
+try:
+    jsonschema.validate({"findings": [{"subject": "x"}]}, schema)
+except jsonschema.ValidationError:
+    print("findings follow the schema")
+else:
+    sys.exit("the schema accepts anything")
