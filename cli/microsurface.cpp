@@ -69,6 +69,7 @@ void print_json(const std::vector<micro::TheoryRow>& rows, std::uint64_t seed) {
     one["z"] = row.z;
     one["exact"] = row.exact;
     one["holds"] = micro::holds(row);
+    if (!row.cause.empty()) one["cause"] = row.cause;
     out["rows"].push_back(std::move(one));
   }
   out["provenance"] = io::to_json(io::provenance(seed));
@@ -82,15 +83,40 @@ void print_number(double number, int width, int digits) {
     std::cout << std::setw(width) << std::setprecision(digits) << number;
 }
 
+// How many statements that are exact hold, and the greatest z among them.
+void print_summary(const std::vector<micro::TheoryRow>& rows) {
+  const auto size = [](double z) { return std::isnan(z) ? 0 : std::abs(z); };
+  int exact = 0, failed = 0;
+  const micro::TheoryRow* worst = nullptr;
+  for (const micro::TheoryRow& row : rows) {
+    if (!row.exact) continue;
+    ++exact;
+    failed += !micro::holds(row);
+    if (worst == nullptr || size(row.z) > size(worst->z)) worst = &row;
+  }
+  std::cout << "\nexact statements: " << exact << ", failed: " << failed << " (|z| above " << micro::kExactZ
+            << ")";
+  if (worst != nullptr)
+    std::cout << "; greatest |z| " << size(worst->z) << ": " << worst->surface << ", " << worst->quantity;
+  std::cout
+      << "\napproximations: the difference to the model is the finding, its cause stands under each table\n";
+}
+
 void print_table(const std::vector<micro::TheoryRow>& rows) {
-  std::string surface;
+  std::string surface, cause;
+  const auto print_cause = [&] {
+    if (!cause.empty()) std::cout << "  cause of the differences: " << cause << '\n';
+    cause.clear();
+  };
   for (const micro::TheoryRow& row : rows) {
     if (row.surface != surface) {
+      print_cause();
       surface = row.surface;
       std::cout << '\n'
                 << std::left << std::setw(76) << surface << std::right << std::setw(11) << "simulated"
                 << std::setw(10) << "error" << std::setw(11) << "model" << std::setw(9) << "z" << '\n';
     }
+    if (!row.cause.empty()) cause = row.cause;
     std::cout << "  " << std::left << std::setw(74) << row.quantity << std::right;
     print_number(row.simulated, 11, 5);
     print_number(row.standard_error, 10, 2);
@@ -98,6 +124,8 @@ void print_table(const std::vector<micro::TheoryRow>& rows) {
     print_number(row.z, 9, 3);
     std::cout << (!row.exact ? "" : micro::holds(row) ? "  exact, holds" : "  exact, FAILS") << '\n';
   }
+  print_cause();
+  print_summary(rows);
 }
 
 }  // namespace

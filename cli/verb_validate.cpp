@@ -132,7 +132,19 @@ std::vector<AnyForm> forms_of(const Options& o) {
   return forms;
 }
 
+// The modes that judge the library itself take no files, and one mode is asked for at a time.
+void require_one_mode(const Options& o) {
+  const int modes = o.integrators + o.microsurface + o.numerics + o.gpu;
+  if (modes > 1) throw InputError("--integrators, --microsurface, --numerics, --gpu: give one of them");
+  if (modes == 1 && !o.files.empty())
+    throw InputError(o.files.front() + ": --integrators, --microsurface, --numerics and --gpu take no files");
+  if (modes == 1 && !o.output.empty())
+    throw InputError("-o " + o.output +
+                     ": --integrators, --microsurface, --numerics and --gpu write to stdout");
+}
+
 Exit run(const Options& o) {
+  require_one_mode(o);
   if (o.microsurface)
     return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
   if (o.integrators) return run_integrators(o);

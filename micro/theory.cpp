@@ -9,8 +9,14 @@ namespace brdf::micro {
 
 TheoryRow theory_row(std::string surface, std::string quantity, const Estimate& simulated, double model,
                      bool exact) {
-  TheoryRow row{
-      std::move(surface), std::move(quantity), simulated.mean, simulated.standard_error, model, kNone, exact};
+  TheoryRow row{std::move(surface),
+                std::move(quantity),
+                simulated.mean,
+                simulated.standard_error,
+                model,
+                kNone,
+                exact,
+                {}};
   const double difference = simulated.mean - model;
   if (simulated.standard_error > 0) row.z = difference / simulated.standard_error;
   return row;
@@ -20,6 +26,11 @@ bool holds(const TheoryRow& row) {
   if (!row.exact) return true;
   if (std::isnan(row.z)) return std::abs(row.simulated - row.model) <= kExactShare;
   return std::abs(row.z) <= kExactZ;
+}
+
+void explain(std::vector<TheoryRow>& rows, const std::string& cause) {
+  for (TheoryRow& row : rows)
+    if (!row.exact && !std::isnan(row.model)) row.cause = cause;
 }
 
 std::vector<TheoryRow> compare_slopes(const TheoryOptions& options) {
@@ -64,6 +75,10 @@ std::vector<TheoryRow> compare_masking(const TheoryOptions& options) {
       rows.push_back(theory_row(name, at + "the same, facets tilted away", m.visible_away, g1, false));
     }
   }
+  explain(rows,
+          "Smith takes a facet's slope and the heights in front of it as independent; on a continuous "
+          "surface a facet "
+          "tilted away stands behind its own slope and is masked more often");
   return rows;
 }
 

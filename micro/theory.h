@@ -25,6 +25,8 @@ struct TheoryRow {
   double z = kNone;  // (simulated - model) / standard_error
   /// The model is exact for this surface (or the law holds for any): a large z is a fault, not a finding.
   bool exact = false;
+  /// Why the model is only an approximation of this surface; empty where it is exact or nothing is compared.
+  std::string cause;
 };
 
 TheoryRow theory_row(std::string surface, std::string quantity, const Estimate& simulated, double model,
@@ -68,6 +70,8 @@ struct CellAgreement {
   double power = 0, power_apart = 0;     // the same, weighted by projected solid angle
   double mean_error = 0;                 // mean relative standard error of the cells counted
   double worst_retro = 0;                // largest relative excess within 20 degrees of the retro direction
+  double worst_apart = 0;    // largest relative difference, with its sign, of a cell that is apart,
+  Incidence worst_apart_at;  // and where that cell is
 };
 CellAgreement agreement(const Scatter& scatter, const Cells& cells, const Material& model);
 

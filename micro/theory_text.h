@@ -3,6 +3,9 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
+
+#include "micro/theory.h"
 
 namespace brdf::micro {
 
@@ -17,5 +20,8 @@ inline std::string text(double number) {
 inline std::string gaussian_name(double alpha) {
   return "gaussian alpha " + text(alpha);
 }
+
+/// Gives every row whose model is an approximation its cause.
+void explain(std::vector<TheoryRow>& rows, const std::string& cause);
 
 }  // namespace brdf::micro
