@@ -34,7 +34,10 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
           ->capture_default_str(),
       group.add_option(
           "--rays", s.rays,
-          "Rays per surface and direction (default 262144; mirror grooves 8192, Lambertian facets 4096)")};
+          "Rays per surface and direction (default 262144; mirror grooves 8192, Lambertian facets 4096)"),
+      group.add_option("--threads", s.threads, "Threads; the samples do not depend on their number")
+          ->check(CLI::Range(1, 1024))
+          ->capture_default_str()};
   for (CLI::Option* detail : details) detail->needs(surface);
   // What a material or the instrument would do to its readings says nothing about a traced surface.
   for (const char* name :
