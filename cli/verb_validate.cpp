@@ -57,6 +57,19 @@ std::vector<std::string> required(const Options& o) {
   return o.require;
 }
 
+// A table with its data sheet; of one that cannot be read because two columns are exchanged, that finding.
+validate::MeasuredTable measured(const std::string& file) {
+  try {
+    io::SampleTable table = io::read_samples(file);
+    validate::DataSheet sheet = validate::data_sheet(table);
+    return {std::move(table), std::move(sheet)};
+  } catch (const ExchangedColumns& e) {
+    io::SampleTable table;
+    table.source = file;
+    return {table, validate::exchanged_columns(table, e.what())};
+  }
+}
+
 // Forms, materials and tables with their findings.
 validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
@@ -67,9 +80,7 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
     if (is_json(file)) {
       content.subjects.push_back(validate::Subject::material(file, io::read_material(file)));
     } else {
-      io::SampleTable table = io::read_samples(file);
-      validate::DataSheet sheet = validate::data_sheet(table);
-      content.tables.push_back({std::move(table), std::move(sheet)});
+      content.tables.push_back(measured(file));
     }
   }
   if (content.subjects.empty() && content.tables.empty())

@@ -135,8 +135,8 @@ class CsvReader {
       if (!std::isfinite(number)) fail(k, fields_[k], "is not finite");
       switch (columns_[k].kind) {
         case Column::Kind::kAngle:
-          if (columns_[k].index % 2 == 0 && std::abs(number) > 90.0)
-            fail(k, fields_[k], "is below the horizon (theta must be between -90 and 90 degrees)");
+          largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(number));
+          if (columns_[k].index % 2 == 0 && std::abs(number) > 90.0) below_horizon(k);
           angles_[columns_[k].index] = number;
           break;
         case Column::Kind::kValue:
@@ -148,6 +148,29 @@ class CsvReader {
       }
     }
     store_row();
+  }
+
+  // Azimuths in the polar angle's column are told apart from a wrong angle: the other column then never
+  // exceeds 90 degrees. Reads the rest of the file for that.
+  [[noreturn]] void below_horizon(std::size_t column) {
+    const std::size_t theta = columns_[column].index, phi = theta + 1;
+    const std::string at = reader_.where() + ": column " + std::to_string(column + 1) + " (" +
+                           columns_[column].name + "): '" + std::string(fields_[column]) + "' ";
+    bool first = true;
+    for (std::string_view line; first || reader_.next(line); first = false) {
+      if (!first) split(trimmed(line), ',', fields_);
+      if (fields_.size() != columns_.size()) continue;
+      for (std::size_t k = 0; k < columns_.size(); ++k)
+        if (double x; columns_[k].kind == Column::Kind::kAngle && parse_number(fields_[k], x))
+          largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(x));
+    }
+    if (largest_[phi] <= 90.0) {
+      const std::string t(kAngles[theta]), p(kAngles[phi]);
+      throw ExchangedColumns(at + "is below the horizon; " + t + " reaches " + to_text(largest_[theta]) +
+                             " degrees and " + p + " only " + to_text(largest_[phi]) + ": the columns " + t +
+                             " and " + p + " look exchanged");
+    }
+    throw InputError(at + "is below the horizon (theta must be between -90 and 90 degrees)");
   }
 
   void store_row() {
@@ -184,7 +207,7 @@ class CsvReader {
   SampleTable table_;
   std::vector<Column> columns_;
   std::vector<std::string_view> fields_;
-  double angles_[4] = {};
+  double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
   std::vector<double> row_values_, row_sigma_;
   Quantity quantity_ = Quantity::kBrdf;
   bool has_sigma_ = false;

@@ -29,6 +29,9 @@ struct DataSheet {
 // isotropy, coverage, energy. What the table does not allow is not_applicable, and says why.
 DataSheet data_sheet(const io::SampleTable& table);
 
+// Of a table whose reader refused it because columns are exchanged, and said why.
+DataSheet exchanged_columns(const io::SampleTable& table, const std::string& why);
+
 // The names of its checks.
 std::vector<std::string> data_sheet_names();
 

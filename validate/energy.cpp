@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 #include "brdf/integrals.h"
@@ -74,26 +75,30 @@ Albedo over_channels(const Material& m, double theta, double phi, const AlbedoOp
   return worst;
 }
 
+// Where the search looks: everywhere, or (tied) at equal widths, where the azimuth is without effect.
 class EnergySearch {
  public:
-  EnergySearch(const Subject& subject, const CheckOptions& options) : subject_(subject), options_(options) {
+  EnergySearch(const Subject& subject, const CheckOptions& options, bool tied)
+      : subject_(subject), options_(options), tied_(tied) {
     linear_ =
         subject.of_form() && std::visit([](auto f) { return LinearForm<decltype(f)>; }, *subject.of_form());
-    parameters_ = linear_ ? subject.shape_dimensions() : subject.dimensions();
+    parameters_ = (linear_ ? subject.shape_dimensions() : subject.dimensions()) - (tied ? 1 : 0);
+    turns_ = subject.anisotropic() && !tied;
   }
 
   Finding run() {
     const bool full = options_.effort == Effort::full;
-    const std::size_t dimensions = parameters_ + (subject_.anisotropic() ? 2 : 1);
+    const std::size_t dimensions = parameters_ + (turns_ ? 2 : 1);
     SearchOptions search;
     search.cover = full ? 400 : 100;
     search.starts = full ? 8 : 4;
     search.steps = full ? 80 : 45;
     search.finest = 1e-6;
     search.seed = options_.seed;
-    const Objective objective = [&](std::span<const double> point) { return albedo(point, 3e-5).value; };
-    const Best best = maximise(objective, dimensions, search, corners(dimensions));
-    return judge(best.point);
+    const auto to = [&](double tolerance) -> Objective {
+      return [this, tolerance](std::span<const double> point) { return albedo(point, tolerance).value; };
+    };
+    return judge(maximise(to(1e-3), dimensions, search, corners(dimensions), to(1e-5)).point);
   }
 
  private:
@@ -112,16 +117,20 @@ class EnergySearch {
     return points;
   }
 
+  // The subject's coordinates of a point of the search.
   std::vector<double> padded(std::span<const double> point) const {
     std::vector<double> p(point.begin(), point.begin() + long(parameters_));
+    if (tied_) p.insert(p.begin() + tied_at(), point[std::size_t(tied_at() - 1)]);
     p.resize(subject_.dimensions(), 1.0);
     return p;
   }
+  // alpha_y follows alpha_x in every table.
+  long tied_at() const { return info(*subject_.of_form()).shape_index("alpha_y"); }
   double elevation(std::span<const double> point) const {
     return elevation_at(point[parameters_], options_.max_theta);
   }
   double azimuth(std::span<const double> point) const {
-    return subject_.anisotropic() ? kPi / 2 * point[parameters_ + 1] : 0;
+    return turns_ ? kPi / 2 * point[parameters_ + 1] : 0;
   }
 
   Albedo albedo(std::span<const double> point, double tolerance, double lift = 1) {
@@ -181,7 +190,8 @@ class EnergySearch {
 
   const Subject& subject_;
   const CheckOptions& options_;
-  bool linear_ = false;
+  const bool tied_;
+  bool linear_ = false, turns_ = false;
   std::size_t parameters_ = 0;
   long evaluations_ = 0;
 };
@@ -189,7 +199,20 @@ class EnergySearch {
 }  // namespace
 
 Finding check_energy(const Subject& subject, const CheckOptions& options) {
-  return EnergySearch(subject, options).run();
+  Finding finding = EnergySearch(subject, options, false).run();
+  if (!subject.of_form() || !subject.anisotropic()) return finding;
+  // Many programs know one width only, so the worst of equal widths is told beside the worst of all.
+  const Finding equal = EnergySearch(subject, options, true).run();
+  finding.tied = Restricted{equal.value, *equal.witness};
+  finding.evaluations += equal.evaluations;
+  std::ostringstream text;
+  text.precision(5);
+  text << "; with equal widths at most " << equal.value << " (alpha ";
+  for (const auto& [name, value] : equal.witness->parameters)
+    if (name == "alpha_x") text << std::setprecision(3) << value;
+  text << ", " << io::to_text(float(equal.witness->angles.front().second)) << " degrees)";
+  finding.statement += text.str();
+  return finding;
 }
 
 }  // namespace brdf::validate

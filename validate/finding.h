@@ -18,6 +18,12 @@ struct Witness {
   std::string command;
 };
 
+// The worst of a search that was restricted to part of the parameters.
+struct Restricted {
+  double value;
+  Witness witness;
+};
+
 // What one check found out about one subject.
 struct Finding {
   std::string subject, check;
@@ -26,7 +32,8 @@ struct Finding {
   double bound = 0;  // what it may be
   std::string statement;
   std::optional<Witness> witness;
-  long evaluations = 0;  // of the subject's f
+  std::optional<Restricted> tied;  // of an anisotropic form's energy: equal widths
+  long evaluations = 0;            // of the subject's f
 };
 
 std::string verdict_name(Verdict verdict);

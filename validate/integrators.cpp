@@ -12,6 +12,7 @@ namespace brdf::validate {
 namespace {
 
 constexpr int kTruthOrder = 192;
+constexpr long kConfirmed = 100;       // cases of a set whose truth the second rule must confirm
 constexpr double kTruthError = 1e-12;  // of the truth itself: rounding of its sum
 
 class Random {
@@ -146,10 +147,9 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
       report(compare(sets[s], tolerance, cases, truth, results));
     }
     // The truth itself, by a rule of another kind.
-    const std::size_t sample = 100 / sets.size();
-    const std::vector<IntegralCase> few(cases.begin(), cases.begin() + long(sample));
-    std::vector<AlbedoResult> second(sample);
-    parallel_for(sample, [&](std::size_t k) {
+    const std::vector<IntegralCase> few(cases.begin(), cases.begin() + kConfirmed);
+    std::vector<AlbedoResult> second(few.size());
+    parallel_for(few.size(), [&](std::size_t k) {
       AlbedoOptions options;
       options.tolerance = 1e-7;
       options.rule = few[k].term.shape[0][0] == few[k].term.shape[0][1] ? Rule::slope : Rule::adaptive;

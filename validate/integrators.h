@@ -32,7 +32,8 @@ struct IntegralCase {
 std::vector<IntegralCase> integral_cases(const std::string& set, std::uint64_t seed);
 std::vector<std::string> integral_sets();
 
-// Every set at 1e-4, 1e-6 and 1e-10, and "second_rule": the truth of 100 cases against the other rule.
+// Every set at 1e-4, 1e-6 and 1e-10, and "second_rule_SET": the truth of 100 of its cases against a rule of
+// another kind, at 1e-7.
 std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
                                              const std::function<void(const IntegratorRow&)>& progress = {});
 

@@ -39,6 +39,15 @@ io::Mark mark_of(Verdict verdict) {
   return marks[std::size_t(verdict)];
 }
 
+io::Json to_json(const Witness& w) {
+  io::Json json = io::Json::object();
+  for (const auto& [name, value] : w.parameters) json[name] = value;
+  for (const auto& [name, value] : w.angles) json[name] = value;
+  if (!w.channel.empty()) json["channel"] = w.channel;
+  json["command"] = w.command;
+  return json;
+}
+
 std::size_t count(const std::vector<Finding>& findings, Verdict verdict) {
   return std::size_t(std::count_if(findings.begin(), findings.end(),
                                    [&](const Finding& f) { return f.verdict == verdict; }));
@@ -81,15 +90,8 @@ io::Json to_json(const Finding& f) {
   json["value"] = std::isfinite(f.value) ? io::Json(f.value) : io::Json(nullptr);
   json["bound"] = f.bound;
   json["statement"] = f.statement;
-  json["witness"] = nullptr;
-  if (f.witness) {
-    io::Json witness = io::Json::object();
-    for (const auto& [name, value] : f.witness->parameters) witness[name] = value;
-    for (const auto& [name, value] : f.witness->angles) witness[name] = value;
-    if (!f.witness->channel.empty()) witness["channel"] = f.witness->channel;
-    witness["command"] = f.witness->command;
-    json["witness"] = std::move(witness);
-  }
+  json["witness"] = f.witness ? to_json(*f.witness) : io::Json(nullptr);
+  if (f.tied) json["tied"] = {{"value", f.tied->value}, {"witness", to_json(f.tied->witness)}};
   json["evaluations"] = f.evaluations;
   return json;
 }

@@ -31,10 +31,10 @@ bool explore(const Objective& f, std::vector<double>& point, double& value, doub
   return moved;
 }
 
-Best climb(const Objective& f, std::vector<double> point, double value, const SearchOptions& options) {
+Best climb(const Objective& f, std::vector<double> point, double value, double step, double finest,
+           int steps) {
   long calls = 0;
-  double step = 0.1;
-  for (int k = 0; k < options.steps && step > options.finest; ++k) {
+  for (int k = 0; k < steps && step > finest; ++k) {
     const std::vector<double> base = point;
     if (!explore(f, point, value, step, calls)) {
       step *= 0.35;
@@ -71,26 +71,33 @@ std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint
 }
 
 Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
-              const std::vector<std::vector<double>>& extra) {
-  std::vector<std::vector<double>> points = extra;
-  for (std::size_t k = 0; k < options.cover; ++k) points.push_back(cover_point(k, dimensions, options.seed));
-  std::vector<double> values;
-  for (const auto& point : points) values.push_back(safe(f(point)));
-  std::vector<std::size_t> order(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
-  Best best{points[order[0]], values[order[0]], long(points.size())};
-  if (dimensions == 0) return best;
-  for (std::size_t k = 0; k < std::min(options.starts, order.size()); ++k) {
-    const Best found = climb(f, points[order[k]], values[order[k]], options);
-    best.calls += found.calls;
-    if (found.value > best.value) {
-      best.point = found.point;
-      best.value = found.value;
+              const std::vector<std::vector<double>>& extra, const Objective& exact) {
+  std::vector<Best> points;
+  const auto add = [&](const std::vector<double>& point) { points.push_back({point, safe(f(point)), 1}); };
+  for (const auto& point : extra) add(point);
+  for (std::size_t k = 0; k < options.cover; ++k) add(cover_point(k, dimensions, options.seed));
+  long calls = long(points.size());
+  const auto keep_best = [&](std::size_t count) {
+    std::stable_sort(points.begin(), points.end(),
+                     [](const Best& a, const Best& b) { return a.value > b.value; });
+    points.resize(std::min(points.size(), std::max<std::size_t>(count, 1)));
+  };
+  if (dimensions > 0) {
+    keep_best(options.starts);
+    for (Best& b : points) {
+      b = climb(f, b.point, b.value, 0.1, options.coarse, options.steps);
+      calls += b.calls;
+    }
+    keep_best(options.polish);
+    for (Best& b : points) {
+      if (exact) b.value = safe(exact(b.point));
+      b = climb(exact ? exact : f, b.point, b.value, options.coarse, options.finest, options.steps);
+      calls += b.calls + 1;
     }
   }
-  return best;
+  keep_best(1);
+  points.front().calls = calls;
+  return points.front();
 }
 
 }  // namespace brdf::validate

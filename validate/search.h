@@ -12,7 +12,9 @@ struct SearchOptions {
   std::size_t cover = 256;  // points of the low-discrepancy cover
   std::size_t starts = 6;   // of these, the best are climbed from
   int steps = 60;           // of a climb; each costs about two evaluations per dimension
-  double finest = 1e-7;     // step at which a climb ends
+  double coarse = 1e-3;     // step at which these climbs end
+  std::size_t polish = 2;   // the best of their summits are climbed on from
+  double finest = 1e-7;     // step at which that ends
   std::uint64_t seed = 1;   // shifts the cover
 };
 
@@ -29,8 +31,9 @@ std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint
 
 // Evaluates the cover and `extra`, then climbs from the best points by pattern search (Hooke and Jeeves
 // 1961), which needs no derivatives, stands kinks, and reaches the cube's faces exactly. NaN counts as
-// lowest.
+// lowest. The best summits are climbed to the finest step with `exact`, where a function is cheaper to have
+// roughly.
 Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
-              const std::vector<std::vector<double>>& extra = {});
+              const std::vector<std::vector<double>>& extra = {}, const Objective& exact = {});
 
 }  // namespace brdf::validate

@@ -1,8 +1,12 @@
 // Gauss-Legendre nodes, and panels mapped so that nodes gather where an integrand varies fastest.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
+
+#include "integrals/rows.h"
 
 namespace brdf::integrals {
 
@@ -13,34 +17,37 @@ struct GaussRule {
 // Nodes to 1e-16, by Newton's method on the Legendre recurrence. Kept once computed; thread safe.
 const GaussRule& gauss_legendre(int n);
 
-// visit(v, weight) for the nodes of [0, 1] after v -> v^power at the ends where the integrand has a square
-// root or a kink's tangent (power 2): the substitution makes it smooth.
-template <class Visit>
-void unit_panel(const GaussRule& rule, bool root_low, bool root_high, Visit&& visit) {
-  const std::size_t n = rule.node.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const double v = rule.node[k], w = rule.weight[k];
-    if (root_low && root_high) {
-      // v -> 3 v^2 - 2 v^3: quadratic at both ends
-      visit(v * v * (3 - 2 * v), w * 6 * v * (1 - v));
-    } else if (root_low) {
-      visit(v * v, w * 2 * v);
-    } else if (root_high) {
-      const double u = rule.node[n - 1 - k];  // 1 - v without cancellation
-      visit(1 - u * u, w * 2 * u);
-    } else {
-      visit(v, w);
-    }
-  }
+struct UnitNode {
+  double v, weight;
+};
+
+// The k-th node of [0, 1] after v -> v^power at the ends where the integrand has a square root or a kink's
+// tangent (power 2): the substitution makes it smooth.
+inline UnitNode unit_node(const GaussRule& rule, std::size_t k, bool root_low, bool root_high) {
+  const double v = rule.node[k], w = rule.weight[k];
+  if (root_low && root_high) return {v * v * (3 - 2 * v), w * 6 * v * (1 - v)};  // quadratic at both ends
+  if (root_low) return {v * v, w * 2 * v};
+  if (!root_high) return {v, w};
+  const double u = rule.node[rule.node.size() - 1 - k];  // 1 - v without cancellation
+  return {1 - u * u, w * 2 * u};
 }
 
 // visit(distance, weight) for distances in [0, length] from a point where the integrand varies on `scale`.
 template <class Visit>
 void graded_panel(const GaussRule& rule, double length, double scale, bool root, Visit&& visit) {
   scale = std::fmin(scale, length);
-  const double s = std::asinh(length / scale);
-  unit_panel(rule, root, false,
-             [&](double v, double w) { visit(scale * std::sinh(s * v), w * s * scale * std::cosh(s * v)); });
+  const double end = std::asinh(length / scale);
+  std::array<double, kRow> s, weight, sinh, cosh;
+  for (std::size_t first = 0; first < rule.node.size(); first += kRow) {
+    const std::size_t count = std::min(kRow, rule.node.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const UnitNode node = unit_node(rule, first + k, root, false);
+      s[k] = end * node.v;
+      weight[k] = node.weight * end * scale;
+    }
+    sinh_cosh(count, s.data(), sinh.data(), cosh.data());
+    for (std::size_t k = 0; k < count; ++k) visit(scale * sinh[k], weight[k] * cosh[k]);
+  }
 }
 
 }  // namespace brdf::integrals

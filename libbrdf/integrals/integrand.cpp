@@ -32,7 +32,10 @@ Vec3<double> at_slope(double slope) {
 }  // namespace
 
 Integrand::Integrand(const Term& term, std::vector<std::size_t> channels, Fixed fixed)
-    : form_(term.form), channels_(std::move(channels)), fixed_(fixed) {
+    : form_(term.form),
+      kernels_(&batch_kernels<double>(form_)),
+      channels_(std::move(channels)),
+      fixed_(fixed) {
   const auto shape = term.shape_of(channels_.front());
   shape_.assign(shape.begin(), shape.end());
   for (const std::size_t c : channels_) weights_.push_back(term.weights[c]);
@@ -49,7 +52,11 @@ Integrand::Integrand(const Term& term, std::vector<std::size_t> channels, Fixed 
 }
 
 Integrand::Integrand(const AnyForm& form, std::span<const double> shape, Fixed fixed)
-    : form_(form), shape_(shape.begin(), shape.end()), fixed_(fixed), lobes_only_(true) {
+    : form_(form),
+      kernels_(&batch_kernels<double>(form_)),
+      shape_(shape.begin(), shape.end()),
+      fixed_(fixed),
+      lobes_only_(true) {
   columns_ = std::visit(
       [](auto f) -> std::size_t {
         if constexpr (LinearForm<decltype(f)>)
@@ -168,32 +175,25 @@ std::vector<double> Integrand::combine(std::span<const double> sums) const {
 
 void Integrand::evaluate(const Vec3<double>& fixed, std::size_t n, const double* x, const double* y,
                          const double* z, double* out) const {
-  std::visit(
-      [&](auto f) {
-        using F = decltype(f);
-        using Weights = typename F::template Weights<double>;
-        const auto shape = from_values<typename F::template Shape<double>>(std::span<const double>(shape_));
-        const bool light_fixed = fixed_ == Fixed::light;
-        const auto pair = [&](std::size_t j) {
-          const Vec3<double> moving{x[j], y[j], z[j]};
-          return light_fixed ? geometry(fixed, moving) : geometry(moving, fixed);
-        };
-        if constexpr (LinearForm<F>) {
-          for (std::size_t j = 0; j < n; ++j) {
-            const auto lobe = F::lobes(shape, pair(j));
-            for (std::size_t k = 0; k < lobe.size(); ++k) out[k * n + j] = lobe[k] * z[j];
-          }
-        } else {
-          const auto first = from_values<Weights>(std::span<const double>(weights_.back()));
-          for (std::size_t c = 0; c < channels_.size(); ++c) {
-            const auto w = from_values<Weights>(std::span<const double>(weights_[c]));
-            for (std::size_t j = 0; j < n; ++j)
-              out[c * n + j] = light_fixed ? eval(f, w, first, shape, pair(j)) * z[j]
-                                           : eval_cos(f, w, first, shape, pair(j));
-          }
-        }
-      },
-      form_);
+  std::array<double, kBlock> fixed_x, fixed_y, fixed_z;
+  std::fill_n(fixed_x.begin(), n, fixed.x);
+  std::fill_n(fixed_y.begin(), n, fixed.y);
+  std::fill_n(fixed_z.begin(), n, fixed.z);
+  const bool light_fixed = fixed_ == Fixed::light;
+  const double* f[] = {fixed_x.data(), fixed_y.data(), fixed_z.data()};
+  const Directions<double> pairs = light_fixed ? Directions<double>{f[0], f[1], f[2], x, y, z, n}
+                                               : Directions<double>{x, y, z, f[0], f[1], f[2], n};
+  if (const auto lobes = kernels_->lobes[std::size_t(Partial::kNone)]) {
+    lobes(shape_, pairs, {out, n});
+  } else {
+    // f cos_i of the moving light is a form's own; of the viewer f is multiplied below.
+    const auto eval = light_fixed ? kernels_->eval : kernels_->eval_cos;
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      eval(weights_[c], weights_.back(), shape_, pairs, out + c * n);
+    if (!light_fixed) return;
+  }
+  for (std::size_t c = 0; c < columns_; ++c)
+    for (std::size_t j = 0; j < n; ++j) out[c * n + j] *= z[j];
 }
 
 void NodeSum::flush() {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "brdf/batch.h"
 #include "brdf/integrals.h"
 
 namespace brdf::integrals {
@@ -38,6 +39,8 @@ struct FixedDirection {
 
 class Integrand {
  public:
+  static constexpr std::size_t kBlock = 256;  // directions evaluated at a time
+
   // Channels of a term whose shapes are equal.
   Integrand(const Term& term, std::vector<std::size_t> channels, Fixed fixed);
   // The lobes of a linear form.
@@ -49,12 +52,14 @@ class Integrand {
   // Outputs from the integrals of the columns. A column that does not vary is pi times its value, exactly.
   std::vector<double> combine(std::span<const double> columns) const;
 
-  // f cos of column c at n moving unit directions: out[c n + j]. `fixed` in the tangent's frame.
+  // f cos of column c at n <= kBlock moving unit directions: out[c n + j]. `fixed` in the tangent's frame.
+  // Through the forms' batches.
   void evaluate(const Vec3<double>& fixed, std::size_t n, const double* x, const double* y, const double* z,
                 double* out) const;
 
  private:
   AnyForm form_;
+  const BatchKernels<double>* kernels_;
   std::vector<double> shape_;
   std::vector<std::vector<double>> weights_;  // of the channels, then of the first channel
   std::vector<std::size_t> channels_;
@@ -94,7 +99,7 @@ class NodeSum {
   long evaluations() const { return evaluations_ + long(used_); }
 
  private:
-  static constexpr std::size_t kBlock = 256;
+  static constexpr std::size_t kBlock = Integrand::kBlock;
   void flush();
 
   const Integrand& integrand_;

@@ -97,11 +97,12 @@ class PoleRule {
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       const double s0 = breaks[k], length = breaks[k + 1] - s0;
       const bool at_low = k == 0 ? root_low : true, at_high = k + 2 < breaks.size();
-      unit_panel(rule_, at_low, at_high, [&](double v, double weight) {
+      for (std::size_t j = 0; j < rule_.node.size(); ++j) {
+        const UnitNode node = unit_node(rule_, j, at_low, at_high);
         double jacobian;
-        const Polar p = map(s0 + length * v, jacobian);
-        row(p, weight * length * jacobian);
-      });
+        const Polar p = map(s0 + length * node.v, jacobian);
+        row(p, node.weight * length * jacobian);
+      }
     }
   }
 
@@ -160,13 +161,20 @@ class PoleRule {
 
   void panel(double s0, double s1, double eta, double sin_i, double cos_i, double weight) {
     // At the edge of a cosine lobe x^n is no polynomial: five powers more make it nearly one.
-    const int power = features_.kink == Kink::mirror_edge ? 6 : 1;
-    for (std::size_t k = 0; k < rule_.node.size(); ++k) {
-      const double u = 1 - rule_.node[k], lower = power == 1 ? 1 : std::pow(u, power - 1);
-      const double s = s1 - (s1 - s0) * u * lower;
-      const double phi = eta * std::sinh(s);
-      sum_.add(sin_i * std::cos(phi), sin_i * std::sin(phi), cos_i,
-               weight * rule_.weight[k] * power * lower * (s1 - s0) * eta * std::cosh(s));
+    const bool edge = features_.kink == Kink::mirror_edge;
+    std::array<double, kRow> s, w, sinh, cosh, phi, sine, cosine;
+    for (std::size_t first = 0; first < rule_.node.size(); first += kRow) {
+      const std::size_t count = std::min(kRow, rule_.node.size() - first);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double u = 1 - rule_.node[first + k], lower = edge ? square(square(u)) * u : 1;
+        s[k] = s1 - (s1 - s0) * u * lower;
+        w[k] = weight * rule_.weight[first + k] * (edge ? 6 : 1) * lower * (s1 - s0) * eta;
+      }
+      sinh_cosh(count, s.data(), sinh.data(), cosh.data());
+      for (std::size_t k = 0; k < count; ++k) phi[k] = eta * sinh[k];
+      sin_cos(count, phi.data(), sine.data(), cosine.data());
+      for (std::size_t k = 0; k < count; ++k)
+        sum_.add(sin_i * cosine[k], sin_i * sine[k], cos_i, w[k] * cosh[k]);
     }
   }
 

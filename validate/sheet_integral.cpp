@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "validate/sheet_checks.h"
+
+namespace brdf::validate {
+namespace {
+
+constexpr double kRadians = kPi / 180;
+
+}  // namespace
+
+// The reflected fraction for one direction of the light: the samples around each of many directions, weighted
+// by the inverse square of their distance. Its bound: what no sample is near to, the difference to the
+// nearest sample alone, and the noise floor.
+MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t>& rows, double noise) {
+  constexpr int kRings = 20, kSectors = 36;
+  constexpr double kReach = 8 * kRadians;
+  struct Sample {
+    Direction d;
+    std::size_t row;
+  };
+  std::vector<Sample> samples;
+  double azimuth_low = 360, azimuth_high = -360;
+  for (const std::size_t k : rows) {
+    const double phi = std::remainder(t.phi_o[k] - t.phi_i[k], 360.0);
+    if (t.theta_o[k] > 0) {
+      azimuth_low = std::min(azimuth_low, phi);
+      azimuth_high = std::max(azimuth_high, phi);
+    }
+    samples.push_back({unit(t.theta_o[k], phi), k});
+  }
+  // Measured on one side of the plane of incidence only: the other side is its mirror image.
+  if (azimuth_low >= 0 || azimuth_high <= 0) {
+    const std::size_t n = samples.size();
+    for (std::size_t j = 0; j < n; ++j)
+      samples.push_back({{samples[j].d.x, -samples[j].d.y, samples[j].d.z}, samples[j].row});
+  }
+  const std::size_t channels = t.channels.size();
+  MeasuredAlbedo m{t.theta_i[rows.front()], 0, std::vector<double>(channels), std::vector<double>(channels)};
+  const double weight = kPi / (kRings * kSectors);
+  for (int ring = 0; ring < kRings; ++ring)
+    for (int sector = 0; sector < kSectors; ++sector) {
+      const double s = std::sqrt((ring + 0.5) / kRings), phi = 2 * kPi * (sector + 0.5) / kSectors;
+      const Direction d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
+      std::array<std::pair<double, std::size_t>, 4> near;
+      near.fill({10, 0});
+      for (const Sample& sample : samples) {
+        const double distance = 2 - 2 * cosine(d, sample.d);
+        if (distance >= near.back().first) continue;
+        near.back() = {distance, sample.row};
+        std::sort(near.begin(), near.end());
+      }
+      const bool covered = std::sqrt(std::max(near[0].first, 0.0)) < kReach;
+      m.coverage += covered ? 1.0 / (kRings * kSectors) : 0;
+      for (std::size_t c = 0; c < channels; ++c) {
+        double sum = 0, weights = 0;
+        for (const auto& [distance, row] : near) {
+          if (distance > 5) continue;
+          const double w = 1 / (std::max(distance, 0.0) + 1e-6);
+          sum += w * t.values[c][row];
+          weights += w;
+        }
+        const double smooth = weights > 0 ? sum / weights : 0, nearest = t.values[c][near[0].second];
+        m.value[c] += weight * smooth;
+        m.bound[c] += weight * (covered ? 0.5 * std::abs(smooth - nearest) : std::abs(smooth));
+      }
+    }
+  for (std::size_t c = 0; c < channels; ++c) m.bound[c] += 0.5 * noise * std::abs(m.value[c]);
+  return m;
+}
+
+Finding coverage(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
+  double least = 1, sum = 0;
+  for (const MeasuredAlbedo& a : albedo) {
+    least = std::min(least, a.coverage);
+    sum += a.coverage;
+  }
+  Finding f = start(t, "coverage");
+  f.value = sum / double(albedo.size());
+  f.bound = 1;
+  f.statement =
+      percent(f.value) +
+      " of the projected hemisphere lies within 8 degrees of a sample (at the worst angle of the light " +
+      percent(least) + ")";
+  return f;
+}
+
+Finding energy(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
+  constexpr double kEnough = 0.6;
+  const MeasuredAlbedo* worst = nullptr;
+  std::size_t channel = 0;
+  for (const MeasuredAlbedo& a : albedo)
+    for (std::size_t c = 0; c < a.value.size(); ++c)
+      if (a.coverage >= kEnough && (!worst || a.value[c] > worst->value[channel])) {
+        worst = &a;
+        channel = c;
+      }
+  if (!worst) return not_applicable(t, "energy", "too little of the hemisphere is covered for an integral");
+  Finding f = start(t, "energy");
+  f.value = worst->value[channel];
+  f.bound = 1;
+  f.verdict = f.value - worst->bound[channel] > 1 ? Verdict::fail : Verdict::pass;
+  std::ostringstream text;
+  text.precision(3);
+  text << "reflects at most " << f.value << " +- " << worst->bound[channel] << " (light at " << worst->theta_i
+       << " degrees, channel " << t.channels[channel] << ")";
+  f.statement = text.str();
+  return f;
+}
+
+}  // namespace brdf::validate
