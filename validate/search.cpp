@@ -10,6 +10,12 @@ double safe(double value) {
   return std::isnan(value) ? -HUGE_VAL : value;
 }
 
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t d = 0; d < a.size(); ++d) largest = std::max(largest, std::abs(a[d] - b[d]));
+  return largest;
+}
+
 // Tries both neighbours along every axis; true where one was better.
 bool explore(const Objective& f, std::vector<double>& point, double& value, double step, long& calls) {
   bool moved = false;
@@ -77,25 +83,32 @@ Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& o
   for (const auto& point : extra) add(point);
   for (std::size_t k = 0; k < options.cover; ++k) add(cover_point(k, dimensions, options.seed));
   long calls = long(points.size());
-  const auto keep_best = [&](std::size_t count) {
+  // The best of them, at least this far from one another: several climbs to one summit would find nothing.
+  const auto keep_best = [&](std::size_t count, double apart) {
     std::stable_sort(points.begin(), points.end(),
                      [](const Best& a, const Best& b) { return a.value > b.value; });
-    points.resize(std::min(points.size(), std::max<std::size_t>(count, 1)));
+    std::vector<Best> kept;
+    for (const Best& b : points)
+      if (kept.size() < std::max<std::size_t>(count, 1) &&
+          std::none_of(kept.begin(), kept.end(),
+                       [&](const Best& k) { return distance(k.point, b.point) < apart; }))
+        kept.push_back(b);
+    points = std::move(kept);
   };
   if (dimensions > 0) {
-    keep_best(options.starts);
+    keep_best(options.starts, 0.03);
     for (Best& b : points) {
       b = climb(f, b.point, b.value, 0.1, options.coarse, options.steps);
       calls += b.calls;
     }
-    keep_best(options.polish);
+    keep_best(options.polish, 10 * options.coarse);
     for (Best& b : points) {
       if (exact) b.value = safe(exact(b.point));
       b = climb(exact ? exact : f, b.point, b.value, options.coarse, options.finest, options.steps);
       calls += b.calls + 1;
     }
   }
-  keep_best(1);
+  keep_best(1, 0);
   points.front().calls = calls;
   return points.front();
 }

@@ -11,17 +11,8 @@ namespace {
 // 1/n! of Taylor's series.
 constexpr std::array kSinh{1.0,          1.0 / 6,        1.0 / 120,        1.0 / 5040,
                            1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800, 1.0 / 1307674368000};
-constexpr std::array kSin{1.0,
-                          -1.0 / 6,
-                          1.0 / 120,
-                          -1.0 / 5040,
-                          1.0 / 362880,
-                          -1.0 / 39916800,
-                          1.0 / 6227020800,
-                          -1.0 / 1307674368000,
-                          1.0 / 355687428096000,
-                          -1.0 / 121645100408832000,
-                          1.0 / 51090942171709440000.0};
+constexpr std::array kSin{1.0,          -1.0 / 6,        1.0 / 120,        -1.0 / 5040,
+                          1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000};
 constexpr std::array kCos{1.0,
                           -1.0 / 2,
                           1.0 / 24,
@@ -30,9 +21,7 @@ constexpr std::array kCos{1.0,
                           -1.0 / 3628800,
                           1.0 / 479001600,
                           -1.0 / 87178291200,
-                          1.0 / 20922789888000,
-                          -1.0 / 6402373705728000,
-                          1.0 / 2432902008176640000};
+                          1.0 / 20922789888000};
 
 }  // namespace
 
@@ -47,12 +36,14 @@ void sinh_cosh(std::size_t count, const double* s, double* sinh, double* cosh) {
 }
 
 void sin_cos(std::size_t count, const double* angle, double* sine, double* cosine) {
-  // Of half the angle; then 1 - 2 sin^2 is rounded once where it is near 1.
+  // Of half the angle's distance to the nearer end; then 1 - 2 sin^2 is rounded once where it is near 1.
   const auto body = [=](std::size_t k) {
-    const double t = 0.5 * angle[k], t2 = t * t;
+    const double x = angle[k], rest = kPi - x;
+    const double t = 0.5 * smaller(x, rest), t2 = t * t;
     const double s = t * kernels::polynomial(t2, kSin), c = kernels::polynomial(t2, kCos);
+    const double inner = 1 - 2 * s * s;
     sine[k] = 2 * s * c;
-    cosine[k] = 1 - 2 * s * s;
+    cosine[k] = select(x < rest, inner, -inner);
   };
   detail::repeat(body, count);
 }

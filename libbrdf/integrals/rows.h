@@ -11,7 +11,7 @@ inline constexpr std::size_t kRow = 64;  // nodes handled at a time
 // sinh and cosh of 0 <= s[k] <= 700. Largest relative error 4 ulp, for tiny s too. Outputs may not overlap.
 void sinh_cosh(std::size_t count, const double* s, double* sinh, double* cosh);
 
-// Sine and cosine of angles in [0, pi]. Largest error of both 2.5e-16; the sine's is relative for angles to
+// Sine and cosine of angles in [0, pi]. Largest error of both 5e-16; the sine's is relative for angles to
 // pi/2.
 void sin_cos(std::size_t count, const double* angle, double* sine, double* cosine);
 

@@ -34,6 +34,19 @@ TEST(Search, IgnoresNaN) {
   EXPECT_NEAR(best.value, 0.5, 1e-5);
 }
 
+TEST(Search, TheBestSummitsArePolishedWithTheExactFunction) {
+  // Roughly the left hill is the higher one, exactly the right one.
+  const auto hills = [](double left, double right) -> Objective {
+    return [=](std::span<const double> x) {
+      return left * std::exp(-50 * std::pow(x[0] - 0.25, 2)) +
+             right * std::exp(-50 * std::pow(x[0] - 0.75, 2));
+    };
+  };
+  const Best best = maximise(hills(1.01, 1), 1, {}, {}, hills(1, 1.01));
+  EXPECT_NEAR(best.point[0], 0.75, 1e-3);
+  EXPECT_NEAR(best.value, 1.01, 1e-5);
+}
+
 TEST(Search, TheCoverIsEvenlySpread) {
   int quadrant[4] = {};
   for (std::size_t k = 0; k < 400; ++k) {
