@@ -9,35 +9,21 @@
 namespace brdf::cli {
 namespace {
 
-// The state that the command line means: a saved one, a scene, or materials; two materials are A and B.
-render::ViewState initial_state(render::Job job, const std::string& file, const std::string& samples) {
-  render::ViewState state;
-  if (!file.empty()) {
-    state.scene = render::material_scene({{"lambert", make_material(lambert{})}});
-    render::open_file(state, file);
-    return state;
-  }
-  std::vector<std::filesystem::path> second;
-  if (job.scene.empty() && job.materials.size() == 2) {
-    second.push_back(job.materials[1]);
+// A saved state, a scene, or materials; two materials are A and B.
+render::ViewState initial_state(render::Job job) {
+  const bool two = job.scene.empty() && job.materials.size() == 2;
+  if (two) {
+    job.compare = job.materials[1].string();
     job.materials.pop_back();
   }
-  if (job.scene.empty() && job.materials.empty()) {
+  if (two || !job.measured.empty()) job.show = "split";
+  if (job.scene.empty() && job.materials.empty() && job.state.empty()) {
+    render::ViewState state;
     state.scene = render::material_scene({{"cook_torrance", make_material(cook_torrance{})}});
-  } else {
-    state.scene = render::scene_of(job);
+    if (!job.measured.empty()) render::open_file(state, job.measured);
+    return state;
   }
-  if (!second.empty()) {
-    render::Job other;
-    other.materials = second;
-    const render::Scene scene = render::scene_of(other);
-    state.material = scene.objects[0].material;
-    state.material_name = scene.objects[0].material_name;
-    state.other = render::Other::material;
-    state.display = render::Display::split;
-  }
-  if (!samples.empty()) render::open_file(state, samples);
-  return state;
+  return render::state_of(job);
 }
 
 }  // namespace
@@ -46,15 +32,14 @@ void add_view(CLI::App& app) {
   struct Options {
     render::Job job;
     render::ViewerOptions viewer;
-    std::string state, samples;
   };
   auto options = std::make_shared<Options>();
   render::ViewerOptions& viewer = options->viewer;
   CLI::App* verb = app.add_subcommand("view", "Look at materials and scenes in a window");
   verb->add_option("MATERIAL", options->job.materials, "Material JSON files: two are compared side by side");
   verb->add_option("--scene", options->job.scene, "A scene's JSON file");
-  verb->add_option("--measured", options->samples, "A sample table to compare with");
-  verb->add_option("--state", options->state, "A saved state to start from");
+  verb->add_option("--measured", options->job.measured, "A sample table to compare with");
+  verb->add_option("--state", options->job.state, "A saved state to start from");
   verb->add_option("--save-as", viewer.state_file, "Where Ctrl-S saves the state")->capture_default_str();
   verb->add_option("--screenshot", viewer.screenshot, "Where P writes the picture")->capture_default_str();
   verb->add_option("--width", viewer.width, "Of the window")
@@ -80,7 +65,7 @@ void add_view(CLI::App& app) {
       "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
       "Example: brdf view fitted.json --measured samples.csv");
   on_run(*verb, [options] {
-    options->viewer.state = initial_state(options->job, options->state, options->samples);
+    options->viewer.state = initial_state(options->job);
     return render::view(options->viewer) > 0 ? Exit::kFailed : Exit::kGood;
   });
 }

@@ -4,10 +4,11 @@
 
 #include "io/error.h"
 #include "io/material_file.h"
+#include "io/samples.h"
+#include "render/lobes.h"
 #include "render/lookup.h"
-#include "render/measured.h"
-#include "render/reference.h"
 #include "render/texture.h"
+#include "render/viewer/pictures.h"
 
 namespace brdf::render {
 namespace {
@@ -21,46 +22,52 @@ Enum named(const std::string& text, const std::array<const char*, N>& names, con
   throw InputError(option + " " + text + ": must be one of " + known);
 }
 
-void check_output(const Job& job) {
-  if (job.compare && !job.measured.empty()) throw InputError("give one of --compare and --measured");
-  if (job.split && !job.compare && job.measured.empty())
-    throw InputError("--split needs --compare or --measured");
-  const std::string suffix = job.output.extension().string();
-  if (suffix != ".exr" && suffix != ".png") {
+bool compared(const Job& job) {
+  return !job.compare.empty() || !job.measured.empty();
+}
+
+bool is_png(const std::filesystem::path& file) {
+  return file.extension() == ".png";
+}
+
+void check_usage(const Job& job) {
+  if (!job.compare.empty() && !job.measured.empty()) throw InputError("give one of --compare and --measured");
+  if (!job.state.empty() && (!job.scene.empty() || !job.materials.empty() || compared(job)))
+    throw InputError("--state holds the scene and what it is compared with: give nothing beside it");
+  if (job.output.empty()) return;
+  if (!is_png(job.output) && job.output.extension() != ".exr") {
     throw InputError("-o " + job.output.string() + ": the name must end in .exr or .png");
   }
 }
 
-std::vector<std::pair<std::string, Material>> load_materials(const Job& job) {
-  std::vector<std::pair<std::string, Material>> materials;
-  for (const std::filesystem::path& file : job.materials) {
-    materials.emplace_back(file.stem().string(), io::read_material(file));
-    const std::size_t channels = materials.back().second.channels.size();
-    if (channels != 1 && channels != 3) {
-      throw InputError(file.string() + ": has " + std::to_string(channels) +
-                       " channels; the renderer takes 1 or 3");
-    }
+std::pair<std::string, Material> load_material(const std::filesystem::path& file) {
+  Material material = io::read_material(file);
+  const std::size_t channels = material.channels.size();
+  if (channels != 1 && channels != 3) {
+    throw InputError(file.string() + ": has " + std::to_string(channels) +
+                     " channels; the renderer takes 1 or 3");
   }
-  return materials;
+  return {file.stem().string(), std::move(material)};
 }
 
-// In the order of kTargetNames: 0 colour, 1 direction, 2 position.
-constexpr std::array kTargetKinds{0, 1, 0, 2, 0, 1, 1};
-
-}  // namespace
-
 Scene scene_of(const Job& job) {
-  const auto materials = load_materials(job);
-  if (job.scene.empty() && materials.empty())
-    throw InputError("nothing to render: give a MATERIAL or --scene");
-  Scene scene = job.scene.empty() ? material_scene(materials) : load_scene(job.scene);
-  if (!job.scene.empty() && !materials.empty()) {
-    if (materials.size() > 1) throw InputError("--scene takes one MATERIAL at most, to put on every object");
-    for (Object& object : scene.objects) {
-      object.material_name = materials[0].first;
-      object.material = materials[0].second;
-    }
+  std::vector<std::pair<std::string, Material>> materials;
+  for (const std::filesystem::path& file : job.materials) materials.push_back(load_material(file));
+  if (job.scene.empty()) {
+    if (materials.empty()) throw InputError("nothing to render: give a MATERIAL, --scene or --state");
+    return material_scene(materials);
   }
+  Scene scene = load_scene(job.scene);
+  if (materials.size() > 1) throw InputError("--scene takes one MATERIAL at most, to put on every object");
+  for (Object& object : scene.objects) {
+    if (materials.empty()) break;
+    object.material_name = materials[0].first;
+    object.material = materials[0].second;
+  }
+  return scene;
+}
+
+void apply_overrides(const Job& job, Scene& scene) {
   if (job.width) scene.camera.width = *job.width;
   if (job.height) scene.camera.height = *job.height;
   if (job.exposure) scene.exposure = *job.exposure;
@@ -71,74 +78,57 @@ Scene scene_of(const Job& job) {
   if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, kToneMapNames, "--tone-map");
   scene.per_vertex |= job.per_vertex;
   scene.as_coded |= job.as_coded;
-  return scene;
 }
 
-std::vector<BytePicture> target_pictures(Renderer& renderer) {
-  const Camera& camera = renderer.scene().scene.camera;
-  float extent = 1e-6f;
-  for (const Item& item : renderer.scene().layers[0]) extent = std::max(extent, item.extent);
-  std::vector<BytePicture> pictures;
-  for (int k = 0; k < kTargetCount; ++k) {
-    Picture picture = picture_from(camera.width, camera.height, renderer.read_target(k));
-    const Picture ids = picture_from(camera.width, camera.height, renderer.read_target(3));
-    for (std::size_t p = 0; p < picture.pixels.size(); ++p) {
-      glm::vec4& pixel = picture.pixels[p];
-      const glm::vec3 value(pixel);
-      const int kind = kTargetKinds[std::size_t(k)];
-      if (ids.pixels[p].a < 0.5f) {
-        pixel = glm::vec4(0);
-      } else if (kind > 0) {
-        pixel = glm::vec4((kind == 1 ? value : value / extent) * 0.5f + 0.5f, 1);
-      }
+bool needs_other(Display display) {
+  return display != Display::picture && display != Display::gbuffer;
+}
+
+}  // namespace
+
+ViewState state_of(const Job& job) {
+  check_usage(job);
+  ViewState state;
+  if (!job.state.empty()) {
+    state = load_state(job.state);
+  } else {
+    state.scene = scene_of(job);
+    state.other = job.measured.empty() ? Other::embree : Other::samples;
+    state.samples = job.measured;
+    if (!job.compare.empty() && job.compare != "embree") {
+      std::tie(state.material_name, state.material) = load_material(job.compare);
+      state.other = Other::material;
+      state.everywhere = true;
     }
-    pictures.push_back(
-        displayed(picture, kTargetKinds[std::size_t(k)] == 0 ? ToneMap::srgb : ToneMap::none, 0));
   }
-  return pictures;
+  apply_overrides(job, state.scene);
+  if (job.gbuffer && is_png(job.output)) state.display = Display::gbuffer;
+  if (job.show) state.display = named<Display>(*job.show, kDisplayNames, "--show");
+  if (job.state.empty() && needs_other(state.display) && !compared(job))
+    throw InputError("--show " + *job.show + " needs --compare or --measured");
+  if (job.plot_theta) state.plot_theta = float(*job.plot_theta);
+  return state;
 }
 
 namespace {
 
-void write_outputs(const Job& job, Renderer& renderer, const Picture& picture, const Picture& reference) {
-  const Scene& scene = renderer.scene().scene;
-  if (job.output.extension() == ".png") {
-    if (job.gbuffer) {
-      write_png(job.output, beside(target_pictures(renderer)));
-      return;
-    }
-    const BytePicture shown = displayed(picture, scene.tone_map, scene.exposure);
-    if (!job.compare && job.measured.empty()) {
-      write_png(job.output, shown);
-      return;
-    }
-    const BytePicture other = displayed(reference, scene.tone_map, scene.exposure);
-    write_png(job.output, job.split ? split(shown, other)
-                                    : beside({shown, other, difference_picture(picture, reference)}));
-    return;
-  }
-  std::vector<Layer> layers{{"", &picture, true}};
+void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures, bool with_other) {
+  const Picture& a = pictures.a_picture();
+  std::vector<Layer> layers{{"", &a, true}};
   std::vector<Picture> targets;
-  if (job.gbuffer) {
-    for (int k = 0; k < kTargetCount; ++k) {
-      targets.push_back(picture_from(picture.width, picture.height, renderer.read_target(k)));
-    }
-    for (std::size_t k = 0; k < kTargetCount; ++k) layers.push_back({kTargetNames[k], &targets[k], true});
+  for (int k = 0; job.gbuffer && k < kTargetCount; ++k) {
+    targets.push_back(picture_from(a.width, a.height, pictures.a().read_target(k)));
   }
-  Picture difference = picture;
-  if (job.compare || !job.measured.empty()) {
-    for (std::size_t k = 0; k < difference.pixels.size(); ++k) difference.pixels[k] -= reference.pixels[k];
-    layers.push_back({job.compare ? "reference" : "measured", &reference, true});
+  for (std::size_t k = 0; k < targets.size(); ++k) layers.push_back({kTargetNames[k], &targets[k], true});
+  Picture difference = a;
+  if (with_other) {
+    const Picture& b = pictures.b_picture();
+    for (std::size_t k = 0; k < difference.pixels.size(); ++k) difference.pixels[k] -= b.pixels[k];
+    constexpr std::array kLayerNames{"other", "measured", "reference"};  // in the order of Other
+    layers.push_back({kLayerNames[std::size_t(state.other)], &b, true});
     layers.push_back({"difference", &difference});
   }
   write_exr(job.output, layers);
-}
-
-// What the picture stands beside: the reference, or the same scene rendered from measured values.
-Picture other_picture(const Job& job, const PreparedScene& scene) {
-  if (job.measured.empty()) return render_reference(scene);
-  const Measured measured = interpolate(io::read_samples(job.measured));
-  return render_reference(scene, {.measured = &measured});
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -158,33 +148,67 @@ BytePicture bytes_of(const Texture& texture) {
 }  // namespace
 
 JobReport run(const Job& job) {
-  check_output(job);
-  PreparedScene scene = prepare(scene_of(job));
-  const bool with_other = job.compare || !job.measured.empty();
-  if (with_other && scene.scene.shading != Shading::brdf) {
-    throw InputError("--compare and --measured need the shading brdf");
+  ViewState state = state_of(job);
+  // Without a display of its own, a comparison shows all it has in a row.
+  const bool row = compared(job) && state.display == Display::picture && !job.show;
+  if (row) state.display = Display::difference;
+  const bool with_other = needs_other(state.display);
+  if (with_other && state.other != Other::material && state.scene.shading != Shading::brdf) {
+    throw InputError("a comparison with Embree or samples needs the shading brdf");
   }
-  // Samples hold no ambient light: leave it out on both sides.
-  if (!job.measured.empty()) scene.scene.ambient = glm::vec3(0);
+  const RendererOptions options{.gbuffer_bits = job.gbuffer_bits,
+                                .path = job.forward ? Path::forward : Path::deferred};
+  if ((job.gbuffer || state.display == Display::gbuffer) && !uses_gbuffer(state.scene, options))
+    throw InputError("this scene is drawn without the seven targets of --gbuffer");
+  const Camera& camera = state.scene.camera;
+  if (job.probe && (job.probe->x < 0 || job.probe->y < 0 || job.probe->x >= camera.width ||
+                    job.probe->y >= camera.height)) {
+    throw InputError("--probe " + std::to_string(job.probe->x) + "," + std::to_string(job.probe->y) +
+                     ": is outside the picture of " + std::to_string(camera.width) + " x " +
+                     std::to_string(camera.height));
+  }
   Device device({.memory_limit = job.memory_limit, .validation = job.validation});
-  Renderer renderer(device, scene,
-                    {.gbuffer_bits = job.gbuffer_bits, .path = job.forward ? Path::forward : Path::deferred});
-  renderer.draw();
-  const Camera& camera = scene.scene.camera;
-  const Picture picture = picture_from(camera.width, camera.height, renderer.read_color());
+  Pictures pictures(device, options);
+  pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
   JobReport report;
-  Picture other;
   if (with_other) {
-    other = other_picture(job, scene);
-    report.difference = compare(picture, other);
+    report.other = pictures.other_name(state);
+    report.difference = pictures.difference();
   }
-  write_outputs(job, renderer, picture, other);
+  if (job.probe) {
+    report.probe = probe(pictures.prepared(), job.probe->x, job.probe->y);
+    report.probed_a = pictures.a_picture().at(job.probe->x, job.probe->y);
+    if (with_other) report.probed_b = pictures.b_picture().at(job.probe->x, job.probe->y);
+  }
+  if (is_png(job.output)) {
+    write_png(job.output, row ? pictures.row(state, job.labels) : pictures.capture(state, job.labels));
+  } else if (!job.output.empty()) {
+    write_exr_layers(job, state, pictures, with_other);
+  }
   report.device = device.name();
   report.width = camera.width;
   report.height = camera.height;
-  report.clipped = clipped_share(picture, scene.scene.tone_map, scene.scene.exposure);
+  report.passes = pictures.times();
+  report.clipped = clipped_share(pictures.a_picture(), state.scene.tone_map, state.scene.exposure);
   report.validation_messages = device.validation_messages();
   return report;
+}
+
+void write_lobes(const Job& job) {
+  const ViewState state = state_of(job);
+  if (!is_png(job.output))
+    throw InputError("-o " + job.output.string() + ": the plot's name must end in .png");
+  const std::vector<LobeCurve> curves = lobe_curves(state);
+  int solo = state.plot_solo;
+  if (job.solo) {
+    std::string known;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      if (curves[k].name == *job.solo) solo = int(k);
+      known += (k ? ", " : "") + curves[k].name;
+    }
+    if (solo < 0) throw InputError("--solo " + *job.solo + ": must be one of " + known);
+  }
+  write_png(job.output, lobe_picture(curves, double(state.plot_theta), solo, job.width.value_or(640)));
 }
 
 void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder) {

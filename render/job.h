@@ -5,16 +5,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/picture.h"
-#include "render/renderer.h"
+#include "render/reference.h"
+#include "render/viewer/state.h"
 
 namespace brdf::render {
 
 struct Job {
   std::vector<std::filesystem::path> materials;
-  std::filesystem::path scene, output;  // output: .exr or .png
+  std::filesystem::path scene, state, output;  // output: .exr or .png
   std::optional<int> width, height;
   std::optional<float> exposure;
   std::optional<std::string> tone_map, shading;
@@ -22,25 +24,36 @@ struct Job {
   int gbuffer_bits = 16;
   std::uint64_t memory_limit = 0;  // bytes, 0: none
   bool forward = false;
-  bool gbuffer = false;  // PNG: the seven targets side by side instead of the lighting; EXR: as layers
-  bool compare = false;  // with the Embree reference
-  std::filesystem::path measured;  // sample table: rendered beside the material, same lighting
-  bool split = false;              // PNG: left half the material, right half the reference or the samples
-  bool validation = false;         // under the validation layers
+  bool gbuffer = false;              // EXR: the seven targets as layers too
+  std::string compare;               // B: "embree", or a material's file
+  std::filesystem::path measured;    // B: a sample table, with the same lights
+  std::optional<std::string> show;   // PNG: one of kDisplayNames
+  bool labels = true;                // PNG: names and numbers where it holds several pictures
+  std::optional<glm::ivec2> probe;   // pixel whose values are wanted
+  std::optional<double> plot_theta;  // lobe plot: angle of the light in degrees
+  std::optional<std::string> solo;   // lobe plot: this curve alone
+  bool validation = false;           // under the validation layers
 };
 
 struct JobReport {
   std::string device;
   int width = 0, height = 0;
-  double clipped = 0;                    // share of surface pixels that the display clips
-  std::optional<Difference> difference;  // against the reference, where asked for
+  double clipped = 0;  // share of surface pixels that the display clips
+  std::string other;   // name of B, where there is one
+  std::optional<Difference> difference;
+  std::vector<std::pair<std::string, double>> passes;  // milliseconds
+  std::optional<Probe> probe;
+  glm::vec4 probed_a{0}, probed_b{0};  // the pictures' values at the probed pixel
   unsigned validation_messages = 0;
 };
 
-// The scene that a job means. Throws InputError.
-Scene scene_of(const Job& job);
-// Renders and writes the output. Throws InputError or EnvironmentError; nothing is written then.
+// What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
+ViewState state_of(const Job& job);
+// Renders and writes the output, if one is named. Throws InputError or EnvironmentError; nothing is written
+// then.
 JobReport run(const Job& job);
+// Writes the lobe plot of the job's materials (A, and B where it is a material) as PNG.
+void write_lobes(const Job& job);
 
 // Writes maps as PNG into a folder, which is made: "rusty_metal" (albedo, normal, roughness, metallic) or
 // "tiles" (albedo).
@@ -48,8 +61,5 @@ void write_maps(const std::string& kind, int size, std::uint64_t seed, const std
 // Writes the lookup article's tables as PNG into a folder: every factor, and the product with the article's
 // slip.
 void write_lookup_pictures(const std::filesystem::path& folder);
-
-// The seven targets as they are shown: vectors as v/2 + 1/2, position relative to its object's extent.
-std::vector<BytePicture> target_pictures(Renderer& renderer);
 
 }  // namespace brdf::render

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numeric>
 
@@ -50,6 +51,27 @@ struct Row {
   Point at;
   glm::vec3 value;  // f_r
 };
+
+// Rows at one place become their mean: repeated measurements, and directions that the symmetries make equal
+// (all azimuths at theta_o = 0). Left apart they would fill the neighbourhood and hide what lies round it.
+std::vector<Row> merged(std::vector<Row> rows) {
+  constexpr float kSame = 1e-3f;  // of the coordinates: a twentieth of a degree
+  const auto cell = [](const Row& row) {
+    std::array<long, kDimensions> out{};
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = std::lround(row.at[k] / kSame);
+    return out;
+  };
+  std::map<std::array<long, kDimensions>, std::pair<Row, int>> cells;
+  for (const Row& row : rows) {
+    auto& [sum, count] = cells.try_emplace(cell(row), Row{row.at, glm::vec3(0)}, 0).first->second;
+    sum.value += row.value;
+    ++count;
+  }
+  rows.clear();
+  for (const auto& [at, entry] : cells)
+    rows.push_back({entry.first.at, entry.first.value / float(entry.second)});
+  return rows;
+}
 
 // A balanced k-d tree in one array: the median of each range splits it along the axis of its depth.
 class Tree {
@@ -139,7 +161,7 @@ Measured interpolate(const io::SampleTable& table) {
     for (std::size_t c = 0; c < 3; ++c) row.value[int(c)] = float(table.values[channels == 1 ? 0 : c][k]);
     rows.push_back(row);
   }
-  const auto tree = std::make_shared<const Tree>(std::move(rows));
+  const auto tree = std::make_shared<const Tree>(merged(std::move(rows)));
   return [tree](const glm::vec3& wi, const glm::vec3& wo) {
     if (!(wi.z > 0 && wo.z > 0)) return glm::vec3(0);
     return weighted_mean(*tree, tree->find(coordinates(wi, wo))) * wi.z;

@@ -1,6 +1,5 @@
 #include "render/parity.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "render/reference.h"
@@ -30,10 +29,6 @@ bool narrow(Term& term) {
 
 }  // namespace
 
-double horizon_band(int gbuffer_bits) {
-  return gbuffer_bits == 32 ? 0x1p-14 : 0x1p-10;
-}
-
 double parity_bound(int gbuffer_bits) {
   return gbuffer_bits == 32 ? 1e-11 : 1e-6;
 }
@@ -54,17 +49,11 @@ std::vector<ParityRow> parity(Device& device, const std::vector<AnyForm>& forms,
       sphere.camera.width = sphere.camera.height = size;
       const PreparedScene scene = prepare(std::move(sphere));
       const Picture reference = render_reference(scene);
-      const std::vector<float> distance = horizon_distance(scene);
       for (const int bits : {16, 32}) {
         Renderer renderer(device, scene, {.gbuffer_bits = bits});
         renderer.draw();
         const Picture picture = picture_from(reference.width, reference.height, renderer.read_color());
-        std::vector<bool> near(distance.size());
-        std::transform(distance.begin(), distance.end(), near.begin(),
-                       [&](float d) { return d < horizon_band(bits); });
-        const double share = double(std::count(near.begin(), near.end(), true)) / double(near.size());
-        rows.push_back({std::string(info(form).name), parameters, bits, compare(picture, reference, near),
-                        compare(picture, reference).rel_mse, share});
+        rows.push_back({std::string(info(form).name), parameters, bits, compare(picture, reference)});
         if (report) report(rows.back());
       }
     }

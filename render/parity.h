@@ -15,15 +15,8 @@ struct ParityRow {
   std::string form;
   std::string parameters;  // "defaults", or "alpha=0.05" (and what stands for it)
   int gbuffer_bits = 16;
-  Difference difference;    // without the pixels near the horizon
-  double rel_mse_all = 0;   // with them
-  double near_horizon = 0;  // their share of all pixels
+  Difference difference;
 };
-
-// A pixel is near the horizon when a cosine of its is below the band: 2^-10 for 16 bits (four roundings of
-// the stored normal), 2^-14 for 32 (the rasteriser's interpolation). There the listings step from a finite
-// value to 0, or rise with an infinite slope, and rounding moves the step to a neighbouring pixel.
-double horizon_band(int gbuffer_bits);
 
 inline constexpr double kMostCoverageMismatch = 1e-4;
 // The largest relative mean square error that is good: 1e-11 with 32-bit, 1e-6 with 16-bit targets.

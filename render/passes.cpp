@@ -108,7 +108,7 @@ VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, int form
 
 SkyPass::SkyPass(Device& device, const GpuScene& gpu) {
   const std::array sets{gpu.frame_layout()};
-  layout_ = make_pipeline_layout(device, sets, sizeof(glm::vec2));
+  layout_ = make_pipeline_layout(device, sets, 0);
   pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex(),
                                      .fragment = shader_code::sky(),
                                      .colors = {kColorFormat},
@@ -128,9 +128,6 @@ void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const
     set_viewport(commands, color.extent());
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
     bind(commands, layout_.get(), 0, gpu.frame_set());
-    const glm::vec2 scale(2 / float(color.extent().width), 2 / float(color.extent().height));
-    vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                       sizeof scale, &scale);
     vkCmdDraw(commands, 3, 1, 0, 0);
   }
   vkCmdEndRendering(commands);

@@ -34,14 +34,14 @@ Picture picture_from(int width, int height, const std::vector<float>& rgba) {
   return picture;
 }
 
-Difference compare(const Picture& picture, const Picture& reference, const std::vector<bool>& leave_out) {
+Difference compare(const Picture& picture, const Picture& reference) {
   Difference out;
   double squared = 0, clamped = 0;
   std::size_t covered = 0, mismatched = 0;
   for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
     const glm::dvec4 a(picture.pixels[k]), b(reference.pixels[k]);
     if ((a.a > 0.5) != (b.a > 0.5)) ++mismatched;
-    if (!(a.a > 0.5 && b.a > 0.5) || (!leave_out.empty() && leave_out[k])) continue;
+    if (!(a.a > 0.5 && b.a > 0.5)) continue;
     ++covered;
     for (int c = 0; c < 3; ++c) {
       squared += (a[c] - b[c]) * (a[c] - b[c]) / (b[c] * b[c] + kRelMseFloor);
@@ -82,12 +82,14 @@ BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure) 
 }
 
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
-  if (tone_map == ToneMap::reinhard || tone_map == ToneMap::thesis) return 0;
+  // Curves that never reach 1 clip where rounding to bytes does.
+  const bool clamps = tone_map == ToneMap::none || tone_map == ToneMap::srgb;
   std::size_t clipped = 0, covered = 0;
   for (const glm::vec4& p : picture.pixels) {
     if (p.a < 0.5f) continue;
     ++covered;
-    if (std::max({p.r, p.g, p.b}) * std::exp2(exposure) > 1) ++clipped;
+    const float most = std::max({p.r, p.g, p.b}) * std::exp2(exposure);
+    if (clamps ? most > 1 : tone_mapped(glm::vec3(most), tone_map, 0).r * 255 >= 254.5f) ++clipped;
   }
   return covered ? double(clipped) / double(covered) : 0;
 }
@@ -123,26 +125,6 @@ BytePicture split(const BytePicture& left, const BytePicture& right, float share
       const std::size_t at = std::size_t(y) * std::size_t(out.width) + std::size_t(x);
       out.pixels[at] = x == border ? std::array<std::uint8_t, 3>{255, 255, 255} : right.pixels[at];
     }
-  }
-  return out;
-}
-
-BytePicture beside(const std::vector<BytePicture>& pictures) {
-  int width = 0, height = 0;
-  for (const BytePicture& p : pictures) {
-    width += p.width;
-    height = std::max(height, p.height);
-  }
-  BytePicture out(width, height);
-  int left = 0;
-  for (const BytePicture& p : pictures) {
-    for (int y = 0; y < p.height; ++y) {
-      for (int x = 0; x < p.width; ++x) {
-        out.pixels[std::size_t(y) * std::size_t(width) + std::size_t(left + x)] =
-            p.pixels[std::size_t(y) * std::size_t(p.width) + std::size_t(x)];
-      }
-    }
-    left += p.width;
   }
   return out;
 }

@@ -40,13 +40,12 @@ struct Difference {
   double psnr = 0;               // dB, peak 1, both clamped to [0, 1]; infinite where equal
   double coverage_mismatch = 0;  // share of all pixels that only one of the two covers
 };
-// Pixels where `leave_out` (one value per pixel, or empty) is set do not count for rel_mse and psnr.
-Difference compare(const Picture& picture, const Picture& reference, const std::vector<bool>& leave_out = {});
+Difference compare(const Picture& picture, const Picture& reference);
 
 // What the screen shows for a linear colour. The same curves in shaders/tone_map.glsl.
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure);
 BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure);
-// Share of surface pixels with a channel that the display clips.
+// Share of surface pixels with a channel that the display clips: above 1, or shown as the brightest byte.
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
 
 // Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
@@ -55,7 +54,6 @@ BytePicture difference_picture(const Picture& picture, const Picture& reference)
 
 // The left share of one, the rest of the other, with a thin line between.
 BytePicture split(const BytePicture& left, const BytePicture& right, float share = 0.5f);
-BytePicture beside(const std::vector<BytePicture>& pictures);
 
 void write_png(const std::filesystem::path& file, const BytePicture& picture);
 

@@ -9,7 +9,7 @@
 namespace brdf::render {
 namespace {
 
-constexpr std::size_t kMostWeights = 3, kMostShapes = 4;
+constexpr std::size_t kMostWeights = 3, kMostShapes = 3;
 static_assert(
     [] {
       bool fits = true;
@@ -20,7 +20,7 @@ static_assert(
       });
       return fits;
     }(),
-    "the G-buffer has room for three weights per channel and four shape parameters");
+    "the G-buffer has room for three weights per channel and three shape parameters");
 
 void set_roles(Item& item, const FormInfo& form, const TextureSet& textures) {
   const bool albedo = bool(textures[0]), roughness = bool(textures[2]), metallic = bool(textures[3]);

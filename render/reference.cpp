@@ -3,6 +3,8 @@
 #include <embree3/rtcore.h>
 
 #include <atomic>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <thread>
@@ -94,7 +96,7 @@ glm::vec3 shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::
   for (const auto& layer : prepared.layers) {
     const Item& item = layer[hit.hit.geomID];
     if (item.form < 0) continue;
-    const Surface s = surface_at(prepared, item, hit.hit.primID, hit.hit.u, hit.hit.v, ray);
+    const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
     if (!s.front) return scene.back_color;
     const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
     if (!measured) sum += scene.ambient * s.weights[0];
@@ -156,7 +158,7 @@ std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
       const RTCRayHit hit = tracer.trace(camera.position, ray);
       if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
       const Item& item = prepared.layers[0][hit.hit.geomID];
-      const Surface s = surface_at(prepared, item, hit.hit.primID, hit.hit.u, hit.hit.v, ray);
+      const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
       if (!s.front) continue;
       const glm::vec3 wo = to_local(glm::normalize(camera.position - s.position), s);
       for (const Light& light : scene.lights) {
@@ -166,23 +168,6 @@ std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
       }
     }
   return points;
-}
-
-std::vector<float> horizon_distance(const PreparedScene& prepared) {
-  const Scene& scene = prepared.scene;
-  const auto width = std::size_t(scene.camera.width);
-  std::vector<float> distance(width * std::size_t(scene.camera.height), 1);
-  for_each_pixel(prepared, 2, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
-    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
-    const Item& item = prepared.layers[0][hit.hit.geomID];
-    const Surface s = surface_at(prepared, item, hit.hit.primID, hit.hit.u, hit.hit.v, ray);
-    float least = std::abs(glm::dot(s.normal, glm::normalize(scene.camera.position - s.position)));
-    for (const Light& light : scene.lights) {
-      least = std::min(least, std::abs(glm::dot(s.normal, lit_by(light, s.position).wi)));
-    }
-    distance[std::size_t(y) * width + std::size_t(x)] = least;
-  });
-  return distance;
 }
 
 Probe probe(const PreparedScene& prepared, int x, int y) {
@@ -197,7 +182,7 @@ Probe probe(const PreparedScene& prepared, int x, int y) {
   for (const auto& layer : prepared.layers) {
     const Item& item = layer[hit.hit.geomID];
     if (item.form < 0) continue;
-    const Surface s = surface_at(prepared, item, hit.hit.primID, hit.hit.u, hit.hit.v, ray);
+    const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
     out.position = s.position;
     out.normal = s.normal;
     out.wo = to_local(glm::normalize(scene.camera.position - s.position), s);
@@ -205,6 +190,28 @@ Probe probe(const PreparedScene& prepared, int x, int y) {
     out.wi = to_local(lit_by(scene.lights[0], s.position).wi, s);
     if (out.wi.z > 0) out.value += eval_cos_at(item.form, s, out.wi, out.wo) / out.wi.z;
   }
+  return out;
+}
+
+std::vector<std::string> lines(const Probe& p) {
+  if (!p.hit) return {"probe: background"};
+  const auto degrees = [](float cosine) {
+    return double(std::acos(glm::clamp(cosine, -1.0f, 1.0f))) * 180 / kPi;
+  };
+  const auto azimuth = [](const glm::vec3& w) { return double(std::atan2(w.y, w.x)) * 180 / kPi; };
+  const glm::vec3 h = glm::normalize(p.wi + p.wo);
+  std::vector<std::string> out;
+  const auto add = [&](const char* format, auto... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, values...);
+    out.emplace_back(text);
+  };
+  add("probe: object %d at (%.3f, %.3f, %.3f)", int(p.object) + 1, double(p.position.x), double(p.position.y),
+      double(p.position.z));
+  add("theta_i %.2f phi_i %.2f, theta_o %.2f phi_o %.2f deg", degrees(p.wi.z), azimuth(p.wi), degrees(p.wo.z),
+      azimuth(p.wo));
+  add("theta_h %.2f theta_d %.2f deg", degrees(h.z), degrees(glm::dot(p.wi, h)));
+  add("f_r (%.5g, %.5g, %.5g) 1/sr", double(p.value.r), double(p.value.g), double(p.value.b));
   return out;
 }
 

@@ -30,10 +30,6 @@ struct LitPoint {
 };
 std::vector<LitPoint> lit_points(const PreparedScene& scene);
 
-// Per pixel the smallest absolute cosine of the normal with the viewer and with any light; 1 where nothing is
-// hit. Small values mark where a form is clipped at its horizon.
-std::vector<float> horizon_distance(const PreparedScene& scene);
-
 // What a ray through the centre of a pixel meets: for the viewer's probe.
 struct Probe {
   bool hit = false;
@@ -43,5 +39,7 @@ struct Probe {
   glm::vec3 value{0};      // f_r of the first light
 };
 Probe probe(const PreparedScene& scene, int x, int y);
+// In words: object, place, angles in degrees, f_r.
+std::vector<std::string> lines(const Probe& probe);
 
 }  // namespace brdf::render

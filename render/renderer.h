@@ -39,6 +39,7 @@ class Renderer {
   std::vector<float> read_target(int target);
   Image& target(int k) { return gbuffer_->targets[std::size_t(k)]; }
   const PreparedScene& scene() const { return scene_; }
+  int gbuffer_bits() const { return options_.gbuffer_bits; }
 
  private:
   void make_passes();

@@ -25,6 +25,21 @@ void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, Surface&
   }
 }
 
+// Weights of the corners where the ray from the camera meets the triangle's plane (Moeller and Trumbore
+// 1997).
+std::array<float, 3> barycentric(const PreparedScene& scene, const Item& item,
+                                 const std::array<glm::vec3, 3>& corners, const glm::vec3& ray) {
+  std::array<glm::dvec3, 3> p;
+  for (std::size_t k = 0; k < 3; ++k)
+    p[k] = glm::dvec3(item.origin) + glm::dmat3(item.linear) * glm::dvec3(corners[k]);
+  const glm::dvec3 e1 = p[1] - p[0], e2 = p[2] - p[0], d(ray);
+  const glm::dvec3 s = glm::dvec3(scene.scene.camera.position) - p[0];
+  const glm::dvec3 across = glm::cross(d, e2), q = glm::cross(s, e1);
+  const double scale = 1 / glm::dot(e1, across);
+  const double u = glm::dot(s, across) * scale, v = glm::dot(d, q) * scale;
+  return {float(1 - u - v), float(u), float(v)};
+}
+
 template <Form F>
 glm::vec3 eval_form(F form, const Surface& s, const Geometry<float>& g) {
   using Weights = typename F::template Weights<float>;
@@ -42,13 +57,13 @@ glm::vec3 eval_form(F form, const Surface& s, const Geometry<float>& g) {
 
 }  // namespace
 
-Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle, float u, float v,
+Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle,
                    const glm::vec3& ray) {
   const Mesh& mesh = *scene.meshes[item.object];
   const Vertex& a = mesh.vertices[mesh.indices[3 * triangle]];
   const Vertex& b = mesh.vertices[mesh.indices[3 * triangle + 1]];
   const Vertex& c = mesh.vertices[mesh.indices[3 * triangle + 2]];
-  const float w = 1 - u - v;
+  const auto [w, u, v] = barycentric(scene, item, {a.position, b.position, c.position}, ray);
   Surface s;
   s.weights = item.weights;
   s.shape = item.shape;

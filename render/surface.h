@@ -13,8 +13,9 @@ struct Surface {
   glm::vec3 normal{0, 0, 1}, tangent{1, 0, 0}, bitangent{0, 1, 0};
 };
 
-// Attributes of the triangle at barycentric weights of its second and third corner.
-Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle, float u, float v,
+// Attributes of the triangle where the ray from the camera meets its plane. In double: a tracer's own
+// barycentric weights have lost digits by the distance over the triangle's size, and with them the normal.
+Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle,
                    const glm::vec3& ray);
 
 inline glm::vec3 to_local(const glm::vec3& w, const Surface& s) {

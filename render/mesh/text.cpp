@@ -10,12 +10,12 @@
 #include <memory>
 
 #include "io/error.h"
+#include "render/font.h"
 #include "render/mesh/mesh.h"
 
 namespace brdf::render {
 namespace {
 
-constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
 constexpr int kCurveSegments = 8;   // straight pieces of a Bezier curve
 constexpr float kLatitude = 0.75f;  // radians that the em height covers on the sphere
 constexpr float kLongestEdge =
@@ -71,52 +71,15 @@ int cubic_to(const FT_Vector* first, const FT_Vector* second, const FT_Vector* t
   return 0;
 }
 
-// Code points of UTF-8 text; a malformed byte is refused.
-std::vector<char32_t> code_points(std::string_view text) {
-  std::vector<char32_t> out;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const int length = lead < 0x80         ? 1
-                       : (lead >> 5) == 6  ? 2
-                       : (lead >> 4) == 14 ? 3
-                       : (lead >> 3) == 30 ? 4
-                                           : 0;
-    char32_t code = length == 1 ? lead : lead & (0xffu >> (length + 1));
-    bool good = length > 0 && i + std::size_t(length) <= text.size();
-    for (int k = 1; good && k < length; ++k) {
-      const auto byte = static_cast<unsigned char>(text[i + std::size_t(k)]);
-      good = (byte >> 6) == 2;
-      code = (code << 6) | (byte & 0x3f);
-    }
-    if (!good) throw InputError("text mesh: byte " + std::to_string(i + 1) + " is not UTF-8");
-    out.push_back(code);
-    i += std::size_t(length);
-  }
-  return out;
-}
-
-struct LibraryCloser {
-  void operator()(FT_Library library) const { FT_Done_FreeType(library); }
-};
-struct FaceCloser {
-  void operator()(FT_Face face) const { FT_Done_Face(face); }
-};
-
 // Outlines of the whole text in units of the em, and its width.
 std::pair<std::vector<Contour>, double> text_outlines(std::string_view text,
                                                       const std::filesystem::path& font) {
-  FT_Library library_handle = nullptr;
-  if (FT_Init_FreeType(&library_handle)) throw EnvironmentError("FreeType cannot be started");
-  const std::unique_ptr<FT_LibraryRec_, LibraryCloser> library(library_handle);
-  FT_Face face_handle = nullptr;
-  if (FT_New_Face(library.get(), font.c_str(), 0, &face_handle)) {
-    throw EnvironmentError("cannot read the font " + font.string() + " (Debian: fonts-dejavu-core)");
-  }
-  const std::unique_ptr<FT_FaceRec_, FaceCloser> face(face_handle);
+  const Font opened(font);
+  FT_Face face = opened.face();
   FT_Outline_Funcs functions{move_to, line_to, conic_to, cubic_to, 0, 0};
   Outline outline;
   for (const char32_t code : code_points(text)) {
-    if (FT_Load_Char(face.get(), code, FT_LOAD_NO_SCALE)) continue;
+    if (FT_Load_Char(face, code, FT_LOAD_NO_SCALE)) continue;
     FT_Outline_Decompose(&face->glyph->outline, &functions, &outline);
     outline.offset.x += double(face->glyph->advance.x);
   }
@@ -193,7 +156,7 @@ void add_refined(std::array<glm::dvec2, 3> t, Triangles& out) {
 }  // namespace
 
 Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) {
-  auto [contours, width] = text_outlines(text, font.empty() ? kFont : font);
+  auto [contours, width] = text_outlines(text, font.empty() ? Font::kBold : font);
   if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has nothing to draw");
   // Longitude from x: the text goes round once at most; the capital's middle lies on the equator.
   const double scale = std::min(double(kLatitude), 2 * 3.14159265358979 / width);

@@ -15,7 +15,8 @@ void main() {
     color = vec4(frame.back_color.rgb, 1.0);
     return;
   }
-  color = vec4(shade(kForm, items[s.item].model[3].xyz + s.relative, s.normal, s.tangent, s.bitangent, s.weights[0],
-                     s.weights[1], s.weights[2], s.shape),
+  const vec3 position = items[s.item].model[3].xyz + s.relative;
+  color = vec4(shade(kForm, position, normalize(position - frame.camera.xyz), s.normal, s.tangent, s.bitangent,
+                     s.weights[0], s.weights[1], s.weights[2], s.shape),
                1.0);
 }

@@ -8,7 +8,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 camera;
   vec4 right, up, forward;  // of the picture plane: the ray through ndc (x, y) is forward + x right + y up
   vec4 ambient, back_color, background, zenith;
-  ivec4 counts;  // x: lights, y: there is a sky
+  ivec4 counts;  // x: lights, y: there is a sky, zw: the picture's width and height
   Light lights[64];
 } frame;
 
@@ -25,3 +25,12 @@ struct Item {
 };
 // A uniform buffer: the software driver loads from storage buffers lane by lane.
 layout(set = 0, binding = 1, std140) uniform Items { Item items[224]; };
+
+// From the camera through this place in the picture (gl_FragCoord.xy); not normalised.
+vec3 ray_through(vec2 at) {
+  const vec2 ndc = at / vec2(frame.counts.zw) * vec2(2.0, -2.0) + vec2(-1.0, 1.0);
+  return frame.forward.xyz + frame.right.xyz * ndc.x + frame.up.xyz * ndc.y;
+}
+
+// 16-bit targets hold the digits of the normal that rounding takes, times this, along tangent and bitangent.
+const float kRemainderScale = 4096.0;

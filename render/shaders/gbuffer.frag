@@ -46,9 +46,11 @@ void main() {
   }
   out_albedo = stored(vec4(s.weights[0], s.front ? 1.0 : 0.0));
   out_normal = stored(vec4(s.normal, s.weights[2].r));
-  out_specular = stored(vec4(s.weights[1], 0.0));
+  // What rounding took from the normal: a step at the horizon stays in its pixel. Zero with 32 bits.
+  const vec3 remainder = (s.normal - out_normal.xyz) * kRemainderScale;
+  out_specular = stored(vec4(s.weights[1], dot(remainder, s.tangent)));
   out_position = stored(vec4(s.relative, float(s.item + 1)));
-  out_roughness = stored(s.shape);
+  out_roughness = stored(vec4(s.shape.xyz, dot(remainder, s.bitangent)));
   out_tangent = stored(vec4(s.tangent, s.weights[2].g));
   out_bitangent = stored(vec4(s.bitangent, s.weights[2].b));
 }

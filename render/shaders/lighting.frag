@@ -25,7 +25,8 @@ void main() {
   vec4 tangent = texelFetch(targets[5], pixel, 0);
   vec4 bitangent = texelFetch(targets[6], pixel, 0);
   vec4 shape = texelFetch(targets[4], pixel, 0);
-  vec3 w0 = albedo.rgb, w1 = texelFetch(targets[2], pixel, 0).rgb;
+  const vec4 specular = texelFetch(targets[2], pixel, 0);
+  vec3 w0 = albedo.rgb, w1 = specular.rgb;
   vec3 relative = place.xyz;
   if (kBits == 8) {
     normal.xyz = normal.xyz * 2.0 - 1.0;
@@ -39,11 +40,18 @@ void main() {
       if ((items[id].form.y >> k & 1) != 0) shape[k] = exp2(shape[k]);
     }
   }
+  if (kBits == 16) {
+    normal.xyz += (specular.a * tangent.xyz + shape.a * bitangent.xyz) * (1.0 / kRemainderScale);
+  }
   // Repair the frame: rounding took its unit lengths and right angles; the bitangent still says which hand it is.
   const vec3 n = normalize(normal.xyz);
   const vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
   vec3 b = cross(n, t);
   if (dot(b, bitangent.xyz) < 0.0) b = -b;
   const vec3 w2 = vec3(normal.a, tangent.a, bitangent.a);
-  color = vec4(shade(kForm, items[id].model[3].xyz + relative, n, t, b, w0, w1, w2, shape), 1.0);
+  // The pixel says where its surface point lies but for the depth: rounding of the position takes digits of that alone.
+  const vec3 ray = ray_through(gl_FragCoord.xy);
+  vec3 position = items[id].model[3].xyz + relative;
+  if (kBits != 32) position = frame.camera.xyz + ray * (dot(position - frame.camera.xyz, ray) / dot(ray, ray));
+  color = vec4(shade(kForm, position, normalize(ray), n, t, b, w0, w1, w2, shape), 1.0);
 }

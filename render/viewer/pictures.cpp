@@ -1,7 +1,6 @@
 #include "render/viewer/pictures.h"
 
 #include "io/samples.h"
-#include "render/job.h"
 #include "render/reference.h"
 
 namespace brdf::render {
@@ -67,10 +66,11 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     b_.reset();
     upload_ = {};
     prepared_ = std::move(fresh);
-    a_.emplace(*device_, prepared_, RendererOptions{.gbuffer_bits = bits_});
+    a_.emplace(*device_, prepared_, options_);
   }
   images_changed_ = true;
   a_->draw(&times_);
+  a_picture_.reset();
   pass_times_ = times_.read();
   drawn_a_ = key;
   drawn_b_.clear();
@@ -78,12 +78,14 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
 
 void Pictures::draw_other_material(const ViewState& state) {
   PreparedScene other = prepared_;
-  if (state.material) other.scene.objects[state.selected].material = *state.material;
+  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k) {
+    if (state.everywhere || k == state.selected) other.scene.objects[k].material = *state.material;
+  }
   update_items(other);
   if (b_) {
     b_->update(other);
   } else {
-    b_.emplace(*device_, other, RendererOptions{.gbuffer_bits = bits_});
+    b_.emplace(*device_, other, options_);
   }
   b_->draw();
   b_picture_ = read(*b_);
@@ -114,7 +116,7 @@ void Pictures::update_b(const ViewState& state) {
         Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     upload(*device_, upload_, std::as_bytes(std::span(b_picture_.pixels)));
   }
-  difference_ = compare(read(*a_), b_picture_);
+  difference_ = compare(a_picture(), b_picture_);
   images_changed_ = true;
   drawn_b_ = key;
 }
@@ -125,15 +127,31 @@ std::string Pictures::other_name(const ViewState& state) const {
   return state.material ? state.material_name : "the same";
 }
 
-BytePicture Pictures::capture(const ViewState& state) {
-  const ToneMap tone_map = state.scene.tone_map;
-  if (state.display == Display::gbuffer && has_targets()) return beside(target_pictures(*a_));
-  const Picture a = read(*a_);
-  const BytePicture shown = displayed(a, tone_map, state.scene.exposure);
-  if (!needs_b(state)) return shown;
-  if (state.display == Display::difference) return difference_picture(a, b_picture_);
-  const BytePicture other = displayed(b_picture_, tone_map, state.scene.exposure);
-  return state.display == Display::flip ? other : split(shown, other, state.split);
+const Picture& Pictures::a_picture() {
+  if (!a_picture_) a_picture_ = read(*a_);
+  return *a_picture_;
+}
+
+Comparison Pictures::comparison(const ViewState& state, bool labels) {
+  return {.a = &a_picture(),
+          .b = &b_picture_,
+          .name_a = "A: " + state.scene.objects[state.selected].material_name,
+          .name_b = "B: " + other_name(state),
+          .difference = difference_.value_or(Difference{}),
+          .tone_map = state.scene.tone_map,
+          .exposure = state.scene.exposure,
+          .split = state.split,
+          .labels = labels};
+}
+
+BytePicture Pictures::capture(const ViewState& state, bool labels) {
+  if (state.display == Display::gbuffer && has_targets()) return target_sheet(*a_, labels);
+  if (needs_b(state)) return arranged(comparison(state, labels), state.display);
+  return displayed(a_picture(), state.scene.tone_map, state.scene.exposure);
+}
+
+BytePicture Pictures::row(const ViewState& state, bool labels) {
+  return beside(comparison(state, labels));
 }
 
 }  // namespace brdf::render

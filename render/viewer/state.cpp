@@ -41,16 +41,26 @@ Scene with_absolute_names(Scene scene) {
   return scene;
 }
 
-// The value of "format" where the file is JSON, "" where it is not.
+std::string lower_case_suffix(const std::filesystem::path& file) {
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return suffix;
+}
+
+// The value of "format" where the file is JSON, "" where it is not. A file that calls itself JSON must be.
 std::string json_format(const std::filesystem::path& file) {
+  const bool named_so = lower_case_suffix(file) == ".json";
   try {
     const Json json = io::read_json(file);
-    return json.is_object() && json.contains("format") && json["format"].is_string()
-               ? json["format"].get<std::string>()
-               : "";
+    if (json.is_object() && json.contains("format") && json["format"].is_string())
+      return json["format"].get<std::string>();
   } catch (const InputError&) {
-    return "";
+    if (named_so) throw;
   }
+  if (named_so)
+    throw InputError(file.string() + ": has no \"format\" (brdf-scene, brdf-material, brdf-view)");
+  return "";
 }
 
 void put_material(ViewState& state, const std::filesystem::path& file) {
@@ -60,9 +70,7 @@ void put_material(ViewState& state, const std::filesystem::path& file) {
 }
 
 bool is_model(const std::filesystem::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string suffix = lower_case_suffix(file);
   const std::array known{".obj", ".x", ".ply", ".stl", ".fbx", ".dae", ".gltf", ".glb", ".3ds"};
   return std::find(known.begin(), known.end(), suffix) != known.end();
 }
@@ -79,6 +87,7 @@ std::string state_text(const ViewState& state) {
   if (state.material) {
     json["material"] = io::to_json(*state.material);
     json["material_name"] = state.material_name;
+    json["everywhere"] = state.everywhere;
   }
   if (!state.samples.empty()) json["samples"] = std::filesystem::absolute(state.samples).string();
   json["display"] = kDisplayNames[std::size_t(state.display)];
@@ -92,7 +101,7 @@ ViewState parse_state(const std::string& text, const std::string& name) {
   const Json json = io::parse_json(text, name);
   const JsonPlace root(json, name);
   root.allow_keys({"format", "version", "scene", "selected", "compare_with", "material", "material_name",
-                   "samples", "display", "split", "turntable", "plot"});
+                   "everywhere", "samples", "display", "split", "turntable", "plot"});
   if (root.at("format").text() != "brdf-view") root.at("format").fail("must be \"brdf-view\"");
   if (root.at("version").number() != 1) root.at("version").fail("must be 1");
   ViewState state;
@@ -102,6 +111,7 @@ ViewState parse_state(const std::string& text, const std::string& name) {
   if (root.has("material")) {
     state.material = io::material_from_json(root.at("material")).material;
     state.material_name = root.at("material_name").text();
+    if (root.has("everywhere")) state.everywhere = flag(root.at("everywhere"));
   }
   if (root.has("samples")) state.samples = root.at("samples").text();
   state.display = Display(index_of(root.at("display"), kDisplayNames));
@@ -115,17 +125,23 @@ ViewState parse_state(const std::string& text, const std::string& name) {
   return state;
 }
 
+ViewState load_state(const std::filesystem::path& file) {
+  return parse_state(io::read_json(file).dump(), file.string());
+}
+
 void open_file(ViewState& state, const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such file");
   const std::string format = json_format(file);
   ViewState next = state;
   if (format == "brdf-view") {
-    next = parse_state(io::read_json(file).dump(), file.string());
+    next = load_state(file);
   } else if (format == "brdf-scene") {
     next.scene = load_scene(file);
     next.selected = 0;
   } else if (format == "brdf-material") {
     put_material(next, file);
+  } else if (!format.empty()) {
+    throw InputError(file.string() + ": the format \"" + format + "\" cannot be opened");
   } else if (is_model(file)) {
     load_model(file);  // refused here rather than in the next frame
     next.scene.objects.at(next.selected).mesh = std::filesystem::absolute(file).string();

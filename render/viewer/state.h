@@ -5,13 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "render/arrange.h"
 #include "render/scene.h"
 
 namespace brdf::render {
-
-enum class Display { picture, split, flip, difference, gbuffer };
-inline constexpr std::array<const char*, 5> kDisplayNames{"picture", "split", "flip", "difference",
-                                                          "gbuffer"};
 
 // What A is compared with.
 enum class Other { material, samples, embree };
@@ -21,7 +18,8 @@ struct ViewState {
   Scene scene;               // A
   std::size_t selected = 0;  // object
   Other other = Other::embree;
-  std::optional<Material> material;  // B, on the selected object
+  std::optional<Material> material;  // B, on the selected object, or
+  bool everywhere = false;           // on every object
   std::string material_name;
   std::filesystem::path samples;  // B, a sample table
   Display display = Display::picture;
@@ -35,6 +33,7 @@ struct ViewState {
 // As JSON text, file names absolute; and back. Throws InputError.
 std::string state_text(const ViewState& state);
 ViewState parse_state(const std::string& text, const std::string& name);
+ViewState load_state(const std::filesystem::path& file);
 
 // Opens any file by its content: scene or saved state, material, sample table, model. Throws InputError and
 // leaves the state as it was.

@@ -2,18 +2,17 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 
 #include <array>
 #include <chrono>
-#include <fstream>
-#include <iterator>
+#include <iostream>
 
 #include "io/error.h"
 #include "io/output.h"
 #include "render/viewer/display_pass.h"
+#include "render/viewer/interface.h"
+#include "render/viewer/keys.h"
 #include "render/viewer/panels.h"
 #include "render/viewer/window.h"
 
@@ -21,41 +20,6 @@ namespace brdf::render {
 namespace {
 
 constexpr int kFramesAfterInput = 3;  // Dear ImGui settles within three
-
-// Dear ImGui with its GLFW and Vulkan backends.
-class Interface {
- public:
-  Interface(Device& device, const Window& window, const Swapchain& swapchain) {
-    constexpr std::array kBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
-    pool_ = make_descriptor_pool(device, kBindings, 1, true);
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    ImGui_ImplGlfw_InitForVulkan(window.get(), true);
-    ImGui_ImplVulkan_InitInfo info{};
-    info.Instance = device.instance();
-    info.PhysicalDevice = device.physical();
-    info.Device = device.get();
-    info.QueueFamily = device.queue_family();
-    info.Queue = device.queue();
-    info.DescriptorPool = pool_.get();
-    info.MinImageCount = 2;
-    info.ImageCount = std::max(2u, swapchain.image_count());
-    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
-    ImGui_ImplVulkan_Init(&info, swapchain.render_pass());
-    device.run([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
-    ImGui_ImplVulkan_DestroyFontUploadObjects();
-  }
-  ~Interface() {
-    ImGui_ImplVulkan_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-  }
-  Interface(const Interface&) = delete;
-  Interface& operator=(const Interface&) = delete;
-
- private:
-  Owned<VkDescriptorPool> pool_;
-};
 
 class Viewer {
  public:
@@ -68,9 +32,8 @@ class Viewer {
                  .memory_limit = options.memory_limit,
                  .validation = options.validation}),
         swapchain_(device_, window_),
-        pictures_(device_, options.gbuffer_bits),
+        pictures_(device_, {.gbuffer_bits = options.gbuffer_bits}),
         display_(device_, swapchain_.render_pass()) {
-    // Callbacks first: Dear ImGui's backend chains to those that are there.
     glfwSetWindowUserPointer(window_.get(), this);
     glfwSetKeyCallback(window_.get(), [](GLFWwindow* w, int key, int, int action, int mods) {
       if (action != GLFW_RELEASE) of(w).key(key, mods);
@@ -81,7 +44,7 @@ class Viewer {
       of(w).button(button, action, mods);
     });
     glfwSetDropCallback(window_.get(), [](GLFWwindow* w, int count, const char** files) {
-      for (int k = 0; k < count; ++k) of(w).open(files[k]);
+      of(w).open({files, files + count});
     });
     glfwSetWindowRefreshCallback(window_.get(), [](GLFWwindow* w) { of(w).wake(); });
     interface_.emplace(device_, window_, swapchain_);
@@ -118,9 +81,7 @@ class Viewer {
     const VkExtent2D size = window_.framebuffer_size();
     if (size.width == 0 || size.height == 0) return;
     draw_pictures(size);
-    ImGui_ImplVulkan_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
+    interface_->begin_frame();
     const PanelRequests requests =
         panels_.draw(state_, {&pictures_, frame_rate_, device_.name(), message_, probe_});
     ImGui::Render();
@@ -136,7 +97,7 @@ class Viewer {
           if (drawn.width == swapchain_.extent().width && drawn.height == swapchain_.extent().height) {
             display_.record(commands, shown, drawn, pictures_.extent(), pictures_.bits());
           }
-          ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+          interface_->record(commands);
         });
     obey(requests);
   }
@@ -148,7 +109,7 @@ class Viewer {
       good_ = state_;
     } catch (const InputError& error) {
       if (!good_) throw;
-      message_ = error.what();
+      complain(error);
       state_ = *good_;
       pictures_.update(state_, size);
     }
@@ -163,60 +124,77 @@ class Viewer {
     if (requests.fit_camera) fit(camera(), pictures_.prepared().bounds);
     if (requests.screenshot) screenshot();
     if (requests.save) save();
-    if (requests.load) open(options_.state_file);
-    if (!requests.open.empty()) open(requests.open);
+    if (requests.load) open({options_.state_file});
+    if (!requests.open.empty()) open({requests.open});
     if (ImGui::GetIO().WantCaptureMouse || ImGui::IsAnyItemActive()) wake();
   }
 
-  // Runs what may fail for want of a good file and says so in the window.
-  template <class Action>
-  void attempt(Action action) {
-    try {
-      action();
-    } catch (const InputError& error) {
-      message_ = error.what();
-    } catch (const EnvironmentError& error) {
-      message_ = error.what();
-    }
+  void say(const std::string& message) {
+    message_ = message;
     wake();
   }
+  void complain(const std::exception& error) {
+    say(error.what());
+    std::cerr << "brdf: " << error.what() << std::endl;
+  }
+  // Runs what may fail for want of a good file and says so in the window and on the terminal.
+  template <class Action>
+  bool attempt(Action action) {
+    try {
+      action();
+      return true;
+    } catch (const InputError& error) {
+      complain(error);
+    } catch (const EnvironmentError& error) {
+      complain(error);
+    }
+    return false;
+  }
 
-  void open(const std::filesystem::path& file) {
-    attempt([&] {
-      open_file(state_, file);
-      home_ = camera();
-      message_ = "opened " + file.string();
-    });
+  // Each file in turn; one that cannot be shown leaves everything as it was, and its message stays.
+  void open(const std::vector<std::filesystem::path>& files) {
+    std::string failed;
+    for (const std::filesystem::path& file : files) {
+      const ViewState before = state_;
+      const bool good = attempt([&] {
+        open_file(state_, file);
+        const VkExtent2D size = window_.framebuffer_size();
+        if (size.width > 0 && size.height > 0) pictures_.update(state_, size);
+        arrive(before);
+        say("opened " + file.string());
+      });
+      if (good) continue;
+      state_ = before;
+      if (failed.empty()) failed = message_;
+    }
+    if (!failed.empty()) message_ = failed;
+  }
+  // A file's own camera is the new home; a model is looked at as a whole.
+  void arrive(const ViewState& before) {
+    const Camera &now = camera(), &then = before.scene.camera;
+    const bool moved = now.position != then.position || now.target != then.target;
+    const bool other_mesh =
+        state_.scene.objects[state_.selected].mesh != before.scene.objects[before.selected].mesh;
+    if (other_mesh && !moved) fit(camera(), pictures_.prepared().bounds);
+    if (moved || other_mesh) home_ = camera();
   }
   void save() {
     attempt([&] {
-      io::write_file_atomically(options_.state_file, state_text(state_));
-      message_ = "saved " + options_.state_file.string();
+      // The picture's size is the window's: `brdf render --state` makes the same picture.
+      const VkExtent2D size = window_.framebuffer_size();
+      ViewState saved = state_;
+      saved.scene.camera.width = int(std::max(1u, size.width));
+      saved.scene.camera.height = int(std::max(1u, size.height));
+      io::write_file_atomically(options_.state_file, state_text(saved));
+      say("saved " + options_.state_file.string());
     });
   }
   void screenshot() {
     attempt([&] {
       write_png(options_.screenshot, pictures_.capture(state_));
-      message_ = "wrote " + options_.screenshot.string();
+      say("wrote " + options_.screenshot.string());
     });
   }
-
-  void next_form(bool by_family) {
-    std::vector<AnyForm> forms;
-    for_each_form([&](auto f) { forms.emplace_back(f); });
-    Term& term = state_.scene.objects[state_.selected].material.terms[0];
-    std::size_t k = term.form.index();
-    const std::string_view family = info(term.form).family;
-    do k = (k + 1) % forms.size();
-    while (by_family && info(forms[k]).family == family);
-    switch_form(term, forms[k]);
-  }
-
-  template <class Enum, std::size_t N>
-  static void advance(Enum& value, const std::array<const char*, N>&) {
-    value = Enum((std::size_t(value) + 1) % N);
-  }
-  void toggle(Display display) { state_.display = state_.display == display ? Display::picture : display; }
 
   void key(int key, int mods) {
     wake();
@@ -224,79 +202,23 @@ class Viewer {
       if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) panels_.accept();
       return;
     }
-    const bool control = mods & GLFW_MOD_CONTROL;
-    constexpr float kTurn = 0.1f;
-    switch (key) {
-      case GLFW_KEY_ESCAPE:
-      case GLFW_KEY_Q:
+    switch (press(state_, key, mods, {home_, pictures_.prepared().bounds})) {
+      case KeyRequest::quit:
         glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
         break;
-      case GLFW_KEY_N:
-        next_form(mods & GLFW_MOD_SHIFT);
+      case KeyRequest::save:
+        save();
         break;
-      case GLFW_KEY_M:
-        advance(state_.scene.shading, kShadingNames);
+      case KeyRequest::load:
+        open({options_.state_file});
         break;
-      case GLFW_KEY_C:
-        advance(state_.scene.tone_map, kToneMapNames);
-        break;
-      case GLFW_KEY_G:
-        toggle(Display::gbuffer);
-        break;
-      case GLFW_KEY_D:
-        toggle(Display::difference);
-        break;
-      case GLFW_KEY_B:
-        toggle(Display::flip);
-        break;
-      case GLFW_KEY_K:
-        advance(state_.other, kOtherNames);
-        break;
-      case GLFW_KEY_S:
-        control ? save() : toggle(Display::split);
-        break;
-      case GLFW_KEY_O:
-        panels_.ask_for_file();
-        break;
-      case GLFW_KEY_L:
-        control ? open(options_.state_file) : void(state_.show_plot = !state_.show_plot);
-        break;
-      case GLFW_KEY_T:
-        state_.turntable = !state_.turntable;
-        break;
-      case GLFW_KEY_H:
-        state_.show_ui = !state_.show_ui;
-        break;
-      case GLFW_KEY_P:
+      case KeyRequest::screenshot:
         screenshot();
         break;
-      case GLFW_KEY_R:
-        camera() = home_;
+      case KeyRequest::ask_for_file:
+        panels_.ask_for_file();
         break;
-      case GLFW_KEY_F:
-        fit(camera(), pictures_.prepared().bounds);
-        break;
-      case GLFW_KEY_LEFT:
-        orbit(camera(), -kTurn, 0);
-        break;
-      case GLFW_KEY_RIGHT:
-        orbit(camera(), kTurn, 0);
-        break;
-      case GLFW_KEY_UP:
-        orbit(camera(), 0, kTurn);
-        break;
-      case GLFW_KEY_DOWN:
-        orbit(camera(), 0, -kTurn);
-        break;
-      case GLFW_KEY_KP_ADD:
-      case GLFW_KEY_EQUAL:
-        state_.scene.exposure = std::min(20.0f, state_.scene.exposure + 0.25f);
-        break;
-      case GLFW_KEY_KP_SUBTRACT:
-      case GLFW_KEY_MINUS:
-        state_.scene.exposure = std::max(-20.0f, state_.scene.exposure - 0.25f);
-        break;
-      default:
+      case KeyRequest::none:
         break;
     }
   }

@@ -29,7 +29,6 @@ TEST(Deferred, EveryFormEqualsTheReference) {
   for (const ParityRow& row : parity(device, forms, 256)) {
     EXPECT_TRUE(passes(row)) << row.form << " " << row.parameters << " " << row.gbuffer_bits << " "
                              << row.difference.rel_mse;
-    EXPECT_LT(row.near_horizon, 0.03) << row.form;
   }
 }
 

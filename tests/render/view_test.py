@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Drives `brdf view` under Xvfb with xdotool: keys, mouse, resizing, files, screenshots; the validation layers are on.
+"""Drives `brdf view` under Xvfb with xdotool: keys, mouse, resizing, dropped files, screenshots; the validation layers
+are on. Then makes the viewer's pictures again from the command line.
 
 Usage: view_test.py BRDF SOURCE_DIR [FRAMES]. Exit code 77 where Xvfb or xdotool is missing.
 """
@@ -10,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import xdnd
 
 brdf, source = sys.argv[1], sys.argv[2]
 soak_frames = sys.argv[3] if len(sys.argv) > 3 else "120"
@@ -89,10 +92,20 @@ def form_of(state):
     return state["scene"]["objects"][0]["material"]["form"]
 
 
-def finish(viewer):
-    out, _ = viewer.communicate(timeout=120)
+def finish(viewer, complaints=()):
+    """The viewer has ended well, and has said on the terminal what is expected, one line each, and nothing else."""
+    out, _ = viewer.communicate(timeout=300)
     assert viewer.returncode == 0, f"exit code {viewer.returncode}: {out}"
-    assert out == "", f"messages: {out}"
+    assert out == "".join(f"brdf: {line}\n" for line in complaints), f"messages: {out}"
+
+
+def same_from_the_command_line(shot):
+    """`brdf render --state` makes the very bytes of the screenshot."""
+    again = os.path.join(folder, "again.png")
+    subprocess.run([brdf, "render", "--state", state_file, "--no-labels", "-o", again], check=True,
+                   capture_output=True)
+    with open(again, "rb") as file:
+        return file.read() == shot
 
 
 try:
@@ -136,6 +149,7 @@ try:
         press(key)
         assert saved_state()["display"] == name
         shots.append(screenshot())
+        assert same_from_the_command_line(shots[-1]), f"brdf render makes another picture of {name}"
     press("b", "h")
     assert screenshot() == plain, "the panels are on the screenshot"
     press("h")
@@ -162,21 +176,75 @@ try:
         json.dump({"format": "brdf-material", "version": 1, "form": "ward", "channels": ["r", "g", "b"],
                    "weights": {"kd": [0.1, 0.2, 0.6], "ks": [0.3, 0.3, 0.3]},
                    "shape": {"alpha_x": 0.1, "alpha_y": 0.25}}, file)
-    for name in (material, os.path.join(source, "data/scenes/models/vase.obj"), os.path.join(folder, "absent.json")):
+    vase = os.path.join(source, "data/scenes/models/vase.obj")
+    absent = os.path.join(folder, "absent.json")
+    for name in (material, vase, absent):
         press("o")
         x("type", "--delay", "20", name)
         press("Return")
         time.sleep(1)
+    complaints = [f"{absent}: no such file"]
     state = saved_state()
     assert form_of(state) == "ward"
     assert state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
+
+    # The same by dropping. What cannot be shown leaves everything as it was and says why in one line.
+    def drop(*names):
+        xdnd.drop(display, int(window), names)
+        time.sleep(0.5)
+        return saved_state()
+
+    def damaged(name, text):
+        path = os.path.join(folder, name)
+        with open(path, "w") as file:
+            file.write(text)
+        return path
+
+    def without_pictures(state):
+        return {key: value for key, value in state.items() if key not in ("samples", "compare_with", "display")}
+
+    bad = {
+        damaged("broken.json", "{"): "line 1",
+        damaged("broken.obj", "no model"): "cannot be read as a model",
+        damaged("broken.csv", "theta_i,phi_i,theta_o,phi_o,fr\n1,2,3,4,x\n"): "line 2",
+        damaged("bare.json", json.dumps({
+            "format": "brdf-scene", "version": 1,
+            "objects": [{"material": {"format": "brdf-material", "version": 1, "form": "lambert",
+                                      "channels": ["r", "g", "b"], "weights": {"rho": [0.5, 0.5, 0.5]}},
+                         "textures": {"albedo": "absent.png"}}]})): "absent.png: no such texture file",
+        os.path.join(folder, "absent with a space.json"): "no such file",
+    }
+    for name, reason in bad.items():
+        assert drop(name) == state, f"dropping {name} lost something"
+    assert drop(*list(bad)[:2]) == state
+    samples = os.path.join(source, "data/synthetic/cook_torrance_metal.csv")
+    dropped = drop(samples)
+    assert dropped["samples"] == samples and dropped["compare_with"] == "samples" and dropped["display"] == "split"
+    assert without_pictures(dropped) == without_pictures(state), "dropping samples lost something"
+    copper = damaged("copper.json", json.dumps({
+        "format": "brdf-material", "version": 1, "form": "phong", "channels": ["r", "g", "b"],
+        "weights": {"kd": [0.4, 0.2, 0.1], "ks": [0.3, 0.3, 0.3]}, "shape": {"exponent": 40}}))
+    several = drop(copper, list(bad)[0], os.path.join(source, "data/scenes/models/cube.x"))
+    assert form_of(several) == "phong" and several["scene"]["objects"][0]["mesh"].endswith("cube.x")
+    assert drop(os.path.join(source, "data/scenes/sphere.json"))["scene"]["objects"][0]["mesh"] == "sphere"
+    reasons = [*bad.items(), *list(bad.items())[:2], list(bad.items())[0]]
+    drop(state_file)
+    time.sleep(1)
+    state = saved_state()
     # The state comes back as it was saved.
     press("n")
     x("key", "ctrl+l")
     time.sleep(1)
     assert saved_state() == state, "loading the saved state changed it"
     press("q")
-    finish(viewer)
+    out, _ = viewer.communicate(timeout=300)
+    assert viewer.returncode == 0, f"exit code {viewer.returncode}: {out}"
+    said = out.splitlines()
+    assert len(said) == len(complaints) + len(reasons), f"messages: {out}"
+    assert said[:len(complaints)] == [f"brdf: {line}" for line in complaints], f"messages: {out}"
+    for line, (name, reason) in zip(said[len(complaints):], reasons):
+        about = "absent.png" if "bare" in name else os.path.basename(name)
+        assert line.startswith("brdf: ") and reason in line and about in line, f"{name}: {line}"
 
     # Soak, from the saved state with the turntable on.
     state["turntable"] = True

@@ -1,0 +1,45 @@
+#ifdef BRDF_HAS_RENDER
+#include "cli/render_parity.h"
+
+#include <iostream>
+
+#include "cli/parameters.h"
+#include "io/error.h"
+#include "io/json.h"
+#include "render/parity.h"
+
+namespace brdf::cli {
+
+Exit run_parity(const std::vector<std::string>& names, bool all, bool json) {
+  std::vector<AnyForm> forms;
+  for (const std::string& name : names) forms.push_back(require_form(name));
+  if (all) for_each_form([&](auto form) { forms.emplace_back(form); });
+  if (forms.empty()) throw InputError("--parity needs --all or --form");
+  render::Device device;
+  const auto print_row = [&](const render::ParityRow& row) {
+    if (json) return;
+    std::cout << row.form << ", " << row.parameters << ", " << row.gbuffer_bits << " bits: relative MSE "
+              << row.difference.rel_mse << ", coverage mismatch " << 100 * row.difference.coverage_mismatch
+              << " %" << (render::passes(row) ? "" : "  FAILS") << std::endl;
+  };
+  bool good = true;
+  io::Json out;
+  out["provenance"] = io::to_json(io::provenance());
+  out["rows"] = io::Json::array();
+  for (const render::ParityRow& row : render::parity(device, forms, 512, print_row)) {
+    io::Json r;
+    r["form"] = row.form;
+    r["parameters"] = row.parameters;
+    r["gbuffer_bits"] = row.gbuffer_bits;
+    r["rel_mse"] = row.difference.rel_mse;
+    r["bound"] = render::parity_bound(row.gbuffer_bits);
+    r["coverage_mismatch"] = row.difference.coverage_mismatch;
+    out["rows"].push_back(r);
+    good = good && render::passes(row);
+  }
+  if (json) std::cout << io::to_text(out);
+  return good ? Exit::kGood : Exit::kFailed;
+}
+
+}  // namespace brdf::cli
+#endif

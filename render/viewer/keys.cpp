@@ -1,0 +1,127 @@
+#include "render/viewer/keys.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace brdf::render {
+namespace {
+
+constexpr float kTurn = 0.1f;        // radians per arrow key
+constexpr float kStops = 0.25f;      // of exposure
+constexpr float kMostStops = 20.0f;  // as in a scene file
+
+void next_form(ViewState& state, bool by_family) {
+  std::vector<AnyForm> forms;
+  for_each_form([&](auto f) { forms.emplace_back(f); });
+  Term& term = state.scene.objects[state.selected].material.terms[0];
+  std::size_t k = term.form.index();
+  const std::string_view family = info(term.form).family;
+  do k = (k + 1) % forms.size();
+  while (by_family && info(forms[k]).family == family);
+  switch_form(term, forms[k]);
+}
+
+template <class Enum, std::size_t N>
+void advance(Enum& value, const std::array<const char*, N>&) {
+  value = Enum((std::size_t(value) + 1) % N);
+}
+
+void toggle(ViewState& state, Display display) {
+  state.display = state.display == display ? Display::picture : display;
+}
+
+void expose(ViewState& state, float stops) {
+  state.scene.exposure = std::clamp(state.scene.exposure + stops, -kMostStops, kMostStops);
+}
+
+// The keys of the camera; false for any other.
+bool move_camera(Camera& camera, int key, const Whereabouts& where) {
+  switch (key) {
+    case GLFW_KEY_R:
+      camera = where.home;
+      return true;
+    case GLFW_KEY_F:
+      fit(camera, where.bounds);
+      return true;
+    case GLFW_KEY_LEFT:
+      orbit(camera, -kTurn, 0);
+      return true;
+    case GLFW_KEY_RIGHT:
+      orbit(camera, kTurn, 0);
+      return true;
+    case GLFW_KEY_UP:
+      orbit(camera, 0, kTurn);
+      return true;
+    case GLFW_KEY_DOWN:
+      orbit(camera, 0, -kTurn);
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+KeyRequest press(ViewState& state, int key, int mods, const Whereabouts& where) {
+  const bool control = mods & GLFW_MOD_CONTROL;
+  if (move_camera(state.scene.camera, key, where)) return KeyRequest::none;
+  switch (key) {
+    case GLFW_KEY_ESCAPE:
+    case GLFW_KEY_Q:
+      return KeyRequest::quit;
+    case GLFW_KEY_O:
+      return KeyRequest::ask_for_file;
+    case GLFW_KEY_P:
+      return KeyRequest::screenshot;
+    case GLFW_KEY_S:
+      if (control) return KeyRequest::save;
+      toggle(state, Display::split);
+      break;
+    case GLFW_KEY_L:
+      if (control) return KeyRequest::load;
+      state.show_plot = !state.show_plot;
+      break;
+    case GLFW_KEY_N:
+      next_form(state, mods & GLFW_MOD_SHIFT);
+      break;
+    case GLFW_KEY_M:
+      advance(state.scene.shading, kShadingNames);
+      break;
+    case GLFW_KEY_C:
+      advance(state.scene.tone_map, kToneMapNames);
+      break;
+    case GLFW_KEY_K:
+      advance(state.other, kOtherNames);
+      break;
+    case GLFW_KEY_G:
+      toggle(state, Display::gbuffer);
+      break;
+    case GLFW_KEY_D:
+      toggle(state, Display::difference);
+      break;
+    case GLFW_KEY_B:
+      toggle(state, Display::flip);
+      break;
+    case GLFW_KEY_T:
+      state.turntable = !state.turntable;
+      break;
+    case GLFW_KEY_H:
+      state.show_ui = !state.show_ui;
+      break;
+    case GLFW_KEY_KP_ADD:
+    case GLFW_KEY_EQUAL:
+      expose(state, kStops);
+      break;
+    case GLFW_KEY_KP_SUBTRACT:
+    case GLFW_KEY_MINUS:
+      expose(state, -kStops);
+      break;
+    default:
+      break;
+  }
+  return KeyRequest::none;
+}
+
+}  // namespace brdf::render
