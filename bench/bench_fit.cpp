@@ -1,12 +1,13 @@
 // Seconds to fit 1.46 million RGB samples with Cook-Torrance, for our solvers and for what users would pick
 // instead, interleaved in one run: the ratios are the result (docs/fitting.md).
 //
-//   bench_fit [--quick] [--repeats N] [--python FILE]
+//   bench_fit [--quick] [--repeats N] [--no-python]
 //
-// --quick takes every 16th sample and leaves out nothing else; --python runs the scipy and numpy baselines of
-// bench/fit_baselines.py on the same samples.
+// --quick takes every 16th sample and leaves out nothing else. The scipy and numpy baselines of
+// bench/fit_baselines.py run on the same samples unless --no-python is given; they take most of the minute.
 #include <ceres/ceres.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,11 @@
 #include <fstream>
 #include <functional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bench/machine.h"
 #include "brdf/material.h"
 #include "fit/data.h"
 #include "fit/minima.h"
@@ -161,23 +164,37 @@ void write_binary(const FitData& data, const std::filesystem::path& path) {
               std::streamsize(column->size() * sizeof(double)));
 }
 
-int run(int argc, char** argv) {
-  bool quick = false;
-  int repeats = 7;
-  std::string python;
-  for (int k = 1; k < argc; ++k) {
-    if (!std::strcmp(argv[k], "--quick")) quick = true;
-    if (!std::strcmp(argv[k], "--repeats") && k + 1 < argc) repeats = std::atoi(argv[++k]);
-    if (!std::strcmp(argv[k], "--python") && k + 1 < argc) python = argv[++k];
+// The first of `python3` and Debian's that has scipy; empty where neither has.
+std::string python_with_scipy() {
+  for (const std::string python : {"python3", "/usr/bin/python3"})
+    if (std::system((python + " -c 'import numpy, scipy' 2>/dev/null").c_str()) == 0) return python;
+  return {};
+}
+
+// Runs bench/fit_baselines.py, which prints one row per method, and returns their seconds in its order:
+// numpy, scipy. Throws std::runtime_error where the script fails.
+std::vector<double> run_python(const std::string& python, const FitData& data, double ours) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("bench_fit_" + std::to_string(getpid()) + ".bin");
+  write_binary(data, file);
+  std::fflush(stdout);
+  const std::string command = "OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 " + python +
+                              " '" BRDF_BENCH_DIR "/fit_baselines.py' '" + file.string() + "' " +
+                              std::to_string(ours);
+  FILE* pipe = popen(command.c_str(), "r");
+  std::vector<double> seconds;
+  for (char line[256]; pipe != nullptr && std::fgets(line, sizeof line, pipe) != nullptr;) {
+    std::fputs(line, stdout);
+    std::fflush(stdout);
+    seconds.push_back(std::atof(line + 38));
   }
-  const FitData data = samples(quick);
-  const Model model({*find_form("cook_torrance")}, data.channels, {});
-  std::printf("%zu RGB samples, Cook-Torrance, one thread\n", data.rows());
-  std::vector<Method> methods{
-      {"variable projection (cosine_l2)", [&] { return fit_ours(data, model, Metric::kCosineL2); }, repeats},
-      {"log residual, grid of starts", [&] { return fit_ours(data, model, Metric::kLog); }, repeats},
-      {"Ceres on streamed normal equations", [&] { return fit_streamed(data, model); }, repeats},
-      {"Ceres, one block per sample", [&] { return fit_blocks(data); }, std::min(repeats, 2)}};
+  const int status = pipe == nullptr ? -1 : pclose(pipe);
+  std::filesystem::remove(file);
+  if (status != 0 || seconds.size() != 2) throw std::runtime_error("bench/fit_baselines.py failed");
+  return seconds;
+}
+
+void measure(std::vector<Method>& methods, int repeats) {
   for (int k = 0; k < repeats; ++k)
     for (Method& m : methods) {
       if (k >= m.repeats) continue;
@@ -186,24 +203,56 @@ int run(int argc, char** argv) {
       m.best = std::min(m.best, now() - begin);
       m.memory = std::max(m.memory, peak_memory() - before);
     }
+}
+
+int run(int argc, char** argv) {
+  bool quick = false, with_python = true;
+  int repeats = 7;
+  for (int k = 1; k < argc; ++k) {
+    if (!std::strcmp(argv[k], "--quick")) quick = true;
+    if (!std::strcmp(argv[k], "--repeats") && k + 1 < argc) repeats = std::atoi(argv[++k]);
+    if (!std::strcmp(argv[k], "--no-python")) with_python = false;
+  }
+  const FitData data = samples(quick);
+  const Model model({*find_form("cook_torrance")}, data.channels, {});
+  std::printf("%s\n%zu RGB samples, Cook-Torrance, one thread\n", bench::machine().c_str(), data.rows());
+  std::vector<Method> methods{
+      {"variable projection (cosine_l2)", [&] { return fit_ours(data, model, Metric::kCosineL2); }, repeats},
+      {"log residual, grid of starts", [&] { return fit_ours(data, model, Metric::kLog); }, repeats},
+      {"Ceres on streamed normal equations", [&] { return fit_streamed(data, model); }, repeats},
+      {"Ceres, one block per sample", [&] { return fit_blocks(data); }, std::min(repeats, 2)}};
+  measure(methods, repeats);
   std::printf("%-38s %9s %9s %9s %10s\n", "method", "seconds", "ratio", "MB more", "alpha");
   for (const Method& m : methods)
     std::printf("%-38s %9.4f %9.1f %9.1f %10.6f\n", m.name, m.best, m.best / methods[0].best, m.memory,
                 m.alpha);
-  if (python.empty()) return 0;
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "bench_fit_samples.bin";
-  write_binary(data, file);
-  std::fflush(stdout);
-  const std::string command = "OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 python3 '" + python + "' '" +
-                              file.string() + "' " + std::to_string(methods[0].best);
-  const int status = std::system(command.c_str());
-  std::filesystem::remove(file);
-  return status == 0 ? 0 : 1;
+  const double ours = methods[0].best;
+  std::vector<double> python_seconds;
+  const std::string python = with_python ? python_with_scipy() : "";
+  if (!python.empty())
+    python_seconds = run_python(python, data, ours);
+  else if (with_python)
+    std::printf("no numpy and scipy rows: no python3 with scipy (Debian: python3-scipy)\n");
+  if (quick) return 0;
+  std::printf("goals\n");
+  bench::print_goal("variable projection, seconds", ours, false, 0.1);
+  bench::print_goal("variable projection, MB beyond the data", methods[0].memory, false, 10);
+  bench::print_goal("log residual, seconds", methods[1].best, false, 1);
+  if (!python_seconds.empty()) {
+    bench::print_goal("numpy over variable projection", python_seconds[0] / ours, true, 4);
+    bench::print_goal("scipy over variable projection", python_seconds[1] / ours, true, 80);
+  }
+  return 0;
 }
 
 }  // namespace
 }  // namespace brdf::fit
 
 int main(int argc, char** argv) {
-  return brdf::fit::run(argc, argv);
+  try {
+    return brdf::fit::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_fit: %s\n", error.what());
+    return 1;
+  }
 }

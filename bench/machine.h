@@ -1,6 +1,7 @@
 // What a benchmark says about the machine it ran on.
 #pragma once
 
+#include <cstdio>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -27,6 +28,13 @@ inline std::string machine() {
   std::ifstream("/proc/loadavg") >> load;
   return cpu + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " + vectors +
          ", compiler " + __VERSION__ + ", load " + std::to_string(load).substr(0, 4);
+}
+
+// A goal of the project beside what this run measured.
+inline void print_goal(const std::string& what, double measured, bool at_least, double wanted) {
+  const bool met = at_least ? measured >= wanted : measured <= wanted;
+  std::printf("  %-64s %7.2f  (goal %s %.2f)%s\n", what.c_str(), measured, at_least ? ">=" : "<=", wanted,
+              met ? "" : "  MISSED");
 }
 
 }  // namespace brdf::bench
