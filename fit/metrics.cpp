@@ -94,11 +94,45 @@ std::optional<double> noise_floor(const FitData& data) {
   return 1.4826 * median(scatter) / std::sqrt(1 + 1.0 / double(kNeighbours));
 }
 
+namespace {
+
+std::string percent(double x) {
+  return io::to_text(std::round(1000 * x) / 10) + " %";
+}
+
+// Log of measured over modelled in the direction nearest to the light, within 10 degrees of it: the middle
+// over the incidences, of those 15 degrees and more off the normal (so that the mirror direction is
+// elsewhere). None where there are fewer than three.
+std::optional<double> retro_excess(const FitData& data, const std::vector<std::vector<double>>& model) {
+  const double upright = std::cos(15 * kPi / 180), within = std::cos(10 * kPi / 180);
+  struct Nearest {
+    double cosine;
+    std::size_t row;
+  };
+  std::map<std::uint32_t, Nearest> nearest;
+  for (std::size_t k = 0; k < data.rows(); ++k) {
+    if (data.wi_z[k] > upright) continue;
+    const double cosine =
+        data.wi_x[k] * data.wo_x[k] + data.wi_y[k] * data.wo_y[k] + data.wi_z[k] * data.wo_z[k];
+    Nearest& best = nearest.try_emplace(data.incidence[k], within, k).first->second;
+    if (cosine > best.cosine) best = {cosine, k};
+  }
+  std::vector<double> excess;
+  for (const auto& [incidence, best] : nearest)
+    for (std::size_t c = 0; c < model.size() && best.cosine > within; ++c)
+      if (data.values[c][best.row] > 0)
+        excess.push_back(std::log(data.values[c][best.row] / std::max(model[c][best.row], 1e-300)));
+  if (excess.size() < 3 * model.size()) return std::nullopt;
+  return median(excess);
+}
+
+}  // namespace
+
 Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>& model,
                     std::optional<double> noise) {
   // Off by more than a factor of two (and five times the noise), weighted by the light reflected: a
   // retro-reflector's whole lobe is, a good fit's tails are not.
-  const double factor = std::max(std::log(2.0), 5 * noise.value_or(0));
+  const double five_times = 5 * noise.value_or(0), factor = std::max(std::log(2.0), five_times);
   double off = 0, all = 0;
   std::vector<double> sizes;
   for (std::size_t c = 0; c < model.size(); ++c)
@@ -112,15 +146,17 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
     }
   if (sizes.empty()) return {};
   const double middle = median(sizes), share = off / all;
-  constexpr double kShare = 0.25, kMiddle = 0.35;
-  const auto percent = [](double x) { return io::to_text(std::round(1000 * x) / 10) + " %"; };
-  const std::string floor = noise ? " (the values scatter by " + percent(*noise) + ")" : "";
+  constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
+  const std::string cannot = (noise ? " (the values scatter by " + percent(*noise) + ")" : "") +
+                             ": the surface does something this form cannot";
+  const std::optional<double> retro = retro_excess(data, model);
+  if (retro && *retro > std::max(kRetro, five_times))
+    return {true, "retro-reflection: beside the light the values are " +
+                      io::to_text(std::round(10 * std::exp(*retro)) / 10) + " times the model's" + cannot};
   if (share > kShare)
-    return {true, percent(share) + " of the reflected light is off by more than a factor of two" + floor +
-                      ": the surface does something this form cannot"};
-  if (middle > std::max(kMiddle, 5 * noise.value_or(0)))
-    return {true, "the middle deviation is " + percent(std::expm1(middle)) + floor +
-                      ": the surface does something this form cannot"};
+    return {true, percent(share) + " of the reflected light is off by more than a factor of two" + cannot};
+  if (middle > std::max(kMiddle, five_times))
+    return {true, "the middle deviation is " + percent(std::expm1(middle)) + cannot};
   return {};
 }
 
