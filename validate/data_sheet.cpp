@@ -41,7 +41,13 @@ DataSheet data_sheet(const io::SampleTable& t) {
   }
   sheet.facts = facts_of(t);
   const auto pairs = interpolated_pairs(t);
-  const Finding noise = noise_floor(t, pairs);
+  const Finding cosine = cosine_factor(t, pairs);
+  Finding noise = noise_floor(t, pairs), reciprocity = exact_reciprocity(t);
+  if (cosine.verdict == Verdict::fail)  // one fault, one name
+    for (Finding* f : {&noise, &reciprocity})
+      if (f->verdict != Verdict::not_applicable)
+        *f = not_applicable(t, f->check.c_str(),
+                            "light and viewer cannot be exchanged while a cosine is left in the values");
   // Integrals at up to 60 angles of the light: a large table has thousands.
   const auto groups = by_light(t);
   const std::size_t stride = (groups.size() + 59) / 60;
@@ -55,9 +61,9 @@ DataSheet data_sheet(const io::SampleTable& t) {
                     duplicates(t),
                     directions(t),
                     outliers(t),
-                    exact_reciprocity(t),
+                    reciprocity,
                     noise,
-                    cosine_factor(t, pairs),
+                    cosine,
                     isotropy(t),
                     coverage(t, sheet.albedo),
                     energy(t, sheet.albedo)};

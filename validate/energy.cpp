@@ -90,8 +90,8 @@ class EnergySearch {
     const bool full = options_.effort == Effort::full;
     const std::size_t dimensions = parameters_ + (turns_ ? 2 : 1);
     SearchOptions search;
-    search.cover = full ? 400 : 100;
-    search.starts = full ? 8 : 4;
+    search.cover = full ? 1000 : 100;
+    search.starts = full ? 12 : 4;
     search.steps = full ? 80 : 45;
     search.finest = 1e-6;
     search.seed = options_.seed;

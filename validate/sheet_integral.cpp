@@ -10,18 +10,42 @@ namespace {
 
 constexpr double kRadians = kPi / 180;
 
+struct Sample {
+  Direction d;
+  std::size_t row;
+};
+
+struct Neighbour {
+  double distance;  // squared
+  std::size_t row;
+};
+
+// The nearest sample in each quadrant about d: a table that is dense along one line only is no better known
+// beside it.
+std::vector<Neighbour> around(const std::vector<Sample>& samples, const Direction& d) {
+  const double s = std::hypot(d.x, d.y);
+  const Direction along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};
+  std::array<Neighbour, 4> near;
+  near.fill({HUGE_VAL, 0});
+  for (const Sample& sample : samples) {
+    const double distance = 2 - 2 * cosine(d, sample.d);
+    const std::size_t quadrant =
+        (cosine(along, sample.d) < 0 ? 1u : 0u) + (cosine(across, sample.d) < 0 ? 2u : 0u);
+    if (distance < near[quadrant].distance) near[quadrant] = {distance, sample.row};
+  }
+  std::vector<Neighbour> found;
+  for (const Neighbour& n : near)
+    if (std::isfinite(n.distance)) found.push_back(n);
+  return found;
+}
+
 }  // namespace
 
-// The reflected fraction for one direction of the light: the samples around each of many directions, weighted
-// by the inverse square of their distance. Its bound: what no sample is near to, the difference to the
-// nearest sample alone, and the noise floor.
+// The samples around each of many directions, weighted by the inverse square of their distance. The bound:
+// what no sample is near to, half of what the samples around a direction differ by, and the noise floor.
 MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t>& rows, double noise) {
   constexpr int kRings = 20, kSectors = 36;
   constexpr double kReach = 8 * kRadians;
-  struct Sample {
-    Direction d;
-    std::size_t row;
-  };
   std::vector<Sample> samples;
   double azimuth_low = 360, azimuth_high = -360;
   for (const std::size_t k : rows) {
@@ -45,27 +69,22 @@ MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t
     for (int sector = 0; sector < kSectors; ++sector) {
       const double s = std::sqrt((ring + 0.5) / kRings), phi = 2 * kPi * (sector + 0.5) / kSectors;
       const Direction d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
-      std::array<std::pair<double, std::size_t>, 4> near;
-      near.fill({10, 0});
-      for (const Sample& sample : samples) {
-        const double distance = 2 - 2 * cosine(d, sample.d);
-        if (distance >= near.back().first) continue;
-        near.back() = {distance, sample.row};
-        std::sort(near.begin(), near.end());
-      }
-      const bool covered = std::sqrt(std::max(near[0].first, 0.0)) < kReach;
+      const std::vector<Neighbour> near = around(samples, d);
+      const auto nearest = std::min_element(
+          near.begin(), near.end(), [](const auto& x, const auto& y) { return x.distance < y.distance; });
+      const bool covered = std::sqrt(std::max(nearest->distance, 0.0)) < kReach;
       m.coverage += covered ? 1.0 / (kRings * kSectors) : 0;
       for (std::size_t c = 0; c < channels; ++c) {
-        double sum = 0, weights = 0;
-        for (const auto& [distance, row] : near) {
-          if (distance > 5) continue;
-          const double w = 1 / (std::max(distance, 0.0) + 1e-6);
-          sum += w * t.values[c][row];
+        double sum = 0, weights = 0, low = HUGE_VAL, high = -HUGE_VAL;
+        for (const Neighbour& n : near) {
+          const double w = 1 / (std::max(n.distance, 0.0) + 1e-6), v = t.values[c][n.row];
+          sum += w * v;
           weights += w;
+          low = std::min(low, v);
+          high = std::max(high, v);
         }
-        const double smooth = weights > 0 ? sum / weights : 0, nearest = t.values[c][near[0].second];
-        m.value[c] += weight * smooth;
-        m.bound[c] += weight * (covered ? 0.5 * std::abs(smooth - nearest) : std::abs(smooth));
+        m.value[c] += weight * sum / weights;
+        m.bound[c] += weight * (covered ? 0.5 * (high - low) : std::max(std::abs(low), std::abs(high)));
       }
     }
   for (std::size_t c = 0; c < channels; ++c) m.bound[c] += 0.5 * noise * std::abs(m.value[c]);

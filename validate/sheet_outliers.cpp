@@ -1,5 +1,12 @@
+// A value is an outlier where it departs from what its neighbours say: by more than a factor two, and by much
+// more than they differ among themselves. Two kinds of neighbours are asked. Those of the viewer under the
+// same light know nothing of a highlight narrower than the detector's steps; those of the half vector, under
+// any light, know it from other angles of the light, from the mirrored direction and from the reciprocal one.
+// A value that either kind explains is no outlier.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "validate/sheet_checks.h"
@@ -7,40 +14,139 @@
 namespace brdf::validate {
 namespace {
 
-constexpr std::size_t kMostRowsForNeighbours = 60000;
+constexpr std::size_t kMostRows = 60000;
+constexpr std::size_t kNeighbours = 8;
+constexpr double kDegrees = 180 / kPi;
 
-}  // namespace
+// Rows near a row, none where it has too few.
+using Near = std::vector<std::size_t>;
 
-// A value is an outlier where it leaves its eight neighbours' median by more than a factor two and by much
-// more than they differ among themselves: beside a highlight neighbours differ, and nothing is claimed.
-Finding outliers(const io::SampleTable& t) {
-  if (t.rows() > kMostRowsForNeighbours)
-    return not_applicable(
-        t, "outliers",
-        "not sought in tables of more than " + std::to_string(kMostRowsForNeighbours) + " rows");
-  std::set<std::size_t> found;
+std::vector<Near> near_viewer(const io::SampleTable& t) {
+  std::vector<Near> near(t.rows());
   for (const auto& [light, rows] : by_light(t)) {
     if (rows.size() < 12 || rows.size() > 4000) continue;
     std::vector<Direction> d;
     for (const std::size_t k : rows) d.push_back(unit(t.theta_o[k], t.phi_o[k]));
-    std::vector<std::pair<double, std::size_t>> near(rows.size());
+    std::vector<std::pair<double, std::size_t>> by_distance(rows.size());
     for (std::size_t j = 0; j < rows.size(); ++j) {
-      for (std::size_t n = 0; n < rows.size(); ++n) near[n] = {n == j ? 2 : -cosine(d[j], d[n]), n};
-      std::nth_element(near.begin(), near.begin() + 8, near.end());
-      for (const auto& values : t.values) {
-        const double here = values[rows[j]];
-        if (!(here > 0)) continue;
-        std::vector<double> around;
-        for (std::size_t n = 0; n < 8; ++n)
-          if (const double v = values[rows[near[n].second]]; v > 0) around.push_back(std::log(v));
-        if (around.size() < 6) continue;
-        std::sort(around.begin(), around.end());
-        const double spread = around[around.size() - 2] - around[1];  // without the two extremes
-        if (std::abs(std::log(here) - median(around)) > std::log(2.0) + 3 * spread) found.insert(rows[j]);
-      }
+      for (std::size_t n = 0; n < rows.size(); ++n)
+        by_distance[n] = {n == j ? 2 : -cosine(d[j], d[n]), rows[n]};
+      std::nth_element(by_distance.begin(), by_distance.begin() + kNeighbours, by_distance.end());
+      for (std::size_t n = 0; n < kNeighbours; ++n) near[rows[j]].push_back(by_distance[n].second);
     }
   }
-  return counted(t, "outliers", {found.begin(), found.end()}, "no value stands apart from its neighbours",
+  return near;
+}
+
+// Slopes of a lobe count in the half vector's angle, in degrees; along the difference angle a lobe is broad.
+struct HalfVector {
+  double theta, x, y, difference;
+};
+
+HalfVector half_vector(const io::SampleTable& t, std::size_t k, bool turned) {
+  const Direction i = unit(t.theta_i[k], t.phi_i[k]), o = unit(t.theta_o[k], t.phi_o[k]);
+  const Direction h{i.x + o.x, i.y + o.y, i.z + o.z};
+  const double across = std::hypot(h.x, h.y), theta = std::atan2(across, h.z) * kDegrees;
+  const double length = std::sqrt(cosine(h, h)) / 2;
+  const double difference = std::acos(std::min(length, 1.0)) * kDegrees;
+  // Of a sample that was not turned only the angle is known to matter.
+  if (!turned || across == 0) return {theta, theta, 0, difference};
+  return {theta, theta * h.x / across, theta * h.y / across, difference};
+}
+
+// A half turn of the sample changes no form: h and -h are alike.
+double apart(const HalfVector& a, const HalfVector& b) {
+  return std::min(std::hypot(a.x - b.x, a.y - b.y), std::hypot(a.x + b.x, a.y + b.y));
+}
+
+// The rows nearest to each, and those of (nearly) the same half vector that are nearest in the difference
+// angle: a peak narrower than the steps has no others of its height.
+struct HalfNeighbours {
+  std::vector<Near> near, same;
+};
+
+HalfNeighbours near_half_vector(const io::SampleTable& t) {
+  constexpr double kSlow = 0.25, kSame = 0.3;  // degrees
+  constexpr std::size_t kMostSame = 3;
+  const bool turned = std::set<double>(t.phi_i.begin(), t.phi_i.end()).size() > 1;
+  std::vector<HalfVector> h;
+  for (std::size_t k = 0; k < t.rows(); ++k) h.push_back(half_vector(t, k, turned));
+  std::vector<std::size_t> order(h.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return h[a].theta < h[b].theta; });
+  HalfNeighbours found{std::vector<Near>(h.size()), std::vector<Near>(h.size())};
+  using Candidate = std::pair<double, std::size_t>;
+  const auto put = [](auto& best, const Candidate& candidate) {
+    if (candidate.first >= best.back().first) return;
+    best.back() = candidate;
+    std::sort(best.begin(), best.end());
+  };
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const HalfVector& here = h[order[place]];
+    std::array<Candidate, kNeighbours> best;
+    std::array<Candidate, kMostSame> same;
+    best.fill({HUGE_VAL, 0});
+    same.fill({HUGE_VAL, 0});
+    // Outwards in theta, which is never more than the distance; false where nothing nearer can follow.
+    const auto visit = [&](std::size_t k) {
+      const double theta = std::abs(h[k].theta - here.theta);
+      if (theta >= best.back().first && theta >= kSame) return false;
+      const double half = apart(here, h[k]), difference = std::abs(here.difference - h[k].difference);
+      put(best, {std::hypot(half, kSlow * difference), k});
+      if (half < kSame) put(same, {difference, k});
+      return true;
+    };
+    for (std::size_t p = place; p-- > 0;)
+      if (!visit(order[p])) break;
+    for (std::size_t p = place + 1; p < order.size(); ++p)
+      if (!visit(order[p])) break;
+    for (const auto& [distance, k] : best)
+      if (std::isfinite(distance)) found.near[order[place]].push_back(k);
+    for (const auto& [difference, k] : same)
+      if (std::isfinite(difference)) found.same[order[place]].push_back(k);
+  }
+  return found;
+}
+
+// What neighbours say of the logarithm of a value.
+struct Say {
+  double median = 0, spread = HUGE_VAL;
+  bool known = false;
+  bool contradicts(double x) const { return known && std::abs(x - median) > std::log(2.0) + 3 * spread; }
+  bool explains(double x) const { return known && std::abs(x - median) < std::log(2.0); }
+};
+
+Say say(const std::vector<double>& values, const Near& near, std::size_t least) {
+  std::vector<double> around;
+  for (const std::size_t k : near)
+    if (values[k] > 0) around.push_back(std::log(values[k]));
+  if (around.size() < least) return {};
+  std::sort(around.begin(), around.end());
+  const double middle = median(around);  // the spread without the two extremes
+  return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
+}
+
+}  // namespace
+
+Finding outliers(const io::SampleTable& t) {
+  if (t.rows() > kMostRows)
+    return not_applicable(t, "outliers",
+                          "not sought in tables of more than " + std::to_string(kMostRows) + " rows");
+  const std::vector<Near> of_viewer = near_viewer(t);
+  const HalfNeighbours of_half = near_half_vector(t);
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const bool outlier = std::any_of(t.values.begin(), t.values.end(), [&](const auto& values) {
+      if (!(values[k] > 0)) return false;
+      const double x = std::log(values[k]);
+      const Say viewer = say(values, of_viewer[k], 6), half = say(values, of_half.near[k], 6);
+      if (say(values, of_half.same[k], 1).explains(x)) return false;
+      return (viewer.contradicts(x) && !half.explains(x)) || (half.contradicts(x) && !viewer.explains(x));
+    });
+    if (outlier) found.push_back(k);
+  }
+  return counted(t, "outliers", found, "no value stands apart from its neighbours",
                  "far from all neighbours");
 }
 
