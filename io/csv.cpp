@@ -150,21 +150,26 @@ class CsvReader {
     store_row();
   }
 
-  // Azimuths in the polar angle's column are told apart from a wrong angle: the other column then never
-  // exceeds 90 degrees. Reads the rest of the file for that.
+  // Azimuths in the polar angle's column are told apart from a wrong angle: there are many of them, and the
+  // other column never exceeds 90 degrees. Reads the rest of the file for that.
   [[noreturn]] void below_horizon(std::size_t column) {
     const std::size_t theta = columns_[column].index, phi = theta + 1;
     const std::string at = reader_.where() + ": column " + std::to_string(column + 1) + " (" +
                            columns_[column].name + "): '" + std::string(fields_[column]) + "' ";
+    std::size_t rows = table_.rows(), above = 0;
     bool first = true;
     for (std::string_view line; first || reader_.next(line); first = false) {
       if (!first) split(trimmed(line), ',', fields_);
       if (fields_.size() != columns_.size()) continue;
-      for (std::size_t k = 0; k < columns_.size(); ++k)
-        if (double x; columns_[k].kind == Column::Kind::kAngle && parse_number(fields_[k], x))
-          largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(x));
+      for (std::size_t k = 0; k < columns_.size(); ++k) {
+        double x;
+        if (columns_[k].kind != Column::Kind::kAngle || !parse_number(fields_[k], x)) continue;
+        largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(x));
+        above += columns_[k].index == theta && std::abs(x) > 90.0;
+      }
+      ++rows;
     }
-    if (largest_[phi] <= 90.0) {
+    if (largest_[phi] <= 90.0 && above > 1 && 4 * above >= rows) {
       const std::string t(kAngles[theta]), p(kAngles[phi]);
       throw ExchangedColumns(at + "is below the horizon; " + t + " reaches " + to_text(largest_[theta]) +
                              " degrees and " + p + " only " + to_text(largest_[phi]) + ": the columns " + t +

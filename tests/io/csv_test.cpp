@@ -107,6 +107,17 @@ TEST_F(Csv, NamesLineAndColumnOfAMalformedRow) {
   EXPECT_THAT(message(header + "0,0,91,0,1\n"), HasSubstr("'91' is below the horizon"));
 }
 
+TEST_F(Csv, NamesExchangedColumns) {
+  const std::string header = "theta_i,phi_i,theta_o,phi_o,fr\n";
+  EXPECT_THAT(message(header + "30,180,0,10,1\n30,180,95,10,1\n30,180,270,80,1\n30,180,355,0,1\n"),
+              HasSubstr("theta_o reaches 355 degrees and phi_o only 80: the columns theta_o and phi_o look "
+                        "exchanged"));
+  // One angle of many that is too large, or azimuths beyond a quarter turn: a wrong angle.
+  EXPECT_THAT(message(header + "0,0,10,0,1\n0,0,20,0,1\n0,0,30,0,1\n0,0,91,0,1\n"),
+              HasSubstr("must be between"));
+  EXPECT_THAT(message(header + "0,0,95,180,1\n0,0,96,180,1\n"), HasSubstr("must be between"));
+}
+
 TEST_F(Csv, NamesWhatIsWrongWithTheHeader) {
   EXPECT_THAT(message("0,0,0,0,1\n"), HasSubstr("line 1: the header row is missing"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,fr\n"), HasSubstr("'phi_o' is missing"));

@@ -1,0 +1,76 @@
+"""Faults planted into synthetic measurements are named by `brdf validate`, and nothing else is:
+planted_faults_test.py EXECUTABLE"""
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+EXECUTABLE = sys.argv[1]
+FORMS = {
+    "rough": ["--form", "oren_nayar", "--set", "sigma=0.5"],
+    "glossy": ["--form", "cook_torrance", "--set", "alpha=0.1", "--set", "kd=0.3,0.2,0.1", "--set", "ks=0.5"],
+    "brushed": ["--form", "ward", "--set", "alpha_x=0.1", "--set", "alpha_y=0.3"],
+}
+GRIDS = {"hemisphere": [], "in_plane": ["--grid", "in_plane"], "coarse": ["--step", "10", "--theta-i", "20,40,60"]}
+NAMED = {"negative": "negative", "exchanged": "directions", "cosine": "cosine_factor", "duplicates": "duplicates",
+         "outlier": "outliers"}
+
+
+def read(path):
+    lines = path.read_text().splitlines()
+    comments = [line for line in lines if line.startswith("#")]
+    header, *rows = [line for line in lines if not line.startswith("#")]
+    return comments + [header], [[float(x) for x in row.split(",")] for row in rows]
+
+
+def planted(fault, rows, rng):
+    """The rows with the fault, and the index of the row that a finding must name (or None)."""
+    rows = [list(row) for row in rows]
+    at = rng.randrange(len(rows))
+    if fault == "negative":
+        rows[at][4] = -0.01
+        return rows, at
+    if fault == "outlier":
+        rows[at][4:] = [10 * value for value in rows[at][4:]]
+        return rows, at
+    if fault == "exchanged":
+        return [row[:2] + [row[3], row[2]] + row[4:] for row in rows], None
+    if fault == "cosine":
+        return [row[:4] + [math.cos(math.radians(row[0])) * v for v in row[4:]] for row in rows], None
+    if fault == "duplicates":
+        return rows + rng.sample(rows, 3), len(rows)
+    return rows, None
+
+
+def failures(path):
+    run = subprocess.run([EXECUTABLE, "validate", str(path), "--json"], capture_output=True, text=True, check=False)
+    found = {f["check"]: f["statement"] for f in json.loads(run.stdout)["findings"] if f["verdict"] == "fail"}
+    assert run.returncode == (1 if found else 0), (path, run.returncode, run.stderr)
+    return found
+
+
+def main():
+    cases = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for form, words in FORMS.items():
+            for grid, more in GRIDS.items():
+                table = pathlib.Path(folder) / f"{form}_{grid}.csv"
+                subprocess.run([EXECUTABLE, "synth", *words, *more, "--noise", "0.05", "--seed", "3", "-o", str(table)],
+                               check=True, capture_output=True)
+                head, rows = read(table)
+                assert not failures(table), f"{table.name} is clean: {failures(table)}"
+                for fault, check in NAMED.items():
+                    faulty, at = planted(fault, rows, random.Random(f"{form} {grid} {fault}"))
+                    path = pathlib.Path(folder) / f"{form}_{grid}_{fault}.csv"
+                    path.write_text("\n".join(head + [",".join(map(repr, row)) for row in faulty]) + "\n")
+                    found = failures(path)
+                    assert list(found) == [check], f"{path.name}: {found}"
+                    assert at is None or f"line {len(head) + at + 1}" in found[check], f"{path.name}: {found}"
+                    cases += 1
+    print(f"{cases} planted faults were named, {len(FORMS) * len(GRIDS)} clean tables were clean")
+
+
+main()
