@@ -8,6 +8,7 @@
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "trade/compare.h"
 #include "trade/report.h"
 #include "trade/trade.h"
 
@@ -17,6 +18,7 @@ namespace {
 struct TradeArguments {
   trade::TradeOptions options;
   std::vector<std::string> outputs;
+  std::vector<std::string> compared;  // two ledgers
   bool json = false;
 };
 
@@ -36,6 +38,17 @@ void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& led
     throw InputError(path.string() + ": the ledger is written as .json, .csv or .html");
 }
 
+Exit run_comparison(const TradeArguments& a) {
+  const trade::Comparison c =
+      trade::compare(trade::read_ledger(a.compared[0]), trade::read_ledger(a.compared[1]));
+  if (a.json)
+    std::cout << io::to_text(trade::to_json(c)) << '\n';
+  else
+    std::cout << trade::to_terminal(c);
+  if (c.compared.empty()) throw InputError("the two ledgers have no row above 1 ns in common");
+  return c.apart() == 0 ? Exit::kGood : Exit::kFailed;
+}
+
 }  // namespace
 
 void add_trade(CLI::App& app) {
@@ -43,18 +56,27 @@ void add_trade(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("trade", "Measure speed against accuracy: the ledger of every approximation");
   verb->add_flag("--quick", arguments->options.quick, "fewer points and rounds: about a minute");
-  verb->add_option("--only", arguments->options.only,
-                   "only batches, families, fits, frames, or the questions whose name contains this");
+  verb->add_option(
+      "--only", arguments->options.only,
+      "only kernels, batches, families, fits, frames, or the questions whose name contains this");
   verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
   verb->add_option("-o,--output", arguments->outputs,
                    "file to write: .json (the ledger), .csv, .html; may be repeated");
-  verb->footer("Example: brdf trade --quick -o ledger.json -o ledger.html");
+  verb->add_option("--compare", arguments->compared,
+                   "instead: do the cost ratios of two ledgers agree within 25 %? Rows above 1 ns")
+      ->expected(2);
+  verb->footer(
+      "Examples: brdf trade --quick -o ledger.json -o ledger.html\n"
+      "          brdf trade --compare ledger.json another.json\n"
+      "Exit code 1: --compare found a row that differs by more.");
   on_run(*verb, [arguments] {
+    if (!arguments->compared.empty()) return run_comparison(*arguments);
     if (isatty(STDERR_FILENO)) arguments->options.progress = show_progress;
     const trade::Ledger ledger = trade::measure_ledger(arguments->options);
     if (ledger.rows.empty())
       throw InputError("--only " + arguments->options.only +
                        ": is no group of questions, and no question's name contains it");
+    if (!ledger.left_out.empty()) std::fprintf(stderr, "%s\n", ledger.left_out.c_str());
     for (const std::string& path : arguments->outputs) write_ledger_as(path, ledger);
     if (arguments->json)
       std::cout << io::to_text(trade::to_json(ledger)) << '\n';

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "render/lookup.h"
 #include "render/passes.h"
 #include "render/shader_code.h"
 
@@ -13,10 +12,12 @@ constexpr std::array kTableBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SA
 
 }  // namespace
 
-ClassicPass::ClassicPass(Device& device, const GpuScene& gpu) : device_(&device) {
+ClassicPass::ClassicPass(Device& device, const GpuScene& gpu, const LookupTexture& lookup)
+    : device_(&device), lookup_(lookup) {
   table_layout_ = make_set_layout(device, kTableBindings);
   table_pool_ = make_descriptor_pool(device, kTableBindings, 2);
-  sampler_ = make_sampler(device, VK_FILTER_LINEAR, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
+  sampler_ = make_sampler(device, lookup.bilinear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST,
+                          VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   const std::array sets{gpu.frame_layout(), table_layout_.get()};
   layout_ = make_pipeline_layout(device, sets, sizeof(int));
 }
@@ -24,12 +25,12 @@ ClassicPass::ClassicPass(Device& device, const GpuScene& gpu) : device_(&device)
 VkDescriptorSet ClassicPass::table_set(bool as_coded) {
   const auto found = tables_.find(as_coded);
   if (found != tables_.end()) return found->second.second;
-  std::vector<std::uint8_t> bytes;
-  for (const float v : lookup_table(LookupFactor::product, as_coded))
-    bytes.push_back(std::uint8_t(std::lround(v * 255)));
-  Image image(*device_, VK_FORMAT_R8_UNORM, {kLookupSize, kLookupSize},
-              VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-  upload(*device_, image, std::as_bytes(std::span(bytes)));
+  const VkFormat format = lookup_.bits == 8    ? VK_FORMAT_R8_UNORM
+                          : lookup_.bits == 16 ? VK_FORMAT_R16_UNORM
+                                               : VK_FORMAT_R32_SFLOAT;
+  const auto size = std::uint32_t(lookup_.size);
+  Image image(*device_, format, {size, size}, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+  upload(*device_, image, lookup_texels(lookup_, as_coded));
   const VkDescriptorSet set = allocate_set(*device_, table_pool_.get(), table_layout_.get());
   write_image(*device_, set, 0, image.view(), sampler_.get());
   tables_.emplace(as_coded, std::pair(std::move(image), set));

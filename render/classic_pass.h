@@ -5,12 +5,13 @@
 #include <tuple>
 
 #include "render/gpu_scene.h"
+#include "render/lookup.h"
 
 namespace brdf::render {
 
 class ClassicPass {
  public:
-  ClassicPass(Device& device, const GpuScene& gpu);
+  ClassicPass(Device& device, const GpuScene& gpu, const LookupTexture& lookup = {});
   // Over the background that is in `color` already.
   void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, Image& color,
               Image& depth);
@@ -21,6 +22,7 @@ class ClassicPass {
   VkDescriptorSet table_set(bool as_coded);
 
   Device* device_;
+  LookupTexture lookup_;
   Owned<VkDescriptorSetLayout> table_layout_;
   Owned<VkDescriptorPool> table_pool_;
   Owned<VkSampler> sampler_;

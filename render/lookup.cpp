@@ -52,6 +52,24 @@ std::vector<float> lookup_table(LookupFactor factor, bool as_coded, int size) {
   return table;
 }
 
+std::vector<std::byte> lookup_texels(const LookupTexture& texture, bool as_coded) {
+  const std::vector<float> table = lookup_table(LookupFactor::product, as_coded, texture.size);
+  std::vector<std::byte> bytes;
+  const auto add = [&](auto texel) {
+    const auto begin = reinterpret_cast<const std::byte*>(&texel);
+    bytes.insert(bytes.end(), begin, begin + sizeof texel);
+  };
+  for (const float v : table) {
+    if (texture.bits == 8)
+      add(std::uint8_t(std::lround(v * 255)));
+    else if (texture.bits == 16)
+      add(std::uint16_t(std::lround(v * 65535)));
+    else
+      add(v);
+  }
+  return bytes;
+}
+
 BytePicture lookup_picture(LookupFactor factor, bool as_coded) {
   const std::vector<float> table = lookup_table(factor, as_coded);
   BytePicture picture(kLookupSize, kLookupSize);

@@ -2,6 +2,7 @@
 // hence l.h = n.l = n.v.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render/picture.h"
@@ -26,6 +27,15 @@ inline constexpr std::array<const char*, 6> kLookupNames{"product",   "fresnel",
 // size x size values at texel centres, rows from y = 0 upwards. as_coded: Fresnel with the article's slip, (g
 // - c) (g - c) / (g + c) * (g + c).
 std::vector<float> lookup_table(LookupFactor factor, bool as_coded, int size = kLookupSize);
+// How the renderer stores and reads the product's table; by default as the article does.
+struct LookupTexture {
+  int size = kLookupSize;
+  int bits = 8;  // 8 and 16: integers that hold [0, 1]; 32: floats
+  bool bilinear = true;
+};
+// The product's table in the texture's bits.
+std::vector<std::byte> lookup_texels(const LookupTexture& texture, bool as_coded);
+
 // The same as a picture, y upwards.
 BytePicture lookup_picture(LookupFactor factor, bool as_coded);
 

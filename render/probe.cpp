@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "brdf/geometry.h"
+#include "io/error.h"
 #include "render/shader_code.h"
 #include "render/vulkan/resource.h"
 
 namespace brdf::render {
 namespace {
 
-constexpr std::size_t kBatch = 1 << 16;  // configurations of one dispatch
-constexpr std::uint32_t kGroup = 64;     // as the shader's local size
+constexpr std::size_t kBatch = ShaderBatch::kMost;  // configurations of one dispatch
+constexpr std::uint32_t kGroup = 64;                // as the shader's local size
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 
 double now() {
@@ -85,9 +86,18 @@ class Probe {
   // At most kBatch configurations; calls visit(configuration, values).
   template <class Visit>
   void evaluate(VkPipeline pipeline, std::span<const ProbeConfiguration> configurations, Visit&& visit) {
+    load(configurations);
+    dispatch(pipeline, configurations.size());
+    for (std::size_t i = 0; i < configurations.size(); ++i) visit(configurations[i], values(i));
+  }
+
+  void load(std::span<const ProbeConfiguration> configurations) {
     std::copy(configurations.begin(), configurations.end(),
               reinterpret_cast<ProbeConfiguration*>(input_.data()));
-    const auto count = std::uint32_t(configurations.size());
+  }
+  // Evaluates the first configurations and waits.
+  void dispatch(VkPipeline pipeline, std::size_t configurations) {
+    const auto count = std::uint32_t(configurations);
     device_.run([&](VkCommandBuffer commands) {
       vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
       vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0,
@@ -104,11 +114,10 @@ class Probe {
       dependency.pMemoryBarriers = &to_host;
       vkCmdPipelineBarrier2(commands, &dependency);
     });
-    const auto* results = reinterpret_cast<const Result*>(output_.data());
-    for (std::size_t i = 0; i < configurations.size(); ++i) {
-      const auto& r = results[i];
-      visit(configurations[i], ProbeValues{r.f[0], r.f[1], r.f[2], r.f_cos[0], r.f_cos[1], r.f_cos[2]});
-    }
+  }
+  ProbeValues values(std::size_t i) const {
+    const auto& r = reinterpret_cast<const Result*>(output_.data())[i];
+    return {r.f[0], r.f[1], r.f[2], r.f_cos[0], r.f_cos[1], r.f_cos[2]};
   }
 
  private:
@@ -191,6 +200,31 @@ bool is_software(const Device& device) {
 
 bool passes(const ProbeRow& row, bool software) {
   return (software ? row.differing : row.beyond_tolerance) == 0;
+}
+
+struct ShaderBatch::State {
+  Probe probe;
+  Owned<VkPipeline> pipeline;
+};
+
+ShaderBatch::ShaderBatch(Device& device, const AnyForm& form,
+                         std::span<const ProbeConfiguration> configurations)
+    : state_(new State{Probe(device, shader_code::probe()), {}}), count_(configurations.size()) {
+  if (count_ > kMost)
+    throw InputError("a shader batch holds at most " + std::to_string(kMost) + " directions");
+  state_->pipeline = state_->probe.pipeline(form);
+  state_->probe.load(configurations);
+}
+ShaderBatch::~ShaderBatch() = default;
+
+void ShaderBatch::run() {
+  state_->probe.dispatch(state_->pipeline.get(), count_);
+}
+
+std::vector<ProbeValues> ShaderBatch::values() const {
+  std::vector<ProbeValues> values;
+  for (std::size_t k = 0; k < count_; ++k) values.push_back(state_->probe.values(k));
+  return values;
 }
 
 std::vector<ProbeRow> probe(Device& device, std::span<const AnyForm> forms, const ProbeOptions& options,

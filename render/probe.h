@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,22 @@ inline constexpr double kProbeRelative = 2e-4, kProbeAbsolute = 1e-6;
 // True where the device is a processor: there the promise is 0 differing bits, elsewhere the tolerance.
 bool is_software(const Device& device);
 bool passes(const ProbeRow& row, bool software);
+
+// The shader on the same configurations of one form again and again: for its values and its time.
+class ShaderBatch {
+ public:
+  static constexpr std::size_t kMost = std::size_t(1) << 16;
+  // Throws InputError for more than kMost configurations.
+  ShaderBatch(Device& device, const AnyForm& form, std::span<const ProbeConfiguration> configurations);
+  ~ShaderBatch();
+  void run();                               // evaluates all of them and waits
+  std::vector<ProbeValues> values() const;  // of the last run, in the configurations' order
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+  std::size_t count_;
+};
 
 std::vector<ProbeRow> probe(Device& device, std::span<const AnyForm> forms, const ProbeOptions& options = {},
                             const std::function<void(const ProbeRow&)>& report = {});

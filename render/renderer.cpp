@@ -64,7 +64,7 @@ void Renderer::make_passes() {
   if (!depth_)
     depth_ = Image(*device_, VK_FORMAT_D32_SFLOAT, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
   if (scene_.scene.shading != Shading::brdf) {
-    if (!classic_) classic_.emplace(*device_, gpu_);
+    if (!classic_) classic_.emplace(*device_, gpu_, options_.lookup);
   } else if (!forward_) {
     forward_.emplace(*device_, gpu_);
   }

@@ -16,6 +16,7 @@ enum class Path { deferred, forward };
 struct RendererOptions {
   int gbuffer_bits = 16;  // 8, 16 or 32
   Path path = Path::deferred;
+  LookupTexture lookup = {};  // of the shading mode "lookup"
 };
 
 class Renderer {

@@ -86,6 +86,12 @@ Points sample(const Domain& domain, std::size_t count) {
   return points;
 }
 
+double as_float(double x) {
+  volatile float rounded =
+      float(x);  // g++ 12 at -O2 drops the rounding of a pair that goes to float and back
+  return double(rounded);
+}
+
 bool direction_row(double theta_i, double theta_o, double phi, double p, double q, Row<double>& row) {
   const Vec3<double> wi = direction(theta_i * kDegree, 0), wo = direction(theta_o * kDegree, phi * kDegree);
   row = {wi.x, wi.y, wi.z, wo.x, wo.y, wo.z, p, q};
@@ -116,6 +122,16 @@ Domain direction_domain(Axis p, Axis q, double most_theta) {
         return direction_row(at[0], at[1], at[2], at[3], at[4], row);
       },
       ""};
+}
+
+Domain pairs_domain(double least_theta, double most_theta) {
+  Domain d = direction_domain({"-", 0, 0}, {"-", 0, 0}, most_theta);
+  d.axes.resize(3);
+  d.axes[0].min = d.axes[1].min = least_theta;
+  d.inputs = [](std::span<const double> at, Row<double>& row) {
+    return direction_row(at[0], at[1], at[2], 0, 0, row);
+  };
+  return d;
 }
 
 }  // namespace brdf::trade

@@ -38,6 +38,9 @@ std::string describe(const Domain& domain, const std::vector<double>& at);
 // then the corners of the box, where errors tend to be largest. The refused ones are left out.
 Points sample(const Domain& domain, std::size_t count);
 
+// The nearest float, widened again: what a choice that computes in float is given.
+double as_float(double x);
+
 // Row of a pair of directions and two parameters: wi, wo, p, q.
 bool direction_row(double theta_i, double theta_o, double phi, double p, double q, Row<double>& row);
 
@@ -48,5 +51,8 @@ Domain lobe_domain(Axis alpha, Axis parameter, double widths = 3, double most_th
 
 // Any pair of directions, by their angles in degrees, then two parameters.
 Domain direction_domain(Axis p, Axis q, double most_theta = 89);
+
+// Any pair of directions whose polar angles lie in a range, in degrees.
+Domain pairs_domain(double least_theta, double most_theta);
 
 }  // namespace brdf::trade

@@ -1,55 +1,13 @@
 #include "trade/fits.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "brdf/batch.h"
 #include "fit/fit.h"
 #include "synth/random.h"
-#include "trade/timing.h"
 
 namespace brdf::trade {
 namespace {
-
-constexpr std::size_t kBatch = 1024;
-
-template <class T>
-DirectionArrays<T> spread_directions(std::size_t count, double most_theta) {
-  const Points points = sample(direction_domain({"-", 0, 0}, {"-", 0, 0}, most_theta), count);
-  DirectionArrays<T> arrays(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto at = [&](std::size_t c) { return T(points.columns[c][k % points.count()]); };
-    arrays.set(k, {at(0), at(1), at(2)}, {at(3), at(4), at(5)});
-  }
-  return arrays;
-}
-
-template <class T>
-std::vector<T> defaults(std::span<const ParameterInfo> table) {
-  std::vector<T> values;
-  for (const ParameterInfo& p : table) values.push_back(T(p.initial));
-  return values;
-}
-
-Cost cost_of(const timing::Timing& t, double units) {
-  return {t.lower / units, t.spread(), t.rounds};
-}
-
-timing::Options thread_timing(int rounds) {
-  timing::Options options;
-  options.rounds = rounds;
-  options.clock = timing::Clock::thread;
-  return options;
-}
-
-// f_r of one channel at every point.
-std::vector<double> values_at(const Material& material, const Columns<double>& in, std::size_t count) {
-  std::vector<double> out(count), channels(material.channels.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    eval(material, {in[0][k], in[1][k], in[2][k]}, {in[3][k], in[4][k], in[5][k]}, channels);
-    out[k] = channels[0];
-  }
-  return out;
-}
 
 fit::FitOptions relative_metric(bool anisotropic) {
   fit::FitOptions options;
@@ -62,25 +20,6 @@ fit::FitOptions relative_metric(bool anisotropic) {
 }
 
 }  // namespace
-
-std::vector<Cost> evaluation_costs(const std::vector<AnyForm>& forms, int rounds) {
-  const DirectionArrays<float> directions = spread_directions<float>(kBatch, 80);
-  std::vector<float> out(kBatch);
-  std::vector<std::vector<float>> parameters;
-  std::vector<std::function<void()>> calls;
-  for (const AnyForm& form : forms) {
-    const BatchKernels<float>& kernels = batch_kernels<float>(form);
-    calls.push_back(
-        [&, weights = defaults<float>(info(form).weights), shape = defaults<float>(info(form).shape)] {
-          kernels.eval(weights, weights, shape, directions.view(), out.data());
-          timing::keep(out[0]);
-        });
-  }
-  std::vector<Cost> costs;
-  for (const timing::Timing& t : timing::interleaved(calls, thread_timing(rounds)))
-    costs.push_back(cost_of(t, double(kBatch)));
-  return costs;
-}
 
 io::SampleTable sample_material(const Material& material, std::size_t rows, double noise, double most_theta) {
   // Half the rows anywhere, half within a few degrees to tens of degrees of the mirror direction.
@@ -121,48 +60,51 @@ Material fitted(const AnyForm& form, const io::SampleTable& table, bool anisotro
   return fit::fit(table, {{form}}, relative_metric(anisotropic)).ranking.front().material;
 }
 
-std::vector<LedgerRow> family_rows(const FitRowsOptions& options) {
+std::vector<AnyForm> fittable_forms() {
   std::vector<AnyForm> forms;
   for (const auto& model : fit::every_model()) forms.push_back(model.front());
-  const std::vector<Cost> costs = evaluation_costs(forms, options.quick ? 21 : 41);
-  const Domain domain = [] {
-    Domain d = direction_domain({"-", 0, 0}, {"-", 0, 0}, 80);
-    d.axes.resize(3);
-    d.inputs = [](std::span<const double> at, Row<double>& row) {
-      return direction_row(at[0], at[1], at[2], 0, 0, row);
-    };
-    return d;
-  }();
-  const Points points = sample(domain, options.quick ? 2048 : 8192);
+  return forms;
+}
+
+std::string families_question(const AnyForm& family) {
+  return "families for a material of " + std::string(info(family).name);
+}
+
+std::vector<LedgerRow> family_rows(const AnyForm& family, const EvaluationTimes& times,
+                                   const FitRowsOptions& options) {
+  const std::vector<AnyForm> forms = fittable_forms();
+  const Domain domain = pairs_domain(0, 80), grazing = pairs_domain(80, 89.5);
+  const Points points = sample(domain, options.quick ? 2048 : 8192), extreme = sample(grazing, 2048);
+  const auto own =
+      std::size_t(std::find_if(forms.begin(), forms.end(),
+                               [&](const AnyForm& form) { return form.index() == family.index(); }) -
+                  forms.begin());
+  const Material truth = make_material(family, {"fr"});
+  const io::SampleTable table = sample_material(truth, options.quick ? 1000 : 4000, 0);
+  const std::vector<double> reference = values_at(truth, points.columns, points.count()),
+                            beyond = values_at(truth, extreme.columns, extreme.count()),
+                            picture = values_at(truth, options.picture->columns, options.picture->count());
   std::vector<LedgerRow> rows;
-  for (std::size_t r = 0; r < forms.size(); ++r) {
-    if (!info(forms[r]).canonical) continue;
-    const std::string name(info(forms[r]).name);
-    options.tick("families for a material of " + name);
-    const Material truth = make_material(forms[r], {"fr"});
-    const io::SampleTable table = sample_material(truth, options.quick ? 1000 : 4000, 0);
-    const std::vector<double> reference = values_at(truth, points.columns, points.count());
-    const std::vector<double> picture = values_at(truth, options.picture->columns, options.picture->count());
-    std::vector<LedgerRow> some;
-    for (std::size_t k = 0; k < forms.size(); ++k) {
-      const Material other = k == r ? truth : fitted(forms[k], table);
-      LedgerRow row;
-      row.question = "families for a material of " + name;
-      row.choice = info(forms[k]).name;
-      row.exact = name;
-      row.cost = costs[k];
-      row.cost_ratio = costs[k].seconds / costs[r].seconds;
-      row.error = error_of(values_at(other, points.columns, points.count()), reference, Measure::relative, 0,
-                           domain, points);
-      row.quantity = "f_r";
-      row.image_error = image_error(values_at(other, options.picture->columns, options.picture->count()),
-                                    picture, *options.picture);
-      row.domain = describe(domain) + "; at the table's defaults, refitted to noise-free samples";
-      some.push_back(std::move(row));
-    }
-    mark_dominated(some);
-    std::move(some.begin(), some.end(), std::back_inserter(rows));
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    const Material other = k == own ? truth : fitted(forms[k], table);
+    LedgerRow row;
+    row.question = families_question(family);
+    row.choice = info(forms[k]).name;
+    row.exact = info(family).name;
+    set_cost(row, times.timings[k], times.count);
+    row.cost_ratio /= times.timings[own].ratio;
+    row.error = error_of(values_at(other, points.columns, points.count()), reference, Measure::relative, 0,
+                         domain, points);
+    row.extremes.push_back({describe(grazing), error_of(values_at(other, extreme.columns, extreme.count()),
+                                                        beyond, Measure::relative, 0, grazing, extreme)
+                                                   .max});
+    row.quantity = "f_r";
+    row.image_error = image_error(values_at(other, options.picture->columns, options.picture->count()),
+                                  picture, *options.picture);
+    row.domain = describe(domain) + "; at the table's defaults, refitted to noise-free samples";
+    rows.push_back(std::move(row));
   }
+  mark_dominated(rows);
   return rows;
 }
 
@@ -170,9 +112,10 @@ std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options) {
   Material truth = make_material(cook_torrance{}, {"fr"});
   truth.terms[0].shape[0] = {0.1, 0.1};
   truth.terms[0].weights[0] = {0.2, 0.8, 0.2};
-  const Domain domain = direction_domain({"-", 0, 0}, {"-", 0, 0}, 80);
-  const Points points = sample(domain, 8192);
-  const std::vector<double> reference = values_at(truth, points.columns, points.count());
+  const Domain domain = pairs_domain(0, 80), grazing = pairs_domain(80, 89.5);
+  const Points points = sample(domain, 8192), extreme = sample(grazing, 2048);
+  const std::vector<double> reference = values_at(truth, points.columns, points.count()),
+                            beyond = values_at(truth, extreme.columns, extreme.count());
   const std::vector<double> picture = values_at(truth, options.picture->columns, options.picture->count());
   struct Case {
     std::string name;
@@ -188,7 +131,6 @@ std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options) {
     c.options.cross_validation = false;
     cases.push_back(std::move(c));
   };
-  options.tick("fits from 1e2 to 1e6 samples");
   add("1e6 samples", options.quick ? 200000 : 1000000, fit::Metric::kLog);
   if (options.quick) cases.back().name = "2e5 samples";
   add("1e5 samples", 100000, fit::Metric::kLog);
@@ -203,8 +145,10 @@ std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options) {
     calls.push_back([&c] {
       c.result = fit::fit(c.table, {{AnyForm(cook_torrance{})}}, c.options).ranking.front().material;
     });
-  timing::Options clock = thread_timing(21);
+  timing::Options clock;
+  clock.clock = timing::Clock::thread;
   clock.least_seconds = 0;
+  clock.neighbours = calls.size();
   const std::vector<timing::Timing> timings = timing::interleaved(calls, clock);
   std::vector<LedgerRow> rows;
   for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -213,10 +157,13 @@ std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options) {
     row.choice = cases[k].name;
     row.exact = cases[0].name;
     row.unit = Unit::fit;
-    row.cost = cost_of(timings[k], 1);
-    row.cost_ratio = timings[k].lower / timings[0].lower;
+    set_cost(row, timings[k], 1);
     row.error = error_of(values_at(cases[k].result, points.columns, points.count()), reference,
                          Measure::relative, 0, domain, points);
+    row.extremes.push_back(
+        {describe(grazing), error_of(values_at(cases[k].result, extreme.columns, extreme.count()), beyond,
+                                     Measure::relative, 0, grazing, extreme)
+                                .max});
     row.quantity = "f_r, against the truth";
     row.image_error =
         image_error(values_at(cases[k].result, options.picture->columns, options.picture->count()), picture,
@@ -226,56 +173,6 @@ std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options) {
     std::snprintf(note, sizeof note, "%s residual; alpha %.5f", k < 5 ? "log" : "other",
                   cases[k].result.terms[0].shape[0][0]);
     row.note = note;
-    rows.push_back(std::move(row));
-  }
-  mark_dominated(rows);
-  return rows;
-}
-
-std::vector<LedgerRow> batch_rows(const FitRowsOptions& options) {
-  options.tick("batches against scalar");
-  const AnyForm form = cook_torrance{};
-  const DirectionArrays<double> wide = spread_directions<double>(kBatch, 80);
-  const DirectionArrays<float> narrow = spread_directions<float>(kBatch, 80);
-  const Material material = make_material(form, {"fr"});
-  const std::vector<double> w = defaults<double>(info(form).weights), s = defaults<double>(info(form).shape);
-  const std::vector<float> wf = defaults<float>(info(form).weights), sf = defaults<float>(info(form).shape);
-  std::vector<double> scalar(kBatch), batch(kBatch);
-  std::vector<float> batch_float(kBatch);
-  const Directions<double> d = wide.view();
-  const std::vector<std::function<void()>> calls{
-      [&] {
-        for (std::size_t k = 0; k < kBatch; ++k) eval(material, d.wi(k), d.wo(k), std::span(&scalar[k], 1));
-        timing::keep(scalar[0]);
-      },
-      [&] {
-        batch_kernels<double>(form).eval(w, w, s, d, batch.data());
-        timing::keep(batch[0]);
-      },
-      [&] {
-        batch_kernels<float>(form).eval(wf, wf, sf, narrow.view(), batch_float.data());
-        timing::keep(batch_float[0]);
-      }};
-  const std::vector<timing::Timing> timings =
-      timing::interleaved(calls, thread_timing(options.quick ? 21 : 41));
-  const Domain domain = direction_domain({"-", 0, 0}, {"-", 0, 0}, 80);
-  const Points points = sample(domain, kBatch);
-  const std::vector<double> widened(batch_float.begin(), batch_float.end());
-  const char* names[] = {"a material, pair by pair", "batch, double", "batch, float"};
-  std::vector<LedgerRow> rows;
-  for (std::size_t k = 0; k < 3; ++k) {
-    LedgerRow row;
-    row.question = "one by one or in batches";
-    row.choice = names[k];
-    row.exact = names[0];
-    row.cost = cost_of(timings[k], double(kBatch));
-    row.cost_ratio = timings[k].lower / timings[0].lower;
-    const std::vector<double>& values = k == 0 ? scalar : k == 1 ? batch : widened;
-    row.error = error_of(std::span(values).first(std::min(values.size(), points.count())),
-                         std::span(scalar).first(std::min(values.size(), points.count())), Measure::relative,
-                         0, domain, points);
-    row.quantity = "f_r";
-    row.domain = describe(domain) + "; cook_torrance at its defaults";
     rows.push_back(std::move(row));
   }
   mark_dominated(rows);

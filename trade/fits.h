@@ -3,12 +3,9 @@
 
 #include "brdf/material.h"
 #include "io/samples.h"
-#include "trade/question.h"
+#include "trade/evaluations.h"
 
 namespace brdf::trade {
-
-// Seconds of one evaluation in a float batch, one channel, interleaved over the forms given.
-std::vector<Cost> evaluation_costs(const std::vector<AnyForm>& forms, int rounds);
 
 // `rows` samples of a material of one channel, directions spread evenly over both hemispheres up to
 // `most_theta` degrees with every second pair near the mirror direction; lognormal noise of mean 1.
@@ -22,10 +19,14 @@ Material fitted(const AnyForm& form, const io::SampleTable& table, bool anisotro
 struct FitRowsOptions {
   bool quick = false;
   const PicturePoints* picture = nullptr;
-  std::function<void(const std::string&)> tick = [](const std::string&) {};
 };
-std::vector<LedgerRow> family_rows(const FitRowsOptions& options);
+// Every fittable form fitted to a material of a canonical one: "families for a material of NAME".
+std::vector<LedgerRow> family_rows(const AnyForm& family, const EvaluationTimes& times,
+                                   const FitRowsOptions& options);
 std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options);
-std::vector<LedgerRow> batch_rows(const FitRowsOptions& options);
+
+// The forms that are fitted, as evaluation_times() takes them.
+std::vector<AnyForm> fittable_forms();
+std::string families_question(const AnyForm& family);
 
 }  // namespace brdf::trade

@@ -1,19 +1,12 @@
-// Rows whose unit is a frame of the renderer: shading modes, bits of the G-buffer, forward or deferred light,
-// the lookup texture, and the shader itself.
+// Questions whose unit is a frame of the renderer: shading modes, bits of the G-buffer, forward or deferred
+// light and the lookup texture.
 #pragma once
 
-#include <functional>
-
-#include "trade/ledger.h"
+#include "trade/gallery.h"
 
 namespace brdf::trade {
 
-struct FrameOptions {
-  bool quick = false;
-  std::function<void(const std::string&)> tick = [](const std::string&) {};
-};
-
-// Throws EnvironmentError without a Vulkan driver.
-std::vector<LedgerRow> frame_rows(const FrameOptions& options);
+enum class FrameDetail { quick, full };  // size of the pictures, number of meshes
+std::vector<FrameQuestion> frame_questions(FrameDetail detail);
 
 }  // namespace brdf::trade

@@ -67,4 +67,18 @@ Kernel kernel(K k) {
           }};
 }
 
+// A function of one point that is too dear, or too branched, for a vectorised loop.
+inline Kernel scalar_kernel(std::function<double(const Row<double>&)> f) {
+  const auto shared = std::make_shared<const std::function<double(const Row<double>&)>>(std::move(f));
+  const auto run = [shared](const auto& in, auto out) {
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      Row<double> row;
+      for (std::size_t c = 0; c < kInputs; ++c) row[c] = double(in[c][k]);
+      using T = std::remove_cvref_t<decltype(out[k])>;
+      out[k] = T((*shared)(row));
+    }
+  };
+  return {run, run};
+}
+
 }  // namespace brdf::trade

@@ -18,8 +18,8 @@ bool better(const Error& a, const Error& b) {
 bool dominates(const LedgerRow& a, const LedgerRow& b) {
   if (a.error.measure != b.error.measure || a.quantity != b.quantity) return false;
   if (a.image_error && b.image_error && *a.image_error > *b.image_error) return false;
-  if (a.cost.seconds > b.cost.seconds * (1 + kSameCost) || !no_worse(a.error, b.error)) return false;
-  return a.cost.seconds < b.cost.seconds * (1 - kSameCost) || better(a.error, b.error);
+  if (a.cost_ratio > b.cost_ratio * (1 + kSameCost) || !no_worse(a.error, b.error)) return false;
+  return a.cost_ratio < b.cost_ratio * (1 - kSameCost) || better(a.error, b.error);
 }
 
 std::string processor_name() {
@@ -46,7 +46,7 @@ void mark_dominated(std::vector<LedgerRow>& rows) {
     const LedgerRow* best = nullptr;
     for (const LedgerRow& other : rows)
       if (other.question == row.question && &other != &row && dominates(other, row) &&
-          (!best || other.cost.seconds < best->cost.seconds))
+          (!best || other.cost_ratio < best->cost_ratio))
         best = &other;
     row.dominated_by = best ? best->choice : "";
   }

@@ -26,9 +26,10 @@ struct Error {
 };
 
 struct Cost {
-  double seconds = 0;  // lower quartile, per unit
-  double spread = 0;   // interquartile range over the lower quartile
-  int rounds = 0;      // 0: not measured
+  double seconds = 0;       // lower quartile, per unit
+  double spread = 0;        // interquartile range over the lower quartile
+  int rounds = 0;           // 0: not measured
+  double ratio_spread = 0;  // of the ratio to the exact choice, from pair to pair of neighbouring runs
 };
 
 struct Extreme {
@@ -40,7 +41,7 @@ struct LedgerRow {
   std::string question, choice, exact;
   Unit unit = Unit::evaluation;
   Cost cost;
-  double cost_ratio = 0;  // to the exact choice, in the same run
+  double cost_ratio = 0;  // to the exact choice: median over pairs of neighbouring runs
   Error error;
   std::string quantity;               // what the error is of
   std::optional<double> image_error;  // mean |dL| / mean L over the lit pixels of the material ball
@@ -66,6 +67,7 @@ struct Ledger {
   Machine machine;
   std::vector<LedgerRow> rows;
   std::vector<Claim> claims;
+  std::string left_out;  // what the machine lacked; empty: nothing
 
   const LedgerRow* find(std::string_view question, std::string_view choice) const;
 };

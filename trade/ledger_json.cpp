@@ -26,6 +26,7 @@ Json row_json(const LedgerRow& row) {
           {"exact", row.exact},
           {"unit", kUnitNames[std::size_t(row.unit)]},
           {"cost_ratio", row.cost_ratio},
+          {"cost_ratio_spread", row.cost.ratio_spread},
           {"cost_ns", row.cost.seconds * 1e9},
           {"cost_spread", row.cost.spread},
           {"rounds", row.cost.rounds},
@@ -51,7 +52,7 @@ LedgerRow row_from(const JsonPlace& place) {
   row.unit = Unit(index_of(kUnitNames, place.at("unit")));
   row.cost_ratio = place.at("cost_ratio").number();
   row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(),
-              int(place.at("rounds").number())};
+              int(place.at("rounds").number()), place.at("cost_ratio_spread").number()};
   const JsonPlace error = place.at("error");
   row.error = {error.at("max").number(), error.at("mean").number(), error.at("p99").number(),
                Measure(index_of(kMeasureNames, error.at("measure"))), error.at("where").text()};
@@ -115,6 +116,7 @@ Json to_json(const Ledger& ledger) {
             {"threads", ledger.machine.threads},
             {"compiler", ledger.machine.compiler},
             {"flags", ledger.machine.flags}}},
+          {"left_out", ledger.left_out},
           {"rows", std::move(rows)},
           {"fronts", fronts_json(ledger)},
           {"claims", std::move(claims)}};
@@ -129,6 +131,7 @@ Ledger ledger_from_json(const JsonPlace& place) {
   const JsonPlace machine = place.at("machine");
   ledger.machine = {machine.at("processor").text(), machine.at("compiler").text(), machine.at("flags").text(),
                     unsigned(machine.at("threads").number())};
+  ledger.left_out = place.at("left_out").text();
   const JsonPlace rows = place.at("rows");
   for (std::size_t k = 0; k < rows.size(); ++k) ledger.rows.push_back(row_from(rows.at(k)));
   const JsonPlace claims = place.at("claims");

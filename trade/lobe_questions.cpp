@@ -1,32 +1,10 @@
 #include "trade/approximations/lobes.h"
 
+#include "trade/picture.h"
 #include "trade/questions.h"
 
 namespace brdf::trade {
 namespace {
-
-// kd/pi and a normalised cosine lobe, for the picture.
-template <class Lobe>
-struct lobe_material {
-  Lobe lobe;
-  double exponent;
-  template <class T>
-  T operator()(Row<T> x) const {
-    x[6] = T(exponent);
-    return T(0.3 / kPi) + T(0.5 * (exponent + 2) / (2 * kPi)) * lobe(x);
-  }
-};
-// The same with the mirror cosine given to a function of (c, n).
-template <class Power>
-struct power_material {
-  Power power;
-  double exponent;
-  template <class T>
-  T operator()(const Row<T>& x) const {
-    const T c = at_most(at_least(x[2] * x[5] - x[0] * x[3] - x[1] * x[4], T(0)), T(1));
-    return T(0.3 / kPi) + T(0.5 * (exponent + 2) / (2 * kPi)) * power(Row<T>{c, T(exponent)});
-  }
-};
 
 // With more digits than any choice has.
 struct long_power {
@@ -38,15 +16,20 @@ struct long_power {
 
 template <class Power>
 Choice power_choice(std::string name, Power power, double n, std::string note) {
-  return {std::move(name), kernel(power), std::move(note), kernel(power_material<Power>{power, n})};
+  return {std::move(name), kernel(power), std::move(note),
+          kernel(lobe_material<mirror_power<Power>>{{power}, n})};
 }
 
 template <int doublings>
 Question power_question() {
-  const double n = 1 << doublings;
-  const auto at = [](double exponent) { return Domain{{{"cos", 0, 1}, {"n", exponent, exponent}}, {}, ""}; };
-  Question q{
-      "power of a cosine, n = " + std::to_string(1 << doublings), "cos^n", Measure::absolute, at(n), {}, {}};
+  constexpr double n = 1 << doublings;
+  const auto at = [](double from, double to) { return Domain{{{"cos", from, to}, {"n", n, n}}, {}, ""}; };
+  Question q{"power of a cosine, n = " + std::to_string(1 << doublings),
+             "cos^n",
+             Measure::absolute,
+             at(0, 1),
+             {at(0.99, 1), at(0, 0.1)},
+             {}};
   q.choices = {power_choice("pow, own kernels", cosine_power{}, n, "exp(n log c)"),
                power_choice("pow of the C library", cosine_power_libm{}, n, "does not vectorise"),
                power_choice("repeated squaring", squared_power<doublings>{}, n, "the exponent must be known"),
@@ -64,9 +47,10 @@ Question large_power_question() {
              {{{"cos", 0.9, 1}, {"n", 1, 1e4, true}}, {}, ""},
              {{{{"1 - cos, log", 0.999999, 1}, {"n", 1e6, 1e6}}, {}, ""}},
              {}};
-  q.choices = {{"pow, own kernels", kernel(cosine_power{}), ""},
-               {"spherical Gaussian", kernel(spherical_gaussian{}), "Wang et al. 2009"},
-               {"Schlick's rational", kernel(schlick_power{}), "Schlick 1994"}};
+  const double shown = 1000;
+  q.choices = {power_choice("pow, own kernels", cosine_power{}, shown, ""),
+               power_choice("spherical Gaussian", spherical_gaussian{}, shown, "Wang et al. 2009"),
+               power_choice("Schlick's rational", schlick_power{}, shown, "Schlick 1994")};
   q.reference = kernel(long_power{});
   return q;
 }
@@ -108,7 +92,7 @@ Question ggx_question() {
     d.inputs = [inputs](std::span<const double> at, Row<double>& row) {
       const std::array<double, 5> five{at[0], at[1], at[2], at[3], 0};
       const bool valid = inputs(five, row);
-      for (double& value : row) value = double(float(value));  // only the formula's own error counts
+      for (double& value : row) value = as_float(value);  // only the formula's own error counts
       return valid;
     };
     return d;
@@ -119,9 +103,12 @@ Question ggx_question() {
              domain(0.01, 1),
              {domain(1e-3, 1e-3), domain(1e-4, 1e-4)},
              {}};
-  q.choices = {{"half vector not normalised", kernel(ggx_stable{}), "this library's"},
-               {"through (n.h)^2 - 1", kernel(ggx_naive{}), "as printed nearly everywhere"}};
-  for (Choice& choice : q.choices) choice.error = Precision::single_;
+  const auto choice = [](const char* name, auto d, const char* note) {
+    return Choice{name, kernel(d), note, kernel(distribution_material<decltype(d)>{d, 0.01})};
+  };
+  q.choices = {choice("half vector not normalised", ggx_stable{}, "this library's"),
+               choice("through (n.h)^2 - 1", ggx_naive{}, "as printed nearly everywhere")};
+  for (Choice& c : q.choices) c.error = Precision::single_;
   q.reference = kernel(ggx_stable{});
   return q;
 }

@@ -5,16 +5,6 @@
 namespace brdf::trade {
 namespace {
 
-Domain pairs(double most_theta, double least_theta = 0) {
-  Domain d = direction_domain({"-", 0, 0}, {"-", 0, 0}, most_theta);
-  d.axes.resize(3);
-  d.axes[0].min = d.axes[1].min = least_theta;
-  d.inputs = [](std::span<const double> at, Row<double>& row) {
-    return direction_row(at[0], at[1], at[2], 0, 0, row);
-  };
-  return d;
-}
-
 // The specular term as f_r for the picture, with the article's Lambert term under it.
 template <class L>
 struct lookup_material {
@@ -50,8 +40,8 @@ Question lookup_question(const LookupMaterial& m) {
   Question q{std::string("lookup texture, alpha ") + alpha,
              "specular f_r cos_i, 1/sr",
              Measure::absolute,
-             pairs(80),
-             {pairs(89, 80), pairs(20)},
+             pairs_domain(0, 80),
+             {pairs_domain(80, 89), pairs_domain(0, 20)},
              {}};
   add(q, "exact", lookup_exact{m}, "Beckmann, V-cavities, exact Fresnel");
   add(q, "H = N, evaluated", lookup_collapsed<false>{m}, "the article's assumption alone");

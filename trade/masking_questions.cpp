@@ -56,11 +56,14 @@ Question g1_question() {
              domain(0.01, {"alpha", 0.0036, 1, true}),
              {domain(0.01, {"alpha", 1e-4, 1e-4}), domain(1e-4, {"alpha", 0.0036, 1, true})},
              {}};
-  q.choices = {{"Smith", kernel(g1_smith_ggx{})},
-               {"Schlick-GGX, k = alpha/2", kernel(g1_schlick_half{}), "Karis 2013, image-based light"},
+  // The picture has both directions' product.
+  q.choices = {{"Smith", kernel(g1_smith_ggx{}), "", picture_of_masking(smith_separable{})},
+               {"Schlick-GGX, k = alpha/2", kernel(g1_schlick_half{}), "Karis 2013, image-based light",
+                picture_of_masking(schlick_ggx_half{})},
                {"Schlick-GGX, k = (roughness+1)^2/8", kernel(g1_schlick_analytic{}),
-                "the thesis's listing, roughness = sqrt(alpha)"},
-               {"Schlick-GGX, k = (alpha+1)^2/8", kernel(g1_schlick_printed{}), "the thesis's equation"}};
+                "the thesis's listing, roughness = sqrt(alpha)", picture_of_masking(schlick_ggx_analytic{})},
+               {"Schlick-GGX, k = (alpha+1)^2/8", kernel(g1_schlick_printed{}), "the thesis's equation",
+                picture_of_masking(schlick_ggx_printed{})}};
   return q;
 }
 
@@ -85,8 +88,9 @@ Question beckmann_g1_question() {
              {{{{"cos", 0.01, 1}, {"alpha", 1e-4, 1e-4}}, {}, ""},
               {{{"cos", 1e-4, 0.01}, {"alpha", 0.05, 1, true}}, {}, ""}},
              {}};
-  q.choices = {{"Smith, exact", kernel(g1_smith_beckmann{})},
-               {"rational", kernel(g1_rational_beckmann{}), "Walter et al. 2007"}};
+  q.choices = {{"Smith, exact", kernel(g1_smith_beckmann{}), "", picture_of_masking(smith_beckmann{})},
+               {"rational", kernel(g1_rational_beckmann{}), "Walter et al. 2007",
+                picture_of_masking(rational_beckmann{})}};
   return q;
 }
 

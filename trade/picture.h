@@ -24,6 +24,54 @@ struct ball_material {
   }
 };
 
+// A kernel whose column 6 is a width, at one width.
+template <class K>
+struct at_width {
+  K kernel;
+  double width;
+  template <class T>
+  T operator()(Row<T> x) const {
+    x[6] = T(width);
+    return kernel(x);
+  }
+};
+
+// kd/pi and a normalised cosine lobe: of a kernel over directions and exponent, ...
+template <class Lobe>
+struct lobe_material {
+  Lobe lobe;
+  double exponent;
+  template <class T>
+  T operator()(Row<T> x) const {
+    x[6] = T(exponent);
+    return T(0.3 / kPi) + T(0.5 * (exponent + 2) / (2 * kPi)) * lobe(x);
+  }
+};
+// ... or of a function of (c, n), given the mirror cosine.
+template <class Power>
+struct mirror_power {
+  Power power;
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    const T c = at_most(at_least(x[2] * x[5] - x[0] * x[3] - x[1] * x[4], T(0)), T(1));
+    return power(Row<T>{c, x[6]});
+  }
+};
+
+// kd/pi + D V F with D given as a kernel, Smith's V and Schlick's F of glass.
+template <class D>
+struct distribution_material {
+  D d;
+  double alpha;
+  template <class T>
+  T operator()(Row<T> x) const {
+    x[6] = T(alpha);
+    const Geometry<T> g = geometry_of(x);
+    const Fraction<T> v = v_smith_ggx(Roughness<T>{T(alpha), T(alpha)}, g);
+    return T(0.3 / kPi) + d(x) * (v.num / v.den) * (T(0.04) + T(0.96) * schlick(g));
+  }
+};
+
 inline const Row<double> kGlass{0, 1.5, 0.04, 0};
 
 template <class F>

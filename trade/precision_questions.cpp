@@ -1,6 +1,7 @@
 #include "brdf/forms.h"
 #include "trade/approximations/libm.h"
-#include "trade/approximations/masking.h"
+#include "trade/approximations/lobes.h"
+#include "trade/picture.h"
 #include "trade/questions.h"
 
 namespace brdf::trade {
@@ -66,6 +67,7 @@ struct Width {
   const char* name;
   double least, most;  // everyday
   double extreme_low, extreme_high;
+  double shown;  // in the picture
   bool peaked;
 };
 
@@ -99,17 +101,16 @@ Question form_question(const Width& width) {
       {domain(width.extreme_low, width.extreme_low, 0, 80),
        domain(width.extreme_high, width.extreme_high, 0, 80), domain(width.least, width.most, 85, 89.99)},
       {}};
-  const auto own = kernel(form_kernel<F, Own>{});
-  const auto libm = kernel(form_kernel<F, Libm>{});
-  const auto add = [&](const char* name, const Kernel& k, Precision p, const char* note) {
-    q.choices.push_back({name, k, note, {}, p, p});
+  const auto add = [&](const char* name, auto k, Precision p, const char* note) {
+    q.choices.push_back({name, kernel(k), note, kernel(at_width<decltype(k)>{k, width.shown}), p, p});
   };
+  const form_kernel<F, Own> own;
+  const form_kernel<F, Libm> libm;
   add("double", own, Precision::double_, "own kernels");
   add("double, C library", libm, Precision::double_, "the library's exp, log, ...: does not vectorise");
   add("float", own, Precision::single_, "directions stored in float");
   add("float, C library", libm, Precision::single_, "directions stored in float");
-  add("half storage", kernel(half_kernel<F>{}), Precision::single_,
-      "directions, width and result in 16 bits");
+  add("half storage", half_kernel<F>{}, Precision::single_, "directions, width and result in 16 bits");
   q.reference = kernel(form_kernel<F, Extended>{});
   return q;
 }
@@ -156,13 +157,45 @@ struct elementary {
   }
 };
 
+// A kernel computed in Scalar<T>.
+template <class K, template <class> class Scalar>
+struct computed_in {
+  K kernel;
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    Row<Scalar<T>> row;
+    for (std::size_t k = 0; k < kInputs; ++k) row[k] = widened<Scalar<T>>(x[k]);
+    return narrowed<T>(kernel(row));
+  }
+};
+
+// A material whose evaluation calls the function, for the picture: a form, ...
+template <class F, template <class> class Scalar>
+struct shown_by_form {
+  static Kernel at(double width) { return kernel(at_width<form_kernel<F, Scalar>>{{}, width}); }
+};
+// ... and for log, which no form calls, Phong's lobe by pow.
+template <template <class> class Scalar>
+struct shown_by_pow {
+  static Kernel at(double exponent) {
+    return kernel(computed_in<lobe_material<mirror_power<cosine_power>>, Scalar>{{{}, exponent}});
+  }
+};
+struct Pictures {
+  Kernel own, libm;
+};
+template <class F>
+Pictures pictures_of(double width) {
+  return {shown_by_form<F, Own>::at(width), shown_by_form<F, Libm>::at(width)};
+}
+
 // The reference sees the inputs as each choice sees them: rounded to float first, so that only the function's
 // own error counts.
 template <class Function>
-Question elementary_question(const char* name, Domain domain, Domain extreme) {
+Question elementary_question(const char* name, Domain domain, Domain extreme, const Pictures& pictures) {
   for (Domain* d : {&domain, &extreme})
     d->inputs = [](std::span<const double> at, Row<double>& row) {
-      for (std::size_t k = 0; k < at.size(); ++k) row[k] = double(float(at[k]));
+      for (std::size_t k = 0; k < at.size(); ++k) row[k] = as_float(at[k]);
       return true;
     };
   Question q{std::string(name) + ": own kernel or C library",
@@ -172,10 +205,10 @@ Question elementary_question(const char* name, Domain domain, Domain extreme) {
              {std::move(extreme)},
              {}};
   const auto own = kernel(elementary<Function, Own>{}), libm = kernel(elementary<Function, Libm>{});
-  q.choices = {{"C library, double", libm, "", {}, Precision::double_, Precision::double_},
-               {"own, double", own, "vectorises", {}, Precision::double_, Precision::double_},
-               {"C library, float", libm, "", {}, Precision::single_, Precision::single_},
-               {"own, float", own, "vectorises", {}, Precision::single_, Precision::single_}};
+  q.choices = {{"C library, double", libm, "", pictures.libm, Precision::double_, Precision::double_},
+               {"own, double", own, "vectorises", pictures.own, Precision::double_, Precision::double_},
+               {"C library, float", libm, "", pictures.libm, Precision::single_, Precision::single_},
+               {"own, float", own, "vectorises", pictures.own, Precision::single_, Precision::single_}};
   q.reference = kernel(elementary<Function, Extended>{});
   q.floor = 1e-30;
   return q;
@@ -185,25 +218,28 @@ Question elementary_question(const char* name, Domain domain, Domain extreme) {
 
 std::vector<Question> precision_questions() {
   std::vector<Question> questions;
-  const Width alpha{"alpha", 0.05, 1, 1e-4, 1, true};
-  const Width exponent{"exponent", 5, 1000, 1, 1e6, false};
+  const Width alpha{"alpha", 0.05, 1, 1e-4, 1, 0.3, true};
+  const Width exponent{"exponent", 5, 1000, 1, 1e6, 50, false};
   questions.push_back(form_question<cook_torrance>(alpha));
   questions.push_back(form_question<cook_torrance_beckmann>(alpha));
   questions.push_back(form_question<ward>(alpha));
   questions.push_back(form_question<blinn_phong>(exponent));
   questions.push_back(form_question<phong>(exponent));
-  questions.push_back(form_question<oren_nayar>({"sigma", 0, 1, 0, 1.5, false}));
+  questions.push_back(form_question<oren_nayar>({"sigma", 0, 1, 0, 1.5, 0.5, false}));
   questions.push_back(elementary_question<exp_of>("exp", {{{"x", -20, 0}}, {}, ""},
-                                                  {{{"x", -80, -60}}, {}, "float flushes below -80"}));
-  questions.push_back(elementary_question<log_of>("log", {{{"x", 1e-3, 1, true}}, {}, ""},
-                                                  {{{"x", 1e-30, 1e-20, true}}, {}, ""}));
+                                                  {{{"x", -80, -60}}, {}, "float flushes below -80"},
+                                                  pictures_of<ward>(0.3)));
+  questions.push_back(elementary_question<log_of>(
+      "log", {{{"x", 1e-3, 1, true}}, {}, ""}, {{{"x", 1e-30, 1e-20, true}}, {}, ""},
+      Pictures{shown_by_pow<Own>::at(20), shown_by_pow<Libm>::at(20)}));
   questions.push_back(elementary_question<log1p_of>("log1p", {{{"x", 1e-6, 10, true}}, {}, ""},
-                                                    {{{"x", 1e-20, 1e-10, true}}, {}, ""}));
-  questions.push_back(
-      elementary_question<erfcx_of>("erfcx", {{{"x", 0, 3}}, {}, ""}, {{{"x", 8, 10}}, {}, ""}));
-  questions.push_back(elementary_question<angle_of>("angle",
-                                                    {{{"sine", 0.01, 1}, {"cosine", 0.01, 1}}, {}, ""},
-                                                    {{{"sine", 1e-8, 1e-6}, {"cosine", 1e-8, 1}}, {}, ""}));
+                                                    {{{"x", 1e-20, 1e-10, true}}, {}, ""},
+                                                    pictures_of<blinn_phong>(50)));
+  questions.push_back(elementary_question<erfcx_of>(
+      "erfcx", {{{"x", 0, 3}}, {}, ""}, {{{"x", 8, 10}}, {}, ""}, pictures_of<cook_torrance_beckmann>(0.3)));
+  questions.push_back(elementary_question<angle_of>(
+      "angle", {{{"sine", 0.01, 1}, {"cosine", 0.01, 1}}, {}, ""},
+      {{{"sine", 1e-8, 1e-6}, {"cosine", 1e-8, 1}}, {}, ""}, pictures_of<oren_nayar_full>(0.5)));
   return questions;
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trade/timing.h"
-
 namespace brdf::trade {
 namespace {
 
@@ -58,6 +56,7 @@ std::vector<timing::Timing> costs_of(const Question& question, const Points& eve
   timing::Options timing_options;
   timing_options.rounds = options.rounds;
   timing_options.clock = timing::Clock::thread;
+  if (question.unit != Unit::evaluation) timing_options.neighbours = 4;  // long calls
   return timing::interleaved(calls, timing_options);
 }
 
@@ -111,6 +110,22 @@ double image_error(std::span<const double> f, std::span<const double> exact, con
   return total > 0 ? difference / total : 0;
 }
 
+void set_cost(LedgerRow& row, const timing::Timing& t, double units) {
+  row.cost = {t.lower / units, t.spread(), t.rounds, t.ratio_spread};
+  row.cost_ratio = t.ratio;
+}
+
+PicturePoints thinned(const PicturePoints& picture, std::size_t count) {
+  const std::size_t step = std::max<std::size_t>(1, picture.count() / count);
+  PicturePoints fewer;
+  for (std::size_t k = step / 2; k < picture.count(); k += step) {
+    for (std::size_t c = 0; c < kInputs; ++c) fewer.columns[c].push_back(picture.columns[c][k]);
+    fewer.weight.push_back(picture.weight[k]);
+    fewer.pixel.push_back(picture.pixel[k]);
+  }
+  return fewer;
+}
+
 std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& options) {
   const std::size_t count = question.points ? std::min(question.points, options.points) : options.points;
   const Points points = sample(question.everyday, count);
@@ -123,10 +138,24 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
   const std::vector<timing::Timing> costs = costs_of(question, points, options);
   options.tick();
 
+  PicturePoints fewer;
+  if (options.picture && question.pixels) fewer = thinned(*options.picture, question.pixels);
+  const PicturePoints* const picture = question.pixels ? &fewer : options.picture;
   std::vector<double> exact_picture;
-  if (options.picture && exact.picture.in_double)
-    exact_picture =
-        values_of(exact.picture, options.picture->columns, options.picture->count(), Precision::double_);
+  if (picture && exact.picture.in_double)
+    exact_picture = values_of(exact.picture, picture->columns, picture->count(), Precision::double_);
+
+  struct Extremity {
+    const Domain* domain;
+    Points points;
+    std::vector<double> reference;
+  };
+  std::vector<Extremity> extremities;
+  for (const Domain& extreme : question.extremes) {
+    Points there = sample(extreme, count / 4);
+    std::vector<double> values = reference_of(there);
+    extremities.push_back({&extreme, std::move(there), std::move(values)});
+  }
 
   std::vector<LedgerRow> rows;
   for (std::size_t k = 0; k < question.choices.size(); ++k) {
@@ -136,25 +165,26 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
     row.choice = choice.name;
     row.exact = exact.name;
     row.unit = question.unit;
-    row.cost = {costs[k].lower / double(question.timed_points), costs[k].spread(), costs[k].rounds};
-    row.cost_ratio = costs[k].lower / costs[0].lower;
-    row.error = error_of(values_of(judged_by(choice), points.columns, points.count(), choice.error),
-                         reference, question.measure, question.floor, question.everyday, points);
+    set_cost(row, costs[k], double(question.timed_points));
+    // An exact choice without a better reference is the reference: no need to evaluate it again.
+    const bool is_reference = k == 0 && !question.reference.in_double && choice.error == Precision::double_;
+    const auto values_on = [&](const Points& p, const std::vector<double>& known) {
+      return is_reference ? known : values_of(judged_by(choice), p.columns, p.count(), choice.error);
+    };
+    row.error = error_of(values_on(points, reference), reference, question.measure, question.floor,
+                         question.everyday, points);
     row.quantity = question.quantity;
     row.domain = describe(question.everyday);
     row.note = choice.note;
     if (!exact_picture.empty() && choice.picture.in_double)
-      row.image_error = image_error(
-          values_of(choice.picture, options.picture->columns, options.picture->count(), choice.error),
-          exact_picture, *options.picture);
-    for (const Domain& extreme : question.extremes) {
-      const Points there = sample(extreme, count / 4);
+      row.image_error =
+          image_error(values_of(choice.picture, picture->columns, picture->count(), choice.error),
+                      exact_picture, *picture);
+    for (const Extremity& e : extremities)
       row.extremes.push_back(
-          {describe(extreme),
-           error_of(values_of(judged_by(choice), there.columns, there.count(), choice.error),
-                    reference_of(there), question.measure, question.floor, extreme, there)
-               .max});
-    }
+          {describe(*e.domain), error_of(values_on(e.points, e.reference), e.reference, question.measure,
+                                         question.floor, *e.domain, e.points)
+                                    .max});
     rows.push_back(std::move(row));
   }
   mark_dominated(rows);

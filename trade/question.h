@@ -7,6 +7,7 @@
 
 #include "trade/domain.h"
 #include "trade/ledger.h"
+#include "trade/timing.h"
 
 namespace brdf::trade {
 
@@ -39,6 +40,7 @@ struct Question {
   Domain timed = {};                // where costs are measured, if not in the everyday domain
   std::size_t points = 0;           // where kernels are dear: fewer than the default
   std::size_t timed_points = 1024;  // stays in the second-level cache
+  std::size_t pixels = 0;           // of the picture, evenly spread; 0: all
 };
 
 // Directions of the lit pixels of a picture, one row per pixel and light, with irradiance times cosine left
@@ -66,6 +68,12 @@ Error error_of(std::span<const double> values, std::span<const double> reference
 
 // sum over pixels of |L - L_exact| / sum of L_exact, L = sum over lights of weight f_r cos_i.
 double image_error(std::span<const double> f, std::span<const double> exact, const PicturePoints& picture);
+
+// Cost and cost ratio of a call that does `units` of the row's unit, timed among the row's question.
+void set_cost(LedgerRow& row, const timing::Timing& timing, double units);
+
+// At most about `count` of the picture's points, evenly spread.
+PicturePoints thinned(const PicturePoints& picture, std::size_t count);
 
 std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& options);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "fit/fit.h"
 #include "io/error.h"
 #include "io/material_json.h"
 #include "trade/fits.h"
@@ -14,7 +13,7 @@ namespace brdf::trade {
 namespace {
 
 constexpr std::size_t kFitRows = 2500;
-constexpr const char* kFamilies = "families for a material of cook_torrance";
+const std::string kFamilies = families_question(cook_torrance{});
 
 bool looks_like_json(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -28,24 +27,18 @@ Reflectance read_reference(const std::filesystem::path& path) {
   return reflectance_of(io::read_samples(path));
 }
 
-std::vector<AnyForm> fittable_forms() {
-  std::vector<AnyForm> forms;
-  for (const auto& model : fit::every_model()) forms.push_back(model.front());
-  return forms;
-}
-
 // ns per evaluation by form and by variant.
 class Costs {
  public:
   Costs(const std::filesystem::path& file, const std::vector<AnyForm>& forms) {
     Ledger measured;
     if (file.empty()) {
-      const std::vector<Cost> costs = evaluation_costs(forms, 41);
+      const EvaluationTimes times = evaluation_times(forms, 41);
       for (std::size_t k = 0; k < forms.size(); ++k) {
         LedgerRow row;
         row.question = kFamilies;
         row.choice = info(forms[k]).name;
-        row.cost = costs[k];
+        set_cost(row, times.timings[k], times.count);
         measured.rows.push_back(row);
       }
       MeasureOptions options;
@@ -63,10 +56,10 @@ class Costs {
   }
 
  private:
-  const LedgerRow& row(std::string_view question, std::string_view choice) const {
+  const LedgerRow& row(const std::string& question, std::string_view choice) const {
     const LedgerRow* found = ledger_.find(question, choice);
     if (!found)
-      throw InputError("the ledger has no row '" + std::string(choice) + "' under '" + std::string(question) +
+      throw InputError("the ledger has no row '" + std::string(choice) + "' under '" + question +
                        "': write it anew with `brdf trade -o`");
     return *found;
   }

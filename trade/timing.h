@@ -2,7 +2,8 @@
 //
 // A machine's speed drifts (frequency, neighbours), so alternatives are run in turn, round after round, and
 // compared by the lower quartile of their rounds: the minimum rewards luck, the median carries the
-// neighbours' load.
+// neighbours' load. What an alternative costs relative to the first one is told by pairs: its run over the
+// first one's runs just before and after, in the median of the rounds. Slow drifts drop out of a pair.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,13 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace brdf::timing {
 
@@ -19,7 +25,9 @@ namespace brdf::timing {
 struct Timing {
   double lower = 0, median = 0, upper = 0;
   int rounds = 0;
-  double best = 0;  // of all rounds
+  double best = 0;          // of all rounds
+  double ratio = 1;         // to the first call, median of the pairs
+  double ratio_spread = 0;  // interquartile range of the pairs over their median
   // Interquartile range over the lower quartile: how far the figure can be trusted.
   double spread() const { return lower > 0 ? (upper - lower) / lower : 0; }
 };
@@ -33,7 +41,36 @@ struct Options {
   Clock clock = Clock::wall;
   double least_seconds =
       2e-4;  // a round repeats the call until it lasts this long: far above the clock's tick
+  std::size_t neighbours = 1;  // calls between two runs of the first one; more where calls are long
   std::function<void()> between = [] {};  // called after each round (progress)
+};
+
+// Keeps the calling thread on the processor it runs on, where the system allows it: no cold caches within a
+// round.
+class Pinned {
+ public:
+#ifdef __linux__
+  Pinned() {
+    if (sched_getaffinity(0, sizeof before_, &before_) != 0) return;
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    CPU_SET(std::size_t(std::max(0, sched_getcpu())), &here);
+    pinned_ = sched_setaffinity(0, sizeof here, &here) == 0;
+  }
+  ~Pinned() {
+    if (pinned_) sched_setaffinity(0, sizeof before_, &before_);
+  }
+#else
+  Pinned() {}
+#endif
+  Pinned(const Pinned&) = delete;
+  Pinned& operator=(const Pinned&) = delete;
+
+ private:
+#ifdef __linux__
+  cpu_set_t before_;
+  bool pinned_ = false;
+#endif
 };
 
 // Keeps a result alive without storing it.
@@ -78,25 +115,56 @@ inline long repeats_for(const std::function<void()>& call, double least_seconds,
   }
 }
 
-// One timing per call. Every round runs each call once (with its repeats), starting one further each time, so
-// that none always follows the same neighbour.
+// One round: every call once (with its repeats), and the first call again after each group of `neighbours`
+// others, unless one group holds them all. The others start one further each round, so that none always
+// follows the same neighbour.
+struct Round {
+  std::vector<double> seconds, ratios;  // by call
+};
+inline Round run_round(std::span<const std::function<void()>> calls, std::span<const long> repeats, int turn,
+                       const Options& options) {
+  const std::size_t others = calls.size() - 1, group = std::max<std::size_t>(1, options.neighbours);
+  const auto run = [&](std::size_t k) {
+    return seconds_of(calls[k], repeats[k], options.clock) / double(repeats[k]);
+  };
+  Round round{std::vector<double>(calls.size()), std::vector<double>(calls.size(), 1.0)};
+  double before = round.seconds[0] = run(0);
+  for (std::size_t at = 0; at < others; at += group) {
+    const std::size_t end = std::min(at + group, others);
+    const auto call = [&](std::size_t k) { return 1 + (k + std::size_t(turn)) % others; };
+    for (std::size_t k = at; k < end; ++k) round.seconds[call(k)] = run(call(k));
+    const double after = group > others ? before : run(0);
+    for (std::size_t k = at; k < end; ++k)
+      round.ratios[call(k)] = round.seconds[call(k)] / (0.5 * (before + after));
+    before = after;
+  }
+  return round;
+}
+
+// One timing per call; the calls' ratios are to the first. On a thread's clock the thread is pinned.
 inline std::vector<Timing> interleaved(std::span<const std::function<void()>> calls,
                                        const Options& options = {}) {
-  const std::size_t n = calls.size();
+  const std::optional<Pinned> pinned =
+      options.clock == Clock::thread ? std::optional<Pinned>(std::in_place) : std::nullopt;
   std::vector<long> repeats;
   for (const auto& call : calls) repeats.push_back(repeats_for(call, options.least_seconds, options.clock));
-  std::vector<std::vector<double>> seconds(n);
-  for (int round = 0; round < options.rounds; ++round) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t turn = (k + std::size_t(round)) % n;
-      seconds[turn].push_back(seconds_of(calls[turn], repeats[turn], options.clock) / double(repeats[turn]));
+  std::vector<std::vector<double>> seconds(calls.size()), ratios(calls.size());
+  for (int turn = 0; turn < options.rounds; ++turn) {
+    const Round round = run_round(calls, repeats, turn, options);
+    for (std::size_t k = 0; k < calls.size(); ++k) {
+      seconds[k].push_back(round.seconds[k]);
+      ratios[k].push_back(round.ratios[k]);
     }
     options.between();
   }
   std::vector<Timing> timings;
-  for (auto& s : seconds) {
+  for (std::size_t k = 0; k < calls.size(); ++k) {
+    std::vector<double>&s = seconds[k], &r = ratios[k];
     std::sort(s.begin(), s.end());
-    timings.push_back({quantile(s, 0.25), quantile(s, 0.5), quantile(s, 0.75), int(s.size()), s.front()});
+    std::sort(r.begin(), r.end());
+    const double median = quantile(r, 0.5);
+    timings.push_back({quantile(s, 0.25), quantile(s, 0.5), quantile(s, 0.75), int(s.size()), s.front(),
+                       median, (quantile(r, 0.75) - quantile(r, 0.25)) / median});
   }
   return timings;
 }

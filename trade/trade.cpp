@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
+#include "io/error.h"
 #include "trade/ball.h"
 #include "trade/claims.h"
 #include "trade/fits.h"
@@ -16,11 +18,85 @@ namespace {
 std::vector<Question> kernel_questions() {
   std::vector<Question> all;
   for (const auto list : {precision_questions, fresnel_questions, masking_questions, lobe_questions,
-                          lookup_questions, variant_questions, albedo_questions}) {
+                          lookup_questions, variant_questions, albedo_questions, integral_questions}) {
     std::vector<Question> some = list();
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }
   return all;
+}
+
+// A part of the run, with the share of time it takes.
+struct Job {
+  std::string group, name;
+  double weight;
+  std::function<std::vector<LedgerRow>()> rows;
+};
+
+bool wanted(const Job& job, const std::string& only) {
+  return only.empty() || job.group == only || job.name.find(only) != std::string::npos;
+}
+
+// What several jobs use, made once and when first needed.
+struct Shared {
+  bool quick;
+  PicturePoints picture;
+  std::optional<EvaluationTimes> form_times;
+  std::unique_ptr<render::Device> device;
+  std::string no_device;  // why there is none
+
+  explicit Shared(bool is_quick) : quick(is_quick) {
+    const int size = quick ? 96 : 256;
+    picture = picture_points(render::lit_points(render::prepare(material_ball(size))), size);
+  }
+  const EvaluationTimes& times() {
+    if (!form_times) form_times = evaluation_times(fittable_forms(), quick ? 21 : 41);
+    return *form_times;
+  }
+  render::Device* gpu() {
+    if (device || !no_device.empty()) return device.get();
+    try {
+      device = std::make_unique<render::Device>();
+    } catch (const EnvironmentError& e) {
+      no_device = e.what();
+    }
+    return device.get();
+  }
+};
+
+std::vector<Job> kernel_jobs(Shared& shared) {
+  MeasureOptions options;
+  options.picture = &shared.picture;
+  options.points = shared.quick ? 4096 : 16384;
+  options.rounds = shared.quick ? 21 : 31;
+  std::vector<Job> jobs;
+  for (const Question& q : kernel_questions())
+    jobs.push_back({"kernels", q.name, q.points ? 4.0 : 0.05 * double(q.choices.size()),
+                    [q, options] { return measure(q, options); }});
+  return jobs;
+}
+
+std::vector<Job> evaluation_jobs(Shared& shared) {
+  const auto options = [&shared] { return EvaluationOptions{shared.quick, &shared.picture, shared.gpu()}; };
+  const FitRowsOptions fits{shared.quick, &shared.picture};
+  std::vector<Job> jobs{
+      {"batches", "one by one or in batches", 1, [options] { return batch_rows(options()); }},
+      {"batches", "a family in the shader", 2,
+       [options] { return options().device ? shader_rows(options()) : std::vector<LedgerRow>{}; }}};
+  for (const AnyForm& form : fittable_forms())
+    if (info(form).canonical)
+      jobs.push_back({"families", families_question(form), 2,
+                      [&shared, fits, form] { return family_rows(form, shared.times(), fits); }});
+  jobs.push_back({"fits", "samples for a fit", 16, [fits] { return sample_count_rows(fits); }});
+  return jobs;
+}
+
+std::vector<Job> frame_jobs(Shared& shared) {
+  std::vector<Job> jobs;
+  for (const FrameQuestion& q : frame_questions(shared.quick ? FrameDetail::quick : FrameDetail::full))
+    jobs.push_back({"frames", q.name, 0.3 * double(q.ways.size()), [&shared, q] {
+                      return shared.gpu() ? measure_frames(*shared.gpu(), q) : std::vector<LedgerRow>{};
+                    }});
+  return jobs;
 }
 
 }  // namespace
@@ -29,34 +105,25 @@ Ledger measure_ledger(const TradeOptions& options) {
   Ledger ledger;
   ledger.quick = options.quick;
   ledger.machine = this_machine();
-  const int size = options.quick ? 96 : 256;
-  const PicturePoints picture =
-      picture_points(render::lit_points(render::prepare(material_ball(size))), size);
-  MeasureOptions measuring;
-  measuring.picture = &picture;
-  measuring.points = options.quick ? 4096 : 16384;
-  measuring.rounds = options.quick ? 21 : 31;
-  const auto add = [&](std::vector<LedgerRow> rows) {
-    std::move(rows.begin(), rows.end(), std::back_inserter(ledger.rows));
-  };
-  const auto group = [&](const char* name) { return options.only.empty() || options.only == name; };
-  std::vector<Question> questions = kernel_questions();
-  std::erase_if(questions, [&](const Question& q) { return q.name.find(options.only) == std::string::npos; });
-  // Shares of the whole run, roughly: kernels a third, fits a third, frames a third.
-  for (std::size_t k = 0; k < questions.size(); ++k) {
-    options.progress(0.35 * double(k) / double(questions.size()), questions[k].name);
-    add(measure(questions[k], measuring));
+  Shared shared(options.quick);
+  std::vector<Job> jobs;
+  for (const auto list : {kernel_jobs, evaluation_jobs, frame_jobs}) {
+    std::vector<Job> some = list(shared);
+    std::move(some.begin(), some.end(), std::back_inserter(jobs));
   }
-  const FitRowsOptions fits{options.quick, &picture, [&, done = 0.35](const std::string& what) mutable {
-                              options.progress(done = std::min(0.65, done + 0.03), what);
-                            }};
-  if (group("batches")) add(batch_rows(fits));
-  if (group("families")) add(family_rows(fits));
-  if (group("fits")) add(sample_count_rows(fits));
-  const FrameOptions frames{options.quick, [&, done = 0.65](const std::string& what) mutable {
-                              options.progress(done = std::min(0.99, done + 0.05), what);
-                            }};
-  if (group("frames")) add(frame_rows(frames));
+  std::erase_if(jobs, [&](const Job& job) { return !wanted(job, options.only); });
+  double total = 0, done = 0;
+  for (const Job& job : jobs) total += job.weight;
+  for (const Job& job : jobs) {
+    options.progress(done / total, job.name);
+    std::vector<LedgerRow> rows = job.rows();
+    std::move(rows.begin(), rows.end(), std::back_inserter(ledger.rows));
+    done += job.weight;
+  }
+  if (!shared.no_device.empty()) {
+    if (ledger.rows.empty()) throw EnvironmentError(shared.no_device);
+    ledger.left_out = "frames and shaders are left out: " + shared.no_device;
+  }
   ledger.claims = judge_claims(ledger);
   options.progress(1, "");
   return ledger;

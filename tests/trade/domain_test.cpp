@@ -66,5 +66,43 @@ TEST(Timing, RunsEveryCallInEveryRound) {
   EXPECT_LE(timings[0].lower, timings[0].upper);
 }
 
+TEST(Timing, RatiosAreToTheFirstCallBesideEach) {
+  // The machine slows down as it goes; pairs of neighbours do not feel it.
+  double drift = 1;
+  volatile double sink = 0;
+  const auto work = [&](int n) {
+    return [&, n] {
+      for (int k = 0; k < int(n * drift); ++k) sink = sink + 1.0 / (k + 1);
+    };
+  };
+  const std::vector<std::function<void()>> calls{work(20000), work(40000), work(10000)};
+  timing::Options options;
+  options.clock = timing::Clock::thread;
+  options.between = [&] { drift *= 1.05; };  // 2.8 times slower in the end
+  const auto timings = timing::interleaved(calls, options);
+  EXPECT_EQ(timings[0].ratio, 1);
+  EXPECT_NEAR(timings[1].ratio, 2, 0.5);
+  EXPECT_NEAR(timings[2].ratio, 0.5, 0.125);
+  options.neighbours = calls.size();
+  EXPECT_NEAR(timing::interleaved(calls, options)[1].ratio, 2, 0.5);
+}
+
+TEST(Timing, ThePinnedThreadIsFreedAgain) {
+  cpu_set_t before, within, after;
+  sched_getaffinity(0, sizeof before, &before);
+  {
+    const timing::Pinned pinned;
+    sched_getaffinity(0, sizeof within, &within);
+  }
+  sched_getaffinity(0, sizeof after, &after);
+  EXPECT_EQ(CPU_COUNT(&within), 1);
+  EXPECT_TRUE(CPU_EQUAL(&before, &after));
+}
+
+TEST(Domain, RoundsToFloat) {
+  EXPECT_EQ(as_float(0.1), double(0.1f));
+  EXPECT_NE(as_float(0.1), 0.1);
+}
+
 }  // namespace
 }  // namespace brdf::trade

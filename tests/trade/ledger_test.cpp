@@ -1,4 +1,5 @@
 #include "trade/ledger.h"
+#include "trade/compare.h"
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,25 @@ TEST(Ledger, TableHasOneLinePerRow) {
   const std::string csv = to_csv(ledger);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
   EXPECT_NE(csv.find("\"with \"\"quotes\"\"\""), std::string::npos);
+}
+
+TEST(Compare, CountsRowsWhoseCostRatiosAreFurtherApartThanAQuarter) {
+  Ledger before, after;
+  before.rows = {row("exact", 4e-9, 0, 0), row("same", 2e-9, 0, 0), row("other", 2e-9, 0, 0),
+                 row("tiny", 1e-10, 0, 0), row("gone", 1, 0, 0)};
+  after.rows = before.rows;
+  after.rows.pop_back();
+  after.rows[1].cost_ratio *= 1.24;
+  after.rows[2].cost_ratio /= 1.26;  // either direction counts alike
+  after.rows[3].cost_ratio *= 10;    // below 1 ns
+  const Comparison c = compare(before, after);
+  EXPECT_EQ(c.compared.size(), 3u);
+  EXPECT_EQ(c.compared[0].choice, "other");
+  EXPECT_NEAR(c.compared[0].difference(), 0.26, 1e-12);
+  EXPECT_EQ(c.apart(), 1u);
+  EXPECT_EQ(c.shorter, 1u);
+  EXPECT_EQ(c.missing, std::vector<std::string>{"q: gone"});
+  EXPECT_EQ(compare(before, before).apart(), 0u);
 }
 
 }  // namespace

@@ -40,6 +40,13 @@ struct schlick_ggx_analytic {
     return v_schlick_ggx(T(0.125) * square(math::sqrt(a.alpha_x) + T(1)), g);
   }
 };
+// And with alpha in roughness's place (the thesis's equation).
+struct schlick_ggx_printed {
+  template <class T>
+  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+    return v_schlick_ggx(T(0.125) * square(a.alpha_x + T(1)), g);
+  }
+};
 // Hammon 2017: the correlated denominator linear in the cosines, lerp(2 ci co, ci + co, alpha).
 struct hammon_correlated {
   template <class T>
