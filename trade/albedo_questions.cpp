@@ -115,7 +115,7 @@ Question table_nodes_question() {
              {nodes(2, 32), nodes(32, 3)},
              {}};
   q.unit = Unit::albedo;
-  q.points = 1024;
+  q.points = 4096;  // so that every node is met
   q.timed_points = 64;
   q.pixels = 1024;
   q.choices = {integral_choice(1)};

@@ -7,6 +7,7 @@
 #include "io/error.h"
 #include "io/material_json.h"
 #include "trade/fits.h"
+#include "trade/reasons.h"
 #include "trade/variants.h"
 
 namespace brdf::trade {
@@ -82,12 +83,6 @@ double brdf_error(const Reflectance& model, const Reflectance& reference) {
   return total > 0 ? difference / total : 0;
 }
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 Candidate form_candidate(const AnyForm& form, const io::SampleTable& table, bool anisotropic,
                          const Costs& costs) {
   Candidate c;
@@ -115,76 +110,34 @@ Candidate variant_candidate(const std::string& name, const io::SampleTable& tabl
   return c;
 }
 
-double judged(const Candidate& c, Judge judge) {
-  return judge == Judge::image ? c.image_error : c.brdf_error;
+// Renders the model's picture beside the reference's, and keeps both.
+double rendered(Recommendation& r, Candidate& c, const SceneView& view, const Reflectance& reference) {
+  RenderedPair pair = render_both(view, c.reflectance, reference);
+  r.picture = std::move(pair.model);
+  r.reference_picture = std::move(pair.reference);
+  c.rendered_error = pair.image_error;
+  return pair.image_error;
 }
 
-void explain(Recommendation& r, const RecommendOptions& options) {
-  for (std::size_t k = 0; k < r.candidates.size(); ++k) {
+// The cheapest that meets the tolerance, by the pixels' directions and then by two pictures.
+void choose(Recommendation& r, const RecommendOptions& options, const SceneView& view,
+            const Reflectance& reference) {
+  for (std::size_t k = 0; k < r.candidates.size(); ++k)
+    if (judged(r.candidates[k], options.judge) < judged(r.candidates[r.best], options.judge)) r.best = k;
+  for (std::size_t k = 0; k < r.candidates.size() && !r.chosen; ++k) {
     Candidate& c = r.candidates[k];
-    const double error = judged(c, options.judge);
-    if (r.chosen == k)
-      c.reason = "the cheapest that meets the tolerance: error " + number(error);
-    else if (error > options.tolerance)
-      c.reason = "error " + number(error) + " is above the tolerance";
-    else if (options.max_cost_ns > 0 && c.cost_ns > options.max_cost_ns)
-      c.reason = "meets the tolerance, but " + number(c.cost_ns) + " ns is above the limit";
-    else if (r.chosen)
-      c.reason = "meets the tolerance, but costs " + number(c.cost_ns) + " ns against " +
-                 number(r.candidates[*r.chosen].cost_ns);
+    const bool affordable = options.max_cost_ns <= 0 || c.cost_ns <= options.max_cost_ns;
+    if (!affordable || judged(c, options.judge) > options.tolerance) continue;
+    if (rendered(r, c, view, reference) <= options.tolerance || options.judge == Judge::brdf) r.chosen = k;
   }
-}
-
-// Smallest error among candidates that `of` admits.
-double best_error(const Recommendation& r, Judge judge, const std::function<bool(const Candidate&)>& of) {
-  double best = 1e300;
-  for (const Candidate& c : r.candidates)
-    if (of(c)) best = std::min(best, judged(c, judge));
-  return best;
-}
-
-void find_unneeded(Recommendation& r, const RecommendOptions& options) {
-  const Coverage& v = r.coverage;
-  const auto say = [&](const std::string& text) { r.unneeded.push_back(text); };
-  if (v.most_theta_o < 75)
-    say("no pixel sees theta_o above " + number(v.most_theta_o) + " degrees: grazing accuracy is not needed");
-  if (v.most_theta_i < 75)
-    say("no lit pixel has theta_i above " + number(v.most_theta_i) + " degrees: grazing light is not shown");
-  if (v.most_theta_d < 40)
-    say("theta_d stays below " + number(v.most_theta_d) +
-        " degrees: the Fresnel rise is not shown, f0 and ks cannot be told apart");
-  if (v.least_theta_h > 5)
-    say("no half vector comes closer to the normal than " + number(v.least_theta_h) +
-        " degrees: the highlight's peak is not shown");
-  if (v.most_theta_h < 20)
-    say("no half vector is farther from the normal than " + number(v.most_theta_h) +
-        " degrees: the lobe's tail is not shown");
-  if (v.azimuth_spread < 30)
-    say("half vectors stay within " + number(v.azimuth_spread) + " degrees of azimuth " +
-        number(v.azimuth_of_h) +
-        ": the view never leaves one direction of the grain, anisotropy is not identifiable");
-  const auto with = [&](auto test) { return best_error(r, options.judge, test); };
-  const auto is_diffuse = [](const Candidate& c) {
-    return c.form == "lambert" || c.form.rfind("oren_nayar", 0) == 0;
-  };
-  const double diffuse = with(is_diffuse),
-               isotropic = with([](const Candidate& c) { return !c.anisotropic; });
-  const double anisotropic = with([](const Candidate& c) { return c.anisotropic; });
-  if (diffuse <= options.tolerance)
-    say("a diffuse model already has error " + number(diffuse) + ": no specular lobe is needed");
-  if (isotropic <= options.tolerance && anisotropic < 1e300)
-    say("two widths instead of one change the best error from " + number(isotropic) + " to " +
-        number(std::min(anisotropic, isotropic)) + ": anisotropy is not needed");
-  const double no_fresnel =
-      with([](const Candidate& c) { return c.choice.find("no Fresnel") != std::string::npos; });
-  if (no_fresnel <= options.tolerance)
-    say("without any Fresnel term the GGX model has error " + number(no_fresnel) + ": it is not needed");
-  const double no_masking = with([](const Candidate& c) { return c.choice == "masking dropped"; });
-  if (no_masking <= options.tolerance)
-    say("with masking dropped the GGX model has error " + number(no_masking) + ": it is not needed");
+  if (!r.chosen) rendered(r, r.candidates[r.best], view, reference);
 }
 
 }  // namespace
+
+const Candidate& shown(const Recommendation& r) {
+  return r.candidates[r.chosen.value_or(r.best)];
+}
 
 std::string Candidate::label() const {
   return form + (anisotropic ? ", two widths" : "") + (choice.empty() ? "" : ", " + choice);
@@ -218,20 +171,9 @@ Recommendation recommend(const RecommendOptions& options) {
   }
   std::stable_sort(r.candidates.begin(), r.candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
-  for (std::size_t k = 0; k < r.candidates.size(); ++k) {
-    const Candidate& c = r.candidates[k];
-    const double error = judged(c, options.judge);
-    if (error < judged(r.candidates[r.best], options.judge)) r.best = k;
-    const bool affordable = options.max_cost_ns <= 0 || c.cost_ns <= options.max_cost_ns;
-    if (!r.chosen && error <= options.tolerance && affordable) r.chosen = k;
-  }
   options.progress(0.9, "rendering both");
-  RenderedPair pair = render_both(view, r.candidates[r.chosen.value_or(r.best)].reflectance, reference);
-  r.rendered_error = pair.image_error;
-  r.picture = std::move(pair.model);
-  r.reference_picture = std::move(pair.reference);
+  choose(r, options, view, reference);
   explain(r, options);
-  find_unneeded(r, options);
   options.progress(1, "");
   return r;
 }

@@ -26,10 +26,11 @@ struct Candidate {
   std::string choice;  // "" for the form itself, or the ledger's variant
   bool anisotropic = false;
   double cost_ns = 0;
-  double image_error = 0;  // in the scene
-  double brdf_error = 0;   // mean |df| cos_i / mean f cos_i over the hemispheres
-  std::string reason;      // why it was chosen or not
-  Material material;       // of a form; for a variant its parent with the variant's parameters
+  double image_error = 0;                // in the scene, from the lit pixels' directions
+  std::optional<double> rendered_error;  // the same from two pictures, where they were rendered
+  double brdf_error = 0;                 // mean |df| cos_i / mean f cos_i over the hemispheres
+  std::string reason;                    // why it was chosen or not
+  Material material;                     // of a form; for a variant its parent with the variant's parameters
   Reflectance reflectance;
   std::string label() const;
 };
@@ -41,14 +42,17 @@ struct Recommendation {
   std::size_t best = 0;               // the smallest error
   std::vector<Candidate> candidates;  // cheapest first
   std::vector<std::string> unneeded;  // features that this scene cannot tell apart, or does not show
+  std::vector<std::string> warnings;  // what the chosen form is known to violate
   Coverage coverage;
-  double rendered_error = 0;  // of the chosen (else the best) one, from two pictures
-  render::Picture picture, reference_picture;
+  render::Picture picture, reference_picture;  // of the chosen one, else of the best
   std::string costs_from;
 };
 
 // Throws InputError.
 Recommendation recommend(const RecommendOptions& options);
+
+// The chosen candidate, else the best: what pictures and material are of.
+const Candidate& shown(const Recommendation& r);
 
 io::Json to_json(const Recommendation& r);
 std::string to_text(const Recommendation& r);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -6,6 +8,7 @@
 #include "io/material_json.h"
 #include "io/output.h"
 #include "trade/recommend.h"
+#include "trade/timing.h"
 
 namespace brdf::trade {
 namespace {
@@ -33,10 +36,20 @@ std::string png_bytes(const std::filesystem::path& path) {
   return bytes.str();
 }
 
+// Stops that bring all but the brightest hundredth of the lit pixels below white; never brighter than it is.
+float exposure_of(const render::Picture& picture) {
+  std::vector<double> brightest;
+  for (const glm::vec4& p : picture.pixels)
+    if (p.a > 0.5f && std::max({p.r, p.g, p.b}) > 0) brightest.push_back(double(std::max({p.r, p.g, p.b})));
+  if (brightest.empty()) return 0;
+  std::sort(brightest.begin(), brightest.end());
+  return float(std::min(0.0, -std::log2(timing::quantile(brightest, 0.99))));
+}
+
 std::string verdict_of(const Recommendation& r) {
   if (r.chosen)
-    return r.candidates[*r.chosen].label() + ": image error " + number(r.rendered_error) + ", " +
-           number(r.candidates[*r.chosen].cost_ns) + " ns per evaluation";
+    return shown(r).label() + ": image error " + number(*shown(r).rendered_error) + ", " +
+           number(shown(r).cost_ns) + " ns per evaluation";
   const Candidate& best = r.candidates[r.best];
   return "none meets the tolerance " + number(r.tolerance) + "; the best is " + best.label() +
          " with error " + number(r.metric == "image" ? best.image_error : best.brdf_error);
@@ -56,10 +69,11 @@ io::Json to_json(const Recommendation& r) {
           {"tolerance", r.tolerance},
           {"metric", r.metric},
           {"chosen", std::move(chosen)},
-          {"rendered_image_error", r.rendered_error},
+          {"rendered_image_error", *shown(r).rendered_error},
           {"best", candidate_json(r.candidates[r.best])},
           {"candidates", std::move(candidates)},
           {"unneeded", r.unneeded},
+          {"warnings", r.warnings},
           {"coverage",
            {{"pixels", r.coverage.pixels},
             {"most_theta_i", r.coverage.most_theta_i},
@@ -74,6 +88,7 @@ io::Json to_json(const Recommendation& r) {
 std::string to_text(const Recommendation& r) {
   std::string text = verdict_of(r) + "\n";
   for (const std::string& sentence : r.unneeded) text += "  " + sentence + "\n";
+  for (const std::string& sentence : r.warnings) text += "  " + sentence + "\n";
   char line[256];
   std::snprintf(line, sizeof line, "\n  %-48s %8s %10s %10s\n", "candidate", "ns", "image", "brdf");
   text += line;
@@ -88,20 +103,25 @@ std::string to_text(const Recommendation& r) {
 
 void write_recommendation(const std::filesystem::path& folder, const Recommendation& r) {
   std::filesystem::create_directories(folder);
-  const Candidate& shown = r.candidates[r.chosen.value_or(r.best)];
-  io::Json fit = {{"made", io::to_json(io::provenance())}, {"image_error", shown.image_error}};
-  if (!shown.choice.empty()) fit["choice"] = shown.choice;
-  io::write_material_file(folder / "material.json", {shown.material, fit});
-  const auto tone = [](const render::Picture& p) { return render::displayed(p, render::ToneMap::srgb, 0); };
+  const Candidate& candidate = shown(r);
+  io::Json fit = {{"made", io::to_json(io::provenance())}, {"image_error", candidate.image_error}};
+  if (!candidate.choice.empty()) fit["choice"] = candidate.choice;
+  io::write_material_file(folder / "material.json", {candidate.material, fit});
+  const float exposure = exposure_of(r.reference_picture);
+  const auto tone = [exposure](const render::Picture& p) {
+    return render::displayed(p, render::ToneMap::srgb, exposure);
+  };
   render::write_png(folder / "model.png", tone(r.picture));
   render::write_png(folder / "reference.png", tone(r.reference_picture));
   render::write_png(folder / "difference.png", render::difference_picture(r.picture, r.reference_picture));
   io::HtmlReport report("What this scene requires");
   report.verdict(r.chosen ? io::Mark::good : io::Mark::bad, verdict_of(r));
   for (const std::string& sentence : r.unneeded) report.paragraph(sentence);
+  for (const std::string& sentence : r.warnings) report.paragraph(sentence);
   report.heading("Pictures");
-  report.picture(png_bytes(folder / "model.png"), shown.label());
-  report.picture(png_bytes(folder / "reference.png"), "The reference");
+  const std::string exposed = ", exposure " + number(double(exposure)) + " stops";
+  report.picture(png_bytes(folder / "model.png"), candidate.label() + exposed);
+  report.picture(png_bytes(folder / "reference.png"), "The reference" + exposed);
   report.picture(png_bytes(folder / "difference.png"), "Relative difference: blue 1e-6 to red 1");
   report.heading("Candidates, cheapest first");
   std::vector<std::vector<io::Cell>> rows;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 namespace brdf::render {
 namespace {
 
@@ -28,6 +30,25 @@ TEST(Lookup, ProductIsItsFactorsClamped) {
     if (d[k] >= 1) continue;  // D itself is clamped for the picture
     const double y = (double(k / kLookupSize) + 0.5) / kLookupSize;
     EXPECT_NEAR(product[k], std::min(1.0, double(f[k] * d[k] * g[k]) / y), 1e-5);
+  }
+}
+
+TEST(Lookup, TexelsHoldTheTableToTheirBits) {
+  const int size = 16;
+  const auto table = lookup_table(LookupFactor::product, false, size);
+  const auto bytes = lookup_texels({size, 8, true}, false), words = lookup_texels({size, 16, true}, false),
+             floats = lookup_texels({size, 32, true}, false);
+  ASSERT_EQ(bytes.size(), table.size());
+  ASSERT_EQ(words.size(), 2 * table.size());
+  ASSERT_EQ(floats.size(), 4 * table.size());
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    std::uint16_t word;
+    float value;
+    std::memcpy(&word, &words[2 * k], 2);
+    std::memcpy(&value, &floats[4 * k], 4);
+    EXPECT_NEAR(float(bytes[k]) / 255, table[k], 0.501 / 255);
+    EXPECT_NEAR(float(word) / 65535, table[k], 0.501 / 65535);
+    EXPECT_EQ(value, table[k]);
   }
 }
 

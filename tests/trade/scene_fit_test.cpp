@@ -72,7 +72,7 @@ TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
   options.tolerance = 0.05;
   const Recommendation r = recommend(options);
   ASSERT_TRUE(r.chosen.has_value());
-  EXPECT_LE(r.rendered_error, options.tolerance);
+  EXPECT_LE(*shown(r).rendered_error, options.tolerance);
   EXPECT_EQ(r.candidates[*r.chosen].form.substr(0, 4), "ward");
   bool grazing = false, anisotropy = false;
   for (const std::string& s : r.unneeded) {

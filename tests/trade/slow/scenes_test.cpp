@@ -31,7 +31,7 @@ TEST(ShippedScenes, TolerancesAreMetAndSmallerOnesAreNeverCheaper) {
       }
       const Candidate& chosen = r.candidates[*r.chosen];
       answers.insert(chosen.label());
-      EXPECT_LE(r.rendered_error, tolerance) << c.scene;
+      EXPECT_LE(*shown(r).rendered_error, tolerance) << c.scene;
       EXPECT_LE(chosen.cost_ns, cost) << c.scene;
       cost = chosen.cost_ns;
     }
