@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Runs the commands of documents and compares what they print with what the document shows.
+
+    tools/run_documents.py [--update] --brdf build/release/brdf README.md docs/tutorials.md
+
+A command is an indented line that starts with `$ brdf`; `\\` continues it. The indented lines after it are its
+output, to the next command or the end of the block; a line `...` stands for any number of lines. Words must be equal,
+numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A command that ends in `# times vary` is
+run, but what it prints is not compared. A command that exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch
+folder, in order, so that one may read what another wrote; `data` there is the repository's. A command that names
+$BRDF_DATA_DIR is left out, and said so, where the variable is unset. --update writes the real output into the document.
+"""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+INDENT = "    "
+
+
+def blocks(lines):
+    """Yields (command, line after the command, line after its output) of every command."""
+    k = 0
+    while k < len(lines):
+        if not lines[k].startswith(INDENT + "$ brdf "):
+            k += 1
+            continue
+        command = lines[k][len(INDENT) + 2 :]
+        k += 1
+        while command.endswith("\\"):
+            command = command[:-1] + lines[k].strip()
+            k += 1
+        begin = end = k
+        while k < len(lines) and (not lines[k] or lines[k].startswith(INDENT)) and not lines[k].startswith(INDENT + "$ "):
+            k += 1
+            if lines[k - 1]:
+                end = k  # an empty line belongs to the output if more output follows
+        yield command, begin, end
+
+
+def same_token(expected, printed):
+    strip = lambda text: text.strip("%,;:()")
+    try:
+        a, b = float(strip(expected)), float(strip(printed))
+    except ValueError:
+        return expected == printed
+    return max(abs(a), abs(b)) < 1e-5 or abs(a - b) <= 0.02 * max(abs(a), abs(b))
+
+
+def same_line(expected, printed):
+    a, b = expected.split(), printed.split()
+    return len(a) == len(b) and all(map(same_token, a, b))
+
+
+def difference(expected, printed):
+    """The first line that differs, as text; None where the output is as shown."""
+    if "..." in expected:
+        cut = expected.index("...")
+        head, tail = expected[:cut], expected[cut + 1 :]
+        if len(printed) < len(head) + len(tail):
+            return f"expected at least {len(head) + len(tail)} lines, printed {len(printed)}"
+        expected, printed = head + tail, printed[: len(head)] + printed[len(printed) - len(tail) :]
+    for a, b in zip(expected, printed):
+        if not same_line(a, b):
+            return f"shown:   {a}\n  printed: {b}"
+    if len(expected) != len(printed):
+        return f"shown {len(expected)} lines, printed {len(printed)}"
+    return None
+
+
+def shortened(expected, printed):
+    """The printed lines, cut where the document cuts them."""
+    if "..." not in expected or len(printed) < len(expected):
+        return printed
+    cut = expected.index("...")
+    return printed[:cut] + ["..."] + printed[len(printed) - (len(expected) - cut - 1) :]
+
+
+def check(document, brdf, update):
+    lines = document.read_text().split("\n")
+    failed = ran = 0
+    replacements = []
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(pathlib.Path(__file__).resolve().parent.parent / "data", f"{folder}/data")
+        os.makedirs(f"{folder}/docs/img")
+        for command, begin, end in blocks(lines):
+            if "$BRDF_DATA_DIR" in command and not os.environ.get("BRDF_DATA_DIR"):
+                print(f"{document}:{begin}: left out, BRDF_DATA_DIR is unset: {command}")
+                continue
+            run = subprocess.run(
+                ["bash", "-c", f'brdf() {{ "{brdf}" "$@" 2>&1; }}; {command}\n'], cwd=folder, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT, text=True, check=False)
+            ran += 1
+            if run.returncode > 1:
+                failed += 1
+                print(f"{document}:{begin}: exit code {run.returncode}: {command}\n  {run.stdout.strip()}")
+                continue
+            printed = [line.rstrip() for line in run.stdout.rstrip("\n").split("\n")] if run.stdout else []
+            expected = [line[len(INDENT) :].rstrip() for line in lines[begin:end]]
+            if update:
+                replacements.append((begin, end, [(INDENT + line).rstrip() for line in shortened(expected, printed)]))
+                continue
+            wrong = None if command.endswith("# times vary") else difference(expected, printed)
+            if wrong:
+                failed += 1
+                print(f"{document}:{begin}: {command}\n  {wrong}")
+    for begin, end, output in reversed(replacements):
+        lines[begin:end] = output
+    if update:
+        document.write_text("\n".join(lines))
+    print(f"{document}: {ran} commands, {failed} differ from what is shown")
+    return ran > 0 and failed == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("documents", nargs="+", type=pathlib.Path)
+    parser.add_argument("--brdf", required=True, help="the program")
+    parser.add_argument("--update", action="store_true", help="write the real output into the documents")
+    options = parser.parse_args()
+    brdf = pathlib.Path(options.brdf).resolve()
+    good = [check(document, brdf, options.update) for document in options.documents]
+    sys.exit(0 if all(good) else 1)
+
+
+main()
