@@ -73,6 +73,7 @@ validate::MeasuredTable measured(const std::string& file) {
 // Forms, materials and tables with their findings.
 validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
+  content.max_theta = o.max_theta;
   if (o.all) for_each_form([&](auto form) { content.subjects.push_back(validate::Subject::form(form)); });
   for (const std::string& name : o.forms)
     content.subjects.push_back(validate::Subject::form(require_form(name)));

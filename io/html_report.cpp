@@ -31,8 +31,17 @@ pre { background: #f6f6f6; padding: .5rem .7rem; overflow-x: auto; white-space: 
 .verdict.good { border-color: #0a6b2d; } .verdict.warn { border-color: #d09000; }
 .verdict.bad { border-color: #b00020; }
 figure { margin: 1rem 0 1.6rem; break-inside: avoid; } figcaption { font-size: .9rem; color: #444; }
-.chart { position: relative; height: 22rem; } .chart.square { height: 30rem; max-width: 34rem; }
+.chart { position: relative; height: 22rem; } .chart.square { height: 23rem; max-width: 38rem; }
 img { max-width: 100%; image-rendering: auto; }
+td.good, td.warn, td.bad { white-space: nowrap; }
+td pre { margin: .3rem 0 0; padding: .3rem .5rem; word-break: normal; overflow-wrap: anywhere; }
+.map { display: inline-grid; grid-template-columns: auto auto 22.5rem; gap: .2rem .4rem; font-size: .8rem; color: #444; }
+.map img { width: 22.5rem; height: 22.5rem; image-rendering: pixelated; }
+.map .y { writing-mode: vertical-rl; transform: rotate(180deg); text-align: center; }
+.map .x { grid-column: 3; text-align: center; } .map .ticks { display: flex; justify-content: space-between; }
+.map .up { flex-direction: column-reverse; text-align: right; }
+.bar { display: flex; gap: .5rem; align-items: center; font-size: .8rem; color: #444; margin: .5rem 0; }
+.bar i { width: 12rem; height: .8rem; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 footer { margin-top: 3rem; border-top: 1px solid #ccc; font-size: .85rem; color: #555; }
 @media print { body { max-width: none; margin: 0; } .chart { height: 16rem; } a { color: inherit; } }
 )css";
@@ -45,15 +54,19 @@ Chart.defaults.animation = false;
 for (const [index, plot] of plots.entries()) {
   const axis = (label, log, range) => ({ type: log ? "logarithmic" : "linear", title: { display: true, text: label },
     min: range ? range[0] : undefined, max: range ? range[1] : undefined });
-  const datasets = plot.series.map((s, k) => {
+  const datasets = plot.series.flatMap((s, k) => {
     const colour = s.style === "faint" ? "#bbbbbb" : palette[k % palette.length];
-    return { label: s.label, data: s.x.map((x, j) => ({ x: x, y: s.y[j] })), borderColor: colour,
+    const line = { label: s.label, data: s.x.map((x, j) => ({ x: x, y: s.y[j] })), borderColor: colour,
       backgroundColor: colour, borderWidth: s.style === "faint" ? 1 : 2, showLine: s.style !== "points",
       borderDash: s.style === "dashed" ? [6, 4] : [], pointRadius: s.style === "points" ? 2.5 : 0, spanGaps: false };
+    const edge = (values, fill) => ({ label: "", data: s.x.map((x, j) => ({ x: x, y: values[j] })), showLine: true,
+      borderWidth: 0, pointRadius: 0, fill: fill, backgroundColor: colour + "38" });
+    return s.low ? [edge(s.low, false), edge(s.high, "-1"), line] : [line];
   });
   new Chart(document.getElementById("plot" + index), { type: "scatter", data: { datasets }, options: {
     maintainAspectRatio: false, responsive: true,
-    plugins: { legend: { display: plot.series.length > 1, labels: { boxHeight: 2 } },
+    plugins: { legend: { display: plot.series.length > 1,
+        labels: { boxHeight: 2, filter: item => item.text !== "" } },
       title: { display: true, text: plot.title, font: { size: 15 } } },
     scales: { x: axis(plot.x_label, plot.log_x, plot.range_x), y: axis(plot.y_label, plot.log_y, plot.range_y) } } });
 }
@@ -91,13 +104,17 @@ Json to_json(const Plot& plot) {
                               {"style", style_name(s.style)},
                               {"x", values(s.x, plot.log_x)},
                               {"y", values(s.y, plot.log_y)}});
+    if (!s.low.empty()) {
+      json["series"].back()["low"] = values(s.low, plot.log_y);
+      json["series"].back()["high"] = values(s.high, plot.log_y);
+    }
     for (const double x : s.x) x_max = std::fmax(x_max, std::abs(x));
     for (const double y : s.y) y_max = std::fmax(y_max, std::abs(y));
   }
   if (plot.equal_axes) {  // a half plane seen from the side
     const double size = 1.05 * std::fmax(x_max, y_max);
     json["range_x"] = {-size, size};
-    json["range_y"] = {0, 2 * size};
+    json["range_y"] = {0, size};
   }
   return json;
 }
@@ -121,7 +138,32 @@ std::string chart_library() {
   std::ifstream file(BRDF_CHART_JS, std::ios::binary);
   if (!file)
     throw EnvironmentError("HTML reports need Chart.js at " BRDF_CHART_JS " (Debian: libjs-chart.js)");
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  // The addresses in its licence comments lose their scheme: a report refers to nothing outside, and a search
+  // for addresses can show it.
+  constexpr std::string_view kScheme = "https://";
+  for (std::size_t comment = 0; (comment = text.find("/*!", comment)) != text.npos; ++comment)
+    for (std::size_t at; (at = text.find(kScheme, comment)) < text.find("*/", comment);)
+      text.erase(at, kScheme.size());
+  return text;
+}
+
+void append_ticks(std::string& html, const char* extra, const std::vector<std::string>& ticks) {
+  html += std::string("<div class=\"ticks") + extra + "\">";
+  for (const std::string& tick : ticks) html += "<span>" + html_escaped(tick) + "</span>";
+  html += "</div>";
+}
+
+// The colours of map_colour() as a CSS gradient.
+std::string gradient() {
+  std::string css = "linear-gradient(90deg";
+  for (int k = 0; k <= 4; ++k) {
+    unsigned char rgb[3];
+    map_colour(k / 4.0, rgb);
+    css +=
+        ", rgb(" + std::to_string(rgb[0]) + " " + std::to_string(rgb[1]) + " " + std::to_string(rgb[2]) + ")";
+  }
+  return css + ")";
 }
 
 }  // namespace
@@ -164,7 +206,9 @@ void HtmlReport::table(const std::vector<std::string>& header, const std::vector
     for (const Cell& cell : row) {
       const std::string text = html_escaped(cell.text);
       body_ += cell.mark == Mark::none ? "<td>" : std::string("<td class=\"") + css_class(cell.mark) + "\">";
-      body_ += (cell.code && !text.empty() ? "<code>" + text + "</code>" : text) + "</td>";
+      body_ += cell.code && !text.empty() ? "<code>" + text + "</code>" : text;
+      if (!cell.command.empty()) body_ += "<pre>" + html_escaped(cell.command) + "</pre>";
+      body_ += "</td>";
     }
     body_ += "</tr>\n";
   }
@@ -187,6 +231,18 @@ void HtmlReport::picture(std::string_view png, std::string_view caption, std::st
   body_ += "<figure><img alt=\"" + html_escaped(caption) + "\" src=\"data:image/png;base64," + base64(png) +
            "\"><figcaption>" + html_escaped(caption) + "</figcaption></figure>\n";
   command(made_by);
+}
+
+void HtmlReport::map(const HeatMap& m) {
+  body_ += "<figure><div class=\"map\"><div class=\"y\">" + html_escaped(m.y_label) + "</div>";
+  append_ticks(body_, " up", m.y_ticks);
+  body_ += "<img alt=\"" + html_escaped(m.caption) + "\" src=\"data:image/png;base64," + base64(m.png) +
+           "\"><div class=\"x\">";
+  append_ticks(body_, "", m.x_ticks);
+  body_ += html_escaped(m.x_label) + "</div></div><div class=\"bar\"><span>" + html_escaped(m.low) +
+           "</span><i style=\"background: " + gradient() + "\"></i><span>" + html_escaped(m.high) +
+           "</span></div><figcaption>" + html_escaped(m.caption) + "</figcaption></figure>\n";
+  command(m.command);
 }
 
 void HtmlReport::command(std::string_view text) {

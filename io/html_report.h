@@ -15,6 +15,7 @@ struct Series {
   std::string label;
   std::vector<double> x, y;
   enum class Style { line, dashed, points, faint } style = Style::line;
+  std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: none
 };
 
 // Drawn by Chart.js, which is embedded in the file.
@@ -33,6 +34,16 @@ struct Cell {
   std::string text;
   Mark mark = Mark::none;
   bool code = false;
+  std::string command = {};  // shown beneath
+};
+
+// A picture whose pixels are values over two axes, colours by map_colour().
+struct HeatMap {
+  std::string png;  // the file's bytes, first row on top
+  std::string x_label, y_label;
+  std::vector<std::string> x_ticks, y_ticks;  // evenly spaced, from the left and from the bottom
+  std::string low, high;                      // what the darkest and the brightest colour mean
+  std::string caption, command;
 };
 
 class HtmlReport {
@@ -47,6 +58,7 @@ class HtmlReport {
   void plot(const Plot& plot);
   // `png` holds a PNG file's bytes.
   void picture(std::string_view png, std::string_view caption, std::string_view command = {});
+  void map(const HeatMap& map);
   void command(std::string_view text);
 
   // The whole document. Throws EnvironmentError where Chart.js is not installed and a plot needs it.

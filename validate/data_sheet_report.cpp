@@ -31,21 +31,23 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   io::Plot albedo;
   albedo.title = "Reflected fraction by integrating the samples: " + t.source;
   albedo.x_label = "polar angle of the light, degrees";
-  albedo.y_label = "albedo of " + t.channels.front();
-  albedo.series = {{"value", {}, {}, io::Series::Style::line},
-                   {"value + bound", {}, {}, io::Series::Style::dashed},
-                   {"value - bound", {}, {}, io::Series::Style::dashed}};
-  for (const MeasuredAlbedo& a : sheet.albedo) {
-    if (a.coverage < 0.6) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      albedo.series[k].x.push_back(a.theta_i);
-      albedo.series[k].y.push_back(a.value[0] + (k == 1 ? a.bound[0] : k == 2 ? -a.bound[0] : 0));
+  albedo.y_label = "reflected fraction";
+  for (std::size_t c = 0; c < t.channels.size() && c < 8; ++c) {
+    io::Series s{t.channels[c], {}, {}};
+    for (const MeasuredAlbedo& a : sheet.albedo) {
+      if (a.coverage < 0.6) continue;
+      s.x.push_back(a.theta_i);
+      s.y.push_back(a.value[c]);
+      s.low.push_back(a.value[c] - a.bound[c]);
+      s.high.push_back(a.value[c] + a.bound[c]);
     }
+    albedo.series.push_back(std::move(s));
   }
   albedo.caption =
-      "The bound holds what no sample is near to, the coarseness of the sampling, and half the noise floor.";
+      "The band is the bound: it holds what no sample is near to, the coarseness of the sampling, and half "
+      "the noise floor.";
   albedo.command = "brdf validate " + t.source + " --json";
-  if (albedo.series[0].x.size() > 1) report.plot(albedo);
+  if (!albedo.series.empty() && albedo.series[0].x.size() > 1) report.plot(albedo);
 }
 
 }  // namespace brdf::validate

@@ -114,17 +114,17 @@ std::string to_markdown(const std::vector<Finding>& findings) {
   return text;
 }
 
-void add_table(io::HtmlReport& report, const std::vector<Finding>& findings) {
+void add_tables(io::HtmlReport& report, const std::vector<Finding>& findings) {
   std::vector<std::vector<io::Cell>> rows;
-  for (const Finding& f : findings) {
-    std::string text = f.statement;
-    rows.push_back({{f.subject},
-                    {f.check},
+  for (std::size_t k = 0; k < findings.size(); ++k) {
+    const Finding& f = findings[k];
+    rows.push_back({{f.check},
                     {plain(f.verdict), mark_of(f.verdict)},
-                    {text},
-                    {shows_witness(f) ? f.witness->command : "", io::Mark::none, true}});
+                    {f.statement, io::Mark::none, false, shows_witness(f) ? f.witness->command : ""}});
+    if (k + 1 < findings.size() && findings[k + 1].subject == f.subject) continue;
+    report.table({f.subject, "verdict", "finding"}, rows);
+    rows.clear();
   }
-  report.table({"subject", "check", "verdict", "finding", "reproduce"}, rows);
 }
 
 }  // namespace brdf::validate

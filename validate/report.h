@@ -32,6 +32,7 @@ struct ReportContent {
   std::vector<Subject> subjects;
   std::vector<MeasuredTable> tables;
   std::vector<Picture> pictures;
+  double max_theta = 89.5;  // degrees, to which plots go
 };
 
 // Verdicts first, then the plots of each subject and table, with the command that prints the same numbers.
@@ -40,7 +41,7 @@ std::string to_html(const ReportContent& content);
 // The verdict over all: "all 12 checks passed", or how many did not.
 std::string summary(const std::vector<Finding>& findings);
 
-// The verdict table of these findings.
-void add_table(io::HtmlReport& report, const std::vector<Finding>& findings);
+// A table of verdicts for each subject.
+void add_tables(io::HtmlReport& report, const std::vector<Finding>& findings);
 
 }  // namespace brdf::validate

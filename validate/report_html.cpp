@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "brdf/integrals.h"
 #include "io/text.h"
@@ -25,15 +26,22 @@ std::string with_selector(const Subject& subject, const Material& m, const std::
   return "brdf " + verb + " " + subject.selector(m) + " " + rest;
 }
 
-io::Plot albedo_plot(const Subject& subject, const Material& m) {
+std::string rounded(double x) {
+  std::ostringstream text;
+  text.precision(2);
+  text << x;
+  return text.str();
+}
+
+io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta) {
   io::Plot plot;
   plot.title = "Albedo against angle: " + subject.name();
   plot.x_label = "polar angle of the light, degrees";
   plot.y_label = "reflected fraction";
   std::vector<double> angles;
-  for (double theta = 0; theta < 85; theta += 2.5) angles.push_back(theta);
-  for (double theta = 85; theta <= 90; theta += 0.25) angles.push_back(theta);
-  double widest = 0;
+  for (double theta = 0; theta < max_theta; theta += theta < 85 ? 2.5 : 0.25) angles.push_back(theta);
+  angles.push_back(max_theta);
+  double widest = 0, lowest = HUGE_VAL, highest = 0;
   std::string list;
   for (const double theta : angles) list += (list.empty() ? "" : ",") + io::to_text(theta);
   for (const std::string& channel : m.channels)
@@ -43,15 +51,22 @@ io::Plot albedo_plot(const Subject& subject, const Material& m) {
     options.tolerance = 1e-5;
     const auto results = directional_albedo(m, theta * kRadians, 0, options);
     for (std::size_t c = 0; c < results.size(); ++c) {
-      plot.series[c].y.push_back(results[c].value);
-      widest = std::max(widest, results[c].error_bound);
+      const AlbedoResult& r = results[c];
+      io::Series& s = plot.series[c];
+      s.y.push_back(r.value);
+      s.low.push_back(r.value - r.error_bound);
+      s.high.push_back(r.value + r.error_bound);
+      widest = std::max(widest, r.error_bound);
+      lowest = std::min(lowest, r.value);
+      highest = std::max(highest, r.value);
     }
   }
-  plot.series.push_back({"1: all of it", {0, 90}, {1, 1}, io::Series::Style::faint});
+  plot.log_y = lowest > 0 && highest > 30 * lowest;
+  plot.series.push_back({"1: all of it", {0, max_theta}, {1, 1}, io::Series::Style::faint});
   plot.caption =
       "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
-      "would give off more than it receives. Error bound of every point: at most " +
-      io::to_text(float(widest)) + ".";
+      "would give off more than it receives. The band is the error bound, at most " +
+      rounded(widest) + ".";
   plot.command = with_selector(subject, m, "albedo", "--theta " + list + " --tolerance 1e-5");
   return plot;
 }
@@ -145,14 +160,16 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
       // From 1e-16 (dark) to 1 (bright), logarithmic.
       io::map_colour(v > 0 ? 1 + std::log10(v) / 16 : 0, &rgb[3 * (y * kCells * kScale + x)]);
     }
-  report.picture(
-      io::png_of_pixels(kCells * kScale, kCells * kScale, rgb),
-      "Reciprocity of " + subject.name() +
-          ": the difference when light and viewer change places, for every pair of polar angles (light 0 to "
-          "90 "
-          "degrees from left to right, viewer from bottom to top). Dark: rounding (1e-16), bright: of the "
-          "order of the value itself. Worst here: " +
-          io::to_text(float(worst)) + ".");
+  const std::vector<std::string> ticks{"0", "30", "60", "90"};
+  report.map({io::png_of_pixels(kCells * kScale, kCells * kScale, rgb), "polar angle of the light, degrees",
+              "polar angle of the viewer, degrees", ticks, ticks, "1e-16: rounding",
+              "1: as large as f itself",
+              "Reciprocity of " + subject.name() +
+                  ": the relative difference when light and viewer change places, for every pair of polar "
+                  "angles, at the worst of five azimuths. At most " +
+                  rounded(worst) + " here.",
+              with_selector(subject, m, "eval",
+                            "DIRECTIONS.csv   # each pair in both orders; the largest difference of f")});
 }
 
 }  // namespace
@@ -172,7 +189,7 @@ std::string to_html(const ReportContent& content) {
                                                  : io::Mark::good,
                  summary(content.findings));
   report.heading("Verdicts");
-  add_table(report, content.findings);
+  add_tables(report, content.findings);
   for (const Picture& p : content.pictures) report.picture(p.png, p.name);
   for (const MeasuredTable& measured : content.tables) {
     report.heading(measured.table.source);
@@ -181,7 +198,7 @@ std::string to_html(const ReportContent& content) {
   for (const Subject& subject : content.subjects) {
     report.heading(subject.name());
     const Material m = shown(subject);
-    report.plot(albedo_plot(subject, m));
+    report.plot(albedo_plot(subject, m, content.max_theta));
     report.plot(polar_plot(subject, m));
     add_furnace(report, subject, m);
     add_reciprocity_map(report, subject, m);
