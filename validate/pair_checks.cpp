@@ -119,6 +119,7 @@ Finding check_reciprocity(const Subject& subject, const CheckOptions& options) {
       subject, [](const Material& m, const Pair& p) { return asymmetry(m, p.wi, p.wo, p.wo, p.wi, 0); },
       options);
   Finding finding = from_best(subject, "reciprocity", best, best.value, kReciprocityBound, 2);
+  finding.witness = pair_witness(subject, subject.at(best.point), pair_of(subject, best.point), true);
   finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
   finding.statement =
       finding.verdict == Verdict::pass
@@ -184,6 +185,9 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
       },
       options);
   Finding finding = from_best(subject, "continuity", best, best.value, kBound, 13);
+  Pair pair = pair_of(subject, best.point);
+  pair.theta_i = 90;
+  finding.witness = pair_witness(subject, subject.at(best.point), pair);
   finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
   finding.statement =
       finding.verdict == Verdict::pass

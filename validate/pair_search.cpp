@@ -73,14 +73,19 @@ Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckO
   return maximise(objective, pair_dimensions(subject), search, grid);
 }
 
-Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair) {
+Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders) {
   Witness w;
   w.parameters = subject.parameters(at);
   w.angles = {
       {"theta_i", pair.theta_i}, {"phi_i", pair.phi_i}, {"theta_o", pair.theta_o}, {"phi_o", pair.phi_o}};
-  std::string row;
-  for (const auto& [name, value] : w.angles) row += (row.empty() ? "" : ",") + io::to_text(value);
-  w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + row + "\\n' > pair.csv && brdf eval " +
+  const auto row = [](std::initializer_list<double> angles) {
+    std::string text;
+    for (const double angle : angles) text += (text.empty() ? "" : ",") + io::to_text(angle);
+    return text + "\\n";
+  };
+  std::string rows = row({pair.theta_i, pair.phi_i, pair.theta_o, pair.phi_o});
+  if (both_orders) rows += row({pair.theta_o, pair.phi_o, pair.theta_i, pair.phi_i});
+  w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + rows + "' > pair.csv && brdf eval " +
               subject.selector(at) + " pair.csv";
   return w;
 }

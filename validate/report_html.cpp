@@ -93,7 +93,9 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
       "How bright the surface sends light on to each side, the light coming from the left; the brightest "
       "channel.";
   plot.command =
-      with_selector(subject, m, "eval", "DIRECTIONS.csv   # phi_i = 180, phi_o = 0; f times cos(theta_o)");
+      "(echo theta_i,phi_i,theta_o,phi_o; for i in 0 30 60; do for o in $(seq -89 0.5 89); do echo "
+      "$i,180,$o,0; done; done) > lobes.csv && " +
+      with_selector(subject, m, "eval", "lobes.csv   # f; the plot shows f cos(theta_o)");
   return plot;
 }
 
@@ -128,8 +130,13 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   plot.caption =
       "In a room that is equally bright everywhere a lossless surface would be invisible (1). What is "
       "missing is lost by the model.";
-  plot.command =
-      with_selector(subject, full, "albedo", "--theta 0,60,80   # for each value of " + plot.x_label);
+  std::string command = with_selector(subject, full, "albedo", "--theta 0,60,80"), list;
+  for (const std::size_t k : tied) {
+    const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
+    command.replace(command.find(set + last) + set.size(), last.size(), "$x");
+  }
+  for (const double value : values) list += " " + io::to_text(value);
+  plot.command = "for x in" + list + "; do " + command + "; done";
   report.plot(plot);
 }
 
@@ -141,9 +148,9 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
   std::vector<double> f(m.channels.size()), g(f.size());
   for (std::size_t i = 0; i < kCells; ++i)
     for (std::size_t o = 0; o < kCells; ++o)
-      for (const double phi : {0.0, 0.7, 1.5, 2.4, kPi}) {
-        const Vec3<double> wi = direction((double(i) + 0.5) * 1.5 * kRadians, 0.3);
-        const Vec3<double> wo = direction((double(o) + 0.5) * 1.5 * kRadians, 0.3 + phi);
+      for (const double phi : {0.0, 40.0, 86.0, 138.0, 180.0}) {
+        const Vec3<double> wi = direction((double(i) + 0.5) * 1.5 * kRadians, 17 * kRadians);
+        const Vec3<double> wo = direction((double(o) + 0.5) * 1.5 * kRadians, (17 + phi) * kRadians);
         eval(m, wi, wo, f);
         eval(m, wo, wi, g);
         for (std::size_t c = 0; c < f.size(); ++c) {
@@ -161,15 +168,19 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
       io::map_colour(v > 0 ? 1 + std::log10(v) / 16 : 0, &rgb[3 * (y * kCells * kScale + x)]);
     }
   const std::vector<std::string> ticks{"0", "30", "60", "90"};
-  report.map({io::png_of_pixels(kCells * kScale, kCells * kScale, rgb), "polar angle of the light, degrees",
-              "polar angle of the viewer, degrees", ticks, ticks, "1e-16: rounding",
-              "1: as large as f itself",
-              "Reciprocity of " + subject.name() +
-                  ": the relative difference when light and viewer change places, for every pair of polar "
-                  "angles, at the worst of five azimuths. At most " +
-                  rounded(worst) + " here.",
-              with_selector(subject, m, "eval",
-                            "DIRECTIONS.csv   # each pair in both orders; the largest difference of f")});
+  report.map(
+      {io::png_of_pixels(kCells * kScale, kCells * kScale, rgb), "polar angle of the light, degrees",
+       "polar angle of the viewer, degrees", ticks, ticks, "1e-16: rounding", "1: as large as f itself",
+       "Reciprocity of " + subject.name() +
+           ": the relative difference when light and viewer change places, for every pair of polar "
+           "angles, at the worst of five azimuths. At most " +
+           rounded(worst) + " here.",
+       "(echo theta_i,phi_i,theta_o,phi_o; for i in $(seq 0.75 1.5 89.25); do for o in $(seq 0.75 1.5 "
+       "89.25); do for p in 17 57 103 155 197; do echo $i,17,$o,$p; echo $o,$p,$i,17; done; done; done) "
+       "> pairs.csv && " +
+           with_selector(subject, m, "eval",
+                         "pairs.csv   # every second row is the one before, "
+                         "exchanged")});
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 """The HTML report is well-formed, refers to nothing outside itself, states the verdict first and has plots with
 data, each with its command: html_test.py EXECUTABLE"""
 import base64
+import os
 import re
+import subprocess
 import sys
 import tempfile
 
@@ -54,6 +56,17 @@ def check_plots(text, document):
     return len(plots)
 
 
+def check_commands(executable, folder, document):
+    """Every command that stands in the report runs."""
+    environment = dict(os.environ, PATH=f"{os.path.dirname(os.path.abspath(executable))}:{os.environ['PATH']}")
+    commands = [document.texts[k] for k in document.places("pre")]
+    for command in commands:
+        run = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True,
+                             check=False)
+        assert run.returncode == 0 and run.stdout, (command, run.stderr)
+    return len(commands)
+
+
 def check_the_checks():
     """What the checks must refuse, so that a pass means something."""
     for broken in ("<p><b></p></b>", "<div>", "<img src='a' src='b'>"):
@@ -80,7 +93,9 @@ def main():
             check_verdict_first(document)
             count = check_plots(text, document)
             assert count >= least, f"{path.name}: {count} plots"
-            print(f"{path.name}: well-formed, self-contained, verdict first, {count} plots with data")
+            commands = check_commands(sys.argv[1], folder, document)
+            print(f"{path.name}: well-formed, self-contained, verdict first, {count} plots with data, "
+                  f"{commands} commands that run")
 
 
 main()
