@@ -114,4 +114,11 @@ class Model {
   double fixed_tangent_ = 0;
 };
 
+// True where the user's name means this parameter: "terms[1].alpha" addresses one term of a sum, "alpha" both
+// widths of all that have them.
+bool addresses(std::string_view given, std::size_t term, std::string_view parameter);
+
+// Throws InputError where a value given with `option` lies outside the parameter's range.
+void check_range(const ParameterInfo& p, double value, const char* option);
+
 }  // namespace brdf::fit
