@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/solve.h"
 #include "io/error.h"
 #include "io/text.h"
 
