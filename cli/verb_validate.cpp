@@ -9,6 +9,7 @@
 
 #include "cli/microsurface.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/shader_proof.h"
 #include "cli/verbs.h"
 #include "io/error.h"
@@ -86,7 +87,7 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
   }
   if (content.subjects.empty() && content.tables.empty())
     throw InputError("nothing to validate: give materials, samples, --form or --all");
-  content.findings = validate::run_checks(content.subjects, options);
+  content.findings = validate::run_checks(content.subjects, options, progress_line("brdf validate: checks"));
   for (const auto& measured : content.tables)
     content.findings.insert(content.findings.end(), measured.sheet.findings.begin(),
                             measured.sheet.findings.end());

@@ -179,12 +179,12 @@ class EnergySearch {
     if (point[parameters_] < 1 || options_.max_theta >= 90) return "";
     const double nearer = albedo(point, 1e-6, 0.01).value, nearest = albedo(point, 1e-6, 1e-4).value;
     std::ostringstream text;
-    text.precision(3);
     const double power = std::log(nearest / nearer) / std::log(100.0);
     if (power > 0.05)
-      text << "; beyond, it grows as 1/cos^" << power << " without limit";
+      text << std::setprecision(2) << "; beyond, it grows as 1/cos^" << power << " without limit";
     else
-      text << "; beyond, it tends to " << nearest << (nearest > here ? "" : " (no higher)");
+      text << std::setprecision(5) << "; beyond, it tends to " << nearest
+           << (nearest > here ? "" : " (no higher)");
     return text.str();
   }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 #include <sstream>
 
@@ -70,7 +71,8 @@ std::vector<std::string> check_names() {
   return names;
 }
 
-std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options) {
+std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
+                                const CheckProgress& progress) {
   constexpr std::size_t kCount = std::size(kChecks);
   std::vector<Finding> findings(subjects.size() * kCount);
   // The dear ones first, so that no processor is left alone with one at the end.
@@ -81,11 +83,15 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
+  std::mutex mutex;
+  int done = 0;
   parallel_for(order.size(), [&](std::size_t j) {
     const std::size_t k = order[j];
     const Subject& subject = subjects[k / kCount];
     findings[k] = kChecks[k % kCount].run(subject, options);
     judge(findings[k], subject, options);
+    const std::lock_guard lock(mutex);
+    if (progress) progress(++done, int(order.size()));
   });
   return findings;
 }

@@ -20,7 +20,7 @@ double azimuth(const io::SampleTable& t, std::size_t k) {
   return t.theta_i[k] == 0 || t.theta_o[k] == 0 ? 0 : d;
 }
 
-using Curve = std::map<double, double>;  // viewer's polar angle, mean value
+using Curve = std::map<double, double>;  // viewer's polar angle, value
 
 double interpolated(const Curve& curve, double theta) {
   const auto above = curve.lower_bound(theta);
@@ -32,27 +32,21 @@ double interpolated(const Curve& curve, double theta) {
   return below->second + x * (above->second - below->second);
 }
 
-// Of one channel: light's polar angle, azimuth, curve. A pole belongs to every azimuth.
+// Of one channel: light's polar angle, azimuth, curve. A pole belongs to every azimuth. Of directions that
+// occur more than once (both sides of the plane of incidence, turns of the sample) the first counts: a mean
+// would hide the noise.
 std::map<double, std::map<long, Curve>> curves(const io::SampleTable& t, std::size_t channel) {
-  std::map<std::tuple<double, long, double>, std::pair<double, int>> means;
   std::map<double, std::set<long>> azimuths;
   for (std::size_t k = 0; k < t.rows(); ++k)
     if (t.theta_o[k] != 0) azimuths[t.theta_i[k]].insert(key(azimuth(t, k)));
-  for (std::size_t k = 0; k < t.rows(); ++k) {
-    const auto add = [&](long phi) {
-      auto& [sum, count] = means[{t.theta_i[k], phi, t.theta_o[k]}];
-      sum += t.values[channel][k];
-      ++count;
-    };
-    if (t.theta_o[k] == 0)
-      for (const long phi : azimuths[t.theta_i[k]]) add(phi);
-    else
-      add(key(azimuth(t, k)));
-  }
   std::map<double, std::map<long, Curve>> found;
-  for (const auto& [place, mean] : means) {
-    const auto& [theta_i, phi, theta_o] = place;
-    found[theta_i][phi][theta_o] = mean.first / mean.second;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    auto& of_light = found[t.theta_i[k]];
+    const double value = t.values[channel][k];
+    if (t.theta_o[k] == 0)
+      for (const long phi : azimuths[t.theta_i[k]]) of_light[phi].try_emplace(0.0, value);
+    else
+      of_light[key(azimuth(t, k))].try_emplace(t.theta_o[k], value);
   }
   return found;
 }

@@ -22,7 +22,8 @@ std::string percent(double x) {
 }
 
 std::string plural(std::size_t n, const std::string& word) {
-  return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
+  const std::string many = word.ends_with('y') ? word.substr(0, word.size() - 1) + "ies" : word + "s";
+  return std::to_string(n) + " " + (n == 1 ? word : many);
 }
 
 Finding start(const io::SampleTable& t, const char* check) {

@@ -123,6 +123,36 @@ TEST(DataSheet, MeasuresTheNoiseFloor) {
   EXPECT_LT(floor, 0.08);
 }
 
+TEST(DataSheet, ATurnedSampleShowsItsAnisotropyAndItsNoise) {
+  Term term = make_term(ward{}, 1);
+  term.weights[0] = {0.2, 0.15};
+  std::mt19937 random(7);
+  for (const double alpha_y : {0.1, 0.3}) {
+    term.shape[0] = {0.1, alpha_y};
+    io::SampleTable t = clean_table(0);
+    const std::size_t rows = t.rows();
+    for (const double turn : {45.0, 90.0})
+      for (std::size_t k = 0; k < rows; ++k) {
+        for (auto* angles : {&t.theta_i, &t.theta_o}) angles->push_back((*angles)[k]);
+        for (auto* angles : {&t.phi_i, &t.phi_o}) angles->push_back((*angles)[k] + turn);
+        t.values[0].push_back(0);
+        t.lines.push_back(std::uint32_t(t.lines.size() + 2));
+      }
+    for (std::size_t k = 0; k < t.rows(); ++k) {
+      std::vector<double> f(1);
+      const auto at = [](double theta, double phi) { return direction(theta * kPi / 180, phi * kPi / 180); };
+      eval(Material{{"fr"}, {term}}, at(t.theta_i[k], t.phi_i[k]), at(t.theta_o[k], t.phi_o[k]), f);
+      t.values[0][k] = f[0] * (1 + 0.1 * (2 * double(random()) / double(random.max()) - 1));
+    }
+    const DataSheet sheet = data_sheet(t);
+    EXPECT_EQ(finding(sheet, "isotropy").statement.starts_with("anisotropic"), alpha_y != 0.1)
+        << finding(sheet, "isotropy").statement;
+    EXPECT_GT(finding(sheet, "noise_floor").value, 0.04);
+    EXPECT_LT(finding(sheet, "noise_floor").value, 0.08);
+    EXPECT_EQ(faults(t), Names{}) << alpha_y;
+  }
+}
+
 TEST(DataSheet, IntegralHoldsTheTruthWithinItsBound) {
   io::SampleTable t = clean_table(0);
   for (double& v : t.values[0]) v = 0.8 / kPi;  // Lambert
