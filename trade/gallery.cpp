@@ -25,7 +25,7 @@ std::vector<timing::Timing> times_of(render::Device& device,
   for (const auto& renderer : renderers) calls.push_back([&r = *renderer] { r.draw(); });
   timing::Options options;
   options.rounds = rounds;
-  options.least_seconds = 2e-3;
+  options.least_seconds = 4e-3;
   options.neighbours = 3;
   if (render::is_software(device)) options.clock = timing::Clock::process;
   return timing::interleaved(calls, options);

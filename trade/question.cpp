@@ -10,47 +10,48 @@ std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, s
                               Precision precision) {
   std::vector<double> out(count);
   if (precision == Precision::double_) {
-    kernel.in_double(in, out);
+    kernel.in_double(pointers(in), out);
     return out;
   }
   Columns<float> narrow;
   for (std::size_t k = 0; k < kInputs; ++k) narrow[k].assign(in[k].begin(), in[k].end());
   std::vector<float> result(count);
-  kernel.in_float(narrow, result);
+  kernel.in_float(pointers(narrow), result);
   std::copy(result.begin(), result.end(), out.begin());
   return out;
 }
 
-// The first points of the domain, again and again until there are enough, in both precisions.
-struct TimedInputs {
-  Columns<double> wide;
-  Columns<float> narrow;
-  TimedInputs(const Points& points, std::size_t count) {
-    for (std::size_t k = 0; k < kInputs; ++k)
-      for (std::size_t n = 0; n < count; ++n) {
-        wide[k].push_back(points.columns[k][n % points.count()]);
-        narrow[k].push_back(float(wide[k].back()));
-      }
+// The first points of the domain, again and again until there are enough, in one precision.
+template <class T>
+struct TimedRun {
+  Slab<T> slab;
+  Inputs<T> in;
+  std::span<T> out;
+  TimedRun(const Points& points, std::size_t count) : slab(kInputs, count), out(slab.output(), count) {
+    for (std::size_t k = 0; k < kInputs; ++k) {
+      in[k] = slab.column(k);
+      for (std::size_t n = 0; n < count; ++n) slab.column(k)[n] = T(points.columns[k][n % points.count()]);
+    }
   }
 };
 
 std::vector<timing::Timing> costs_of(const Question& question, const Points& everyday,
                                      const MeasureOptions& options) {
   const std::size_t count = question.timed_points;
-  const TimedInputs in(question.timed.axes.empty() ? everyday : sample(question.timed, 4 * count), count);
-  std::vector<double> wide(count);
-  std::vector<float> narrow(count);
+  const Points points = question.timed.axes.empty() ? everyday : sample(question.timed, 4 * count);
+  TimedRun<double> wide(points, count);
+  TimedRun<float> narrow(points, count);
   std::vector<std::function<void()>> calls;
   for (const Choice& choice : question.choices) {
     if (choice.cost == Precision::double_)
       calls.push_back([&] {
-        choice.kernel.in_double(in.wide, wide);
-        timing::keep(wide[0]);
+        choice.kernel.in_double(wide.in, wide.out);
+        timing::keep(wide.out[0]);
       });
     else
       calls.push_back([&] {
-        choice.kernel.in_float(in.narrow, narrow);
-        timing::keep(narrow[0]);
+        choice.kernel.in_float(narrow.in, narrow.out);
+        timing::keep(narrow.out[0]);
       });
   }
   timing::Options timing_options;
