@@ -96,8 +96,10 @@ void add_slices(io::HtmlReport& report, const io::SampleTable& table,
       std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
         return in_plane_angle(table, a) < in_plane_angle(table, b);
       });
-      io::Series points{digits(theta) + " degrees, measured", {}, {}, io::Series::Style::points};
-      io::Series line{digits(theta) + " degrees, fitted", {}, {}, io::Series::Style::line};
+      io::Series points{"", {}, {}, io::Series::Style::points};
+      points.colour = int(s);
+      io::Series line{digits(theta) + " degrees", {}, {}, io::Series::Style::line};
+      line.colour = int(s);
       for (std::size_t k : rows) {
         points.x.push_back(in_plane_angle(table, k)), points.y.push_back(table.values[c][k]);
         line.x.push_back(in_plane_angle(table, k)), line.y.push_back(fitted[c][k]);
@@ -109,51 +111,57 @@ void add_slices(io::HtmlReport& report, const io::SampleTable& table,
   }
 }
 
-// Mean ln(fit/value) over cells of two degrees: blue where the fit is too dark, red where too bright.
-void add_residual_map(io::HtmlReport& report, const io::SampleTable& table, const io::UnitDirections& d,
-                      const std::vector<std::vector<double>>& fitted) {
-  constexpr std::size_t kCells = 45, kPixels = 10;
-  std::vector<double> sum(kCells * kCells, 0), count(kCells * kCells, 0);
-  double largest = 0;
+constexpr std::size_t kMapCells = 45;  // of two degrees
+
+// Mean ln(fit/value) of every cell over (theta_h, theta_d), row by row from theta_d 0; NaN where nothing was
+// measured.
+std::vector<double> residual_cells(const io::SampleTable& table, const io::UnitDirections& d,
+                                   const std::vector<std::vector<double>>& fitted) {
+  std::vector<double> sum(kMapCells * kMapCells, 0), count(kMapCells * kMapCells, 0);
+  const auto cell = [](double angle) { return std::min(std::size_t(angle * 90 / kPi), kMapCells - 1); };
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const Geometry<double> g = geometry(Vec3<double>{d.wi_x[k], d.wi_y[k], d.wi_z[k]},
                                         Vec3<double>{d.wo_x[k], d.wo_y[k], d.wo_z[k]});
-    const double theta_h = std::atan2(std::hypot(g.h.x, g.h.y), g.h.z) * 180 / kPi;
-    const double theta_d = std::acos(std::min(g.cos_d, 1.0)) * 180 / kPi;
-    const std::size_t x = std::min(std::size_t(theta_h / 2), kCells - 1);
-    const std::size_t y = std::min(std::size_t(theta_d / 2), kCells - 1);
+    const std::size_t x = cell(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z));
+    const std::size_t y = cell(std::acos(std::min(g.cos_d, 1.0)));
     for (std::size_t c = 0; c < fitted.size(); ++c)
       if (table.values[c][k] > 0 && fitted[c][k] > 0) {
-        sum[y * kCells + x] += std::log(fitted[c][k] / table.values[c][k]);
-        count[y * kCells + x] += 1;
+        sum[y * kMapCells + x] += std::log(fitted[c][k] / table.values[c][k]);
+        count[y * kMapCells + x] += 1;
       }
   }
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= count[k];  // 0/0: NaN
+  return sum;
+}
+
+// Blue where the fit is too dark, red where too bright.
+void add_residual_map(io::HtmlReport& report, const std::vector<double>& cells) {
+  constexpr std::size_t kPixels = 10, kWidth = kMapCells * kPixels;
   std::vector<double> sizes;
-  for (std::size_t k = 0; k < sum.size(); ++k)
-    if (count[k] > 0) sizes.push_back(std::abs(sum[k] / count[k]));
+  for (const double v : cells)
+    if (!std::isnan(v)) sizes.push_back(std::abs(v));
   if (sizes.empty()) return;
   std::sort(sizes.begin(), sizes.end());
-  largest = std::max(sizes[sizes.size() * 95 / 100], 1e-12);
-  const std::size_t width = kCells * kPixels;
-  std::vector<unsigned char> rgb(width * width * 3, 235);
-  for (std::size_t py = 0; py < width; ++py)
-    for (std::size_t px = 0; px < width; ++px) {
-      const std::size_t cell = (kCells - 1 - py / kPixels) * kCells + px / kPixels;
-      if (count[cell] == 0) continue;
-      const double v = std::clamp(sum[cell] / count[cell] / largest, -1.0, 1.0);
-      unsigned char* out = &rgb[(py * width + px) * 3];
-      const auto fade = [&](double full) {
-        return static_cast<unsigned char>(255 - std::abs(v) * (255 - full));
-      };
-      out[0] = v < 0 ? fade(31) : fade(178), out[1] = v < 0 ? fade(95) : fade(24);
-      out[2] = v < 0 ? fade(168) : fade(43);
+  const double largest = std::max(sizes[sizes.size() * 95 / 100], 1e-12);
+  std::vector<unsigned char> rgb(kWidth * kWidth * 3, 225);
+  for (std::size_t py = 0; py < kWidth; ++py)
+    for (std::size_t px = 0; px < kWidth; ++px) {
+      const double v = cells[(kMapCells - 1 - py / kPixels) * kMapCells + px / kPixels];
+      if (!std::isnan(v))
+        io::map_colour(0.5 + 0.5 * v / largest, &rgb[(py * kWidth + px) * 3], io::Colours::diverging);
     }
   report.heading("Where the fit deviates");
-  report.picture(
-      io::png_of_pixels(width, width, rgb),
-      "Mean of ln(fit/measured). Across: theta_h, 0 to 90 degrees; up: theta_d, 0 to 90 degrees. Red: "
-      "the fit is too bright, blue: too dark; full colour at " +
-          percent(std::expm1(largest)) + ", grey where nothing was measured.");
+  const std::vector<std::string> angles{"0", "30", "60", "90"};
+  report.map({.png = io::png_of_pixels(kWidth, kWidth, rgb),
+              .x_label = "theta_h, degrees: the half vector from the normal",
+              .y_label = "theta_d, degrees: the light from the half vector",
+              .x_ticks = angles,
+              .y_ticks = angles,
+              .low = percent(-std::expm1(-largest)) + " too dark",
+              .high = percent(std::expm1(largest)) + " too bright",
+              .caption = "Fitted less measured, mean over cells of two degrees; grey: nothing measured.",
+              .command = {},
+              .colours = io::Colours::diverging});
 }
 
 void add_parameters(io::HtmlReport& report, const FormFit& f) {
@@ -260,7 +268,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   const io::UnitDirections d = io::unit_directions(table);
   const auto fitted = fitted_values(best.material, d, table.rows(), options.aperture);
   add_slices(report, table, fitted);
-  add_residual_map(report, table, d, fitted);
+  add_residual_map(report, residual_cells(table, d, fitted));
   add_correlations(report, best.correlations);
   add_minima(report, best);
   return report.document(io::provenance(options.seed));

@@ -55,7 +55,7 @@ for (const [index, plot] of plots.entries()) {
   const axis = (label, log, range) => ({ type: log ? "logarithmic" : "linear", title: { display: true, text: label },
     min: range ? range[0] : undefined, max: range ? range[1] : undefined });
   const datasets = plot.series.flatMap((s, k) => {
-    const colour = s.style === "faint" ? "#bbbbbb" : palette[k % palette.length];
+    const colour = s.style === "faint" ? "#bbbbbb" : palette[(s.colour ?? k) % palette.length];
     const line = { label: s.label, data: s.x.map((x, j) => ({ x: x, y: s.y[j] })), borderColor: colour,
       backgroundColor: colour, borderWidth: s.style === "faint" ? 1 : 2, showLine: s.style !== "points",
       borderDash: s.style === "dashed" ? [6, 4] : [], pointRadius: s.style === "points" ? 2.5 : 0, spanGaps: false };
@@ -104,6 +104,7 @@ Json to_json(const Plot& plot) {
                               {"style", style_name(s.style)},
                               {"x", values(s.x, plot.log_x)},
                               {"y", values(s.y, plot.log_y)}});
+    if (s.colour >= 0) json["series"].back()["colour"] = s.colour;
     if (!s.low.empty()) {
       json["series"].back()["low"] = values(s.low, plot.log_y);
       json["series"].back()["high"] = values(s.high, plot.log_y);
@@ -155,11 +156,11 @@ void append_ticks(std::string& html, const char* extra, const std::vector<std::s
 }
 
 // The colours of map_colour() as a CSS gradient.
-std::string gradient() {
+std::string gradient(Colours colours) {
   std::string css = "linear-gradient(90deg";
   for (int k = 0; k <= 4; ++k) {
     unsigned char rgb[3];
-    map_colour(k / 4.0, rgb);
+    map_colour(k / 4.0, rgb, colours);
     css +=
         ", rgb(" + std::to_string(rgb[0]) + " " + std::to_string(rgb[1]) + " " + std::to_string(rgb[2]) + ")";
   }
@@ -240,7 +241,7 @@ void HtmlReport::map(const HeatMap& m) {
            "\"><div class=\"x\">";
   append_ticks(body_, "", m.x_ticks);
   body_ += html_escaped(m.x_label) + "</div></div><div class=\"bar\"><span>" + html_escaped(m.low) +
-           "</span><i style=\"background: " + gradient() + "\"></i><span>" + html_escaped(m.high) +
+           "</span><i style=\"background: " + gradient(m.colours) + "\"></i><span>" + html_escaped(m.high) +
            "</span></div><figcaption>" + html_escaped(m.caption) + "</figcaption></figure>\n";
   command(m.command);
 }
@@ -268,15 +269,19 @@ std::string HtmlReport::document(const Provenance& made) const {
   return html + "</body></html>\n";
 }
 
-void map_colour(double x, unsigned char rgb[3]) {
-  // Five stations of a map of even lightness steps.
-  constexpr double kStations[5][3] = {
+void map_colour(double x, unsigned char rgb[3], Colours colours) {
+  // Five stations of even lightness steps.
+  using Stations = double[5][3];
+  constexpr Stations kSequential = {
       {48, 18, 59}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
+  constexpr Stations kDiverging = {
+      {31, 95, 168}, {143, 175, 212}, {255, 255, 255}, {217, 140, 149}, {178, 24, 43}};
+  const Stations& stations = colours == Colours::sequential ? kSequential : kDiverging;
   const double at = 4 * std::fmin(std::fmax(x, 0.0), 1.0);
   const int k = at >= 4 ? 3 : int(at);
   for (int c = 0; c < 3; ++c)
-    rgb[c] = static_cast<unsigned char>(kStations[k][c] + (at - k) * (kStations[k + 1][c] - kStations[k][c]) +
-                                        0.5);
+    rgb[c] =
+        static_cast<unsigned char>(stations[k][c] + (at - k) * (stations[k + 1][c] - stations[k][c]) + 0.5);
 }
 
 }  // namespace brdf::io

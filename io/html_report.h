@@ -16,6 +16,7 @@ struct Series {
   std::vector<double> x, y;
   enum class Style { line, dashed, points, faint } style = Style::line;
   std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: none
+  int colour = -1;                          // of the palette; -1: the next one. Equal ones belong together
 };
 
 // Drawn by Chart.js, which is embedded in the file.
@@ -37,13 +38,18 @@ struct Cell {
   std::string command = {};  // shown beneath
 };
 
+// How values become colours: dark to bright, readable in print and without colour vision, or, for values with
+// a sign, blue over white to red.
+enum class Colours { sequential, diverging };
+
 // A picture whose pixels are values over two axes, colours by map_colour().
 struct HeatMap {
   std::string png;  // the file's bytes, first row on top
   std::string x_label, y_label;
   std::vector<std::string> x_ticks, y_ticks;  // evenly spaced, from the left and from the bottom
-  std::string low, high;                      // what the darkest and the brightest colour mean
+  std::string low, high;                      // what the colours at both ends mean
   std::string caption, command;
+  Colours colours = Colours::sequential;
 };
 
 class HtmlReport {
@@ -74,7 +80,7 @@ std::string html_escaped(std::string_view text);
 // A PNG (8 bits, RGB) of row-major pixels, top row first: heat maps.
 std::string png_of_pixels(std::size_t width, std::size_t height, const std::vector<unsigned char>& rgb);
 
-// Dark to bright with increasing x in [0, 1], readable in print and without colour vision.
-void map_colour(double x, unsigned char rgb[3]);
+// The colour of x in [0, 1] (beyond it: of the nearer end).
+void map_colour(double x, unsigned char rgb[3], Colours colours = Colours::sequential);
 
 }  // namespace brdf::io
