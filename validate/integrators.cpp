@@ -152,8 +152,14 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
     parallel_for(few.size(), [&](std::size_t k) {
       AlbedoOptions options;
       options.tolerance = 1e-7;
-      options.rule = few[k].term.shape[0][0] == few[k].term.shape[0][1] ? Rule::slope : Rule::adaptive;
-      second[k] = directional_albedo(few[k].term, 0, few[k].theta, few[k].phi, options);
+      options.max_evaluations = 40'000'000;
+      const bool equal = few[k].term.shape[0][0] == few[k].term.shape[0][1];
+      for (const Rule rule : {Rule::slope, Rule::adaptive}) {
+        if (rule == Rule::slope && !equal) continue;  // it gave the truth
+        options.rule = rule;
+        second[k] = directional_albedo(few[k].term, 0, few[k].theta, few[k].phi, options);
+        if (second[k].converged) break;
+      }
     });
     report(compare("second_rule_" + sets[s], 1e-7, few, truth, second));
   }

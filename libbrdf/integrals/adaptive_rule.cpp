@@ -1,6 +1,7 @@
 // Bisection of cells in (t, phi), elevation = pi/2 t^2, phi from the mirror plane: each cell by two product
 // Gauss-Legendre rules whose difference is its error; the worst cell is halved along its worse direction.
-// The first cells close in on the lobe by its widths.
+// The first cells close in on the lobe by its widths. A kink is looked for where it could hide from both
+// rules.
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -89,8 +90,8 @@ class Adaptive {
     return {h.x / length / integrand_.features().width_x, h.y / length / integrand_.features().width_y};
   }
 
-  // Halves a cell until it is small beside its distance from the lobe: then no lobe is missed, however
-  // narrow.
+  // Halves a cell until it is small beside the lobe's width or its distance from the lobe: then no lobe is
+  // missed, however narrow, nor the wide one that grazing light draws together.
   void cover(Cell cell, int depth, std::vector<Cell>& cells) const {
     const double t = (cell.t0 + cell.t1) / 2, phi = (cell.phi0 + cell.phi1) / 2;
     const auto apart = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
@@ -101,7 +102,7 @@ class Adaptive {
         std::max(apart(centre, in_widths(t, cell.phi0)), apart(centre, in_widths(t, cell.phi1)));
     const double size = along_t + along_phi;
     const double from_lobe = std::max(0.0, std::hypot(centre[0], centre[1]) - size);
-    if (depth == 0 || size < 2 + from_lobe / 2) {
+    if (depth == 0 || size < 0.7 + from_lobe / 2) {
       cells.push_back(cell);
       return;
     }
@@ -156,9 +157,45 @@ class Adaptive {
       along_t = std::max(along_t, dt);
       along_phi = std::max(along_phi, dphi);
     }
-    cell.priority = std::max(along_t, along_phi);
     cell.halve_t = along_t >= along_phi;
+    if (integrand_.features().kink == Kink::v_cavity) {
+      const Cut cut = hidden_cut(cell);
+      for (std::size_t k = 0; k < cell.value.size(); ++k) {
+        const double most = cut.depth * std::abs(cell.value[k]);
+        if (most <= cell.error[k]) continue;
+        cell.error[k] = most;
+        cell.halve_t = cut.along_t;
+        along_t = std::max(along_t, most);
+      }
+    }
+    cell.priority = std::max(along_t, along_phi);
     return cell;
+  }
+
+  // Of V-cavities, G = min(1, r): r is 1 where the masking sets in.
+  double masking(double t, double phi) const {
+    const double e = kPi / 2 * t * t, s = std::cos(e), azimuth = phi_ + kPi + phi;
+    const Vec3<double> w{s * std::cos(azimuth), s * std::sin(azimuth), std::sin(e)}, h = w + fixed_;
+    return 4 * h.z * std::min(w.z, fixed_.z) / std::max(dot(h, h), 1e-300);
+  }
+
+  struct Cut {
+    double depth = 0;  // how far G departs beyond the kink from its continuation to there
+    bool along_t = true;
+  };
+  // A kink that cuts a corner off which no node lies in is seen by no difference of rules. G at the cell's
+  // corners and the middles of its sides tells: the part beyond the kink is wrong by no more than this.
+  Cut hidden_cut(const Cell& c) const {
+    const double t = (c.t0 + c.t1) / 2, phi = (c.phi0 + c.phi1) / 2, centre = masking(t, phi);
+    Cut cut;
+    for (const double u : {c.t0, t, c.t1})
+      for (const double v : {c.phi0, phi, c.phi1}) {
+        const double r = masking(u, v);
+        if ((r < 1) != (centre < 1)) cut.depth = std::max(cut.depth, std::min(std::abs(r - 1), 1.0));
+      }
+    cut.along_t = std::abs(masking(c.t0, phi) - masking(c.t1, phi)) >=
+                  std::abs(masking(t, c.phi0) - masking(t, c.phi1));
+    return cut;
   }
 
   const Integrand& integrand_;

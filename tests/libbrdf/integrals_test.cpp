@@ -163,6 +163,27 @@ TEST(Albedo, SaysWhenItDidNotConverge) {
   EXPECT_GT(r.error_bound, 1e-10);
 }
 
+TEST(Albedo, BisectionOverlooksNeitherAKinkInACornerNorAGrazingPeak) {
+  struct {
+    AnyForm form;
+    double alpha_x, alpha_y, theta, phi;
+  } const cases[] = {{cook_torrance_vcavity{}, 0.06824427988, 0.0158948521, 88.06148022, 171.9173179},
+                     {cook_torrance_vcavity{}, 0.002896076052, 0.005656746074, 89.65571271, 213.6625411},
+                     {ward{}, 0.7213000297, 0.3206005208, 89.78940869, 104.6609792},
+                     {cook_torrance{}, 0.9983091946, 0.7759487069, 88.051867, 218.9049179}};
+  for (const auto& c : cases) {
+    Term term = make_term(c.form, 1);
+    term.shape[0][0] = c.alpha_x;
+    term.shape[0][1] = c.alpha_y;
+    term.weights[0][0] = 0;  // kd
+    const double slope = albedo(term, c.theta, c.phi, 1e-9).value;
+    const AlbedoResult other = albedo(term, c.theta, c.phi, 1e-7, Rule::adaptive);
+    EXPECT_NEAR(other.value / slope, 1, 1e-7) << info(c.form).name << " at " << c.theta;
+    EXPECT_TRUE(other.converged);
+    EXPECT_EQ(other.rule, Rule::adaptive);
+  }
+}
+
 TEST(AverageAlbedo, OfLambertIsRho) {
   const AlbedoResult r = average_albedo(term_of(lambert{}, {}, {0.3}), 0);
   EXPECT_NEAR(r.value, 0.3, 1e-7);
