@@ -51,14 +51,22 @@ constexpr const char* kDraw = R"js(
 const palette = ["#1f5fa8", "#c2410c", "#2e7d32", "#7b1fa2", "#00838f", "#6d4c41", "#ad1457", "#455a64"];
 Chart.defaults.font.family = '"DejaVu Sans", system-ui, sans-serif';
 Chart.defaults.animation = false;
+// Ticks of a logarithmic axis: 1, 2 and 5 times a power of ten, in few digits.
+const decade = (value) => {
+  const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+  if (![1, 2, 5].includes(digit)) return "";
+  return value >= 1e-3 && value < 1e4 ? String(Number(value.toPrecision(2))) : value.toExponential(0);
+};
 for (const [index, plot] of plots.entries()) {
   const axis = (label, log, range) => ({ type: log ? "logarithmic" : "linear", title: { display: true, text: label },
-    min: range ? range[0] : undefined, max: range ? range[1] : undefined });
+    min: range ? range[0] : undefined, max: range ? range[1] : undefined,
+    ticks: log ? { callback: decade } : {} });
   const datasets = plot.series.flatMap((s, k) => {
-    const colour = s.style === "faint" ? "#bbbbbb" : palette[(s.colour ?? k) % palette.length];
+    const faint = s.style.startsWith("faint"), points = s.style.endsWith("points");
+    const colour = faint ? "#bbbbbb" : palette[(s.colour ?? k) % palette.length];
     const line = { label: s.label, data: s.x.map((x, j) => ({ x: x, y: s.y[j] })), borderColor: colour,
-      backgroundColor: colour, borderWidth: s.style === "faint" ? 1 : 2, showLine: s.style !== "points",
-      borderDash: s.style === "dashed" ? [6, 4] : [], pointRadius: s.style === "points" ? 2.5 : 0, spanGaps: false };
+      backgroundColor: colour, borderWidth: faint ? 1 : 2, showLine: !points,
+      borderDash: s.style === "dashed" ? [6, 4] : [], pointRadius: points ? 2.5 : 0, spanGaps: false };
     const edge = (values, fill) => ({ label: "", data: s.x.map((x, j) => ({ x: x, y: values[j] })), showLine: true,
       borderWidth: 0, pointRadius: 0, fill: fill, backgroundColor: colour + "38" });
     return s.low ? [edge(s.low, false), edge(s.high, "-1"), line] : [line];
@@ -80,7 +88,7 @@ const char* css_class(Mark mark) {
 }
 
 const char* style_name(Series::Style style) {
-  constexpr std::array names{"line", "dashed", "points", "faint"};
+  constexpr std::array names{"line", "dashed", "points", "faint", "faint_points"};
   return names[std::size_t(style)];
 }
 

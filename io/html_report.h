@@ -14,7 +14,7 @@ namespace brdf::io {
 struct Series {
   std::string label;
   std::vector<double> x, y;
-  enum class Style { line, dashed, points, faint } style = Style::line;
+  enum class Style { line, dashed, points, faint, faint_points } style = Style::line;
   std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: none
   int colour = -1;                          // of the palette; -1: the next one. Equal ones belong together
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "io/error.h"
+
 namespace brdf::trade {
 namespace {
 
@@ -25,6 +27,9 @@ std::size_t Comparison::apart() const {
 }
 
 Comparison compare(const Ledger& before, const Ledger& after) {
+  if (before.quick != after.quick)
+    throw InputError(
+        "one ledger is a quick run's, the other a full one's: their frames and fits are of other sizes");
   Comparison c;
   for (const LedgerRow& row : before.rows) {
     const LedgerRow* const other = after.find(row.question, row.choice);

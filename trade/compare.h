@@ -23,6 +23,7 @@ struct Comparison {
   std::size_t apart() const;         // rows that differ by more than kLargestDifference
 };
 
+// Throws InputError where one of them is quick and the other is not.
 Comparison compare(const Ledger& before, const Ledger& after);
 io::Json to_json(const Comparison& comparison);
 // The rows that differ most, and the counts.

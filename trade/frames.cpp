@@ -41,7 +41,7 @@ void light_from_behind(Scene& scene) {
 FrameQuestion shading_question(bool highlight, FrameDetail detail) {
   const int size = detail == FrameDetail::quick ? 200 : 400;
   const std::vector<int> levels =
-      detail == FrameDetail::quick ? std::vector<int>{2, 4} : std::vector<int>{2, 3, 4, 5, 6};
+      detail == FrameDetail::quick ? std::vector<int>{2, 3, 4} : std::vector<int>{2, 3, 4, 5, 6};
   FrameQuestion q{highlight ? "where to shade: highlight" : "where to shade: diffuse",
                   "the article's sphere, " + std::to_string(size) + " pixels wide, front pixels",
                   {}};

@@ -41,17 +41,24 @@ io::Plot front_plot(const std::string& question, const std::vector<const LedgerR
                 true};
   plot.caption =
       "Error of " + first.quantity + " over " + first.domain + ". Exact values are drawn at 1e-17.";
-  plot.command = "brdf trade --only '" + question + "'";
-  io::Series dominated{"dominated", {}, {}, io::Series::Style::faint};
-  for (const LedgerRow* row : rows) {
+  plot.command = "brdf trade --only \"" + question + "\"";
+  io::Series front{"front", {}, {}, io::Series::Style::faint};
+  io::Series dominated{"dominated", {}, {}, io::Series::Style::faint_points};
+  std::vector<const LedgerRow*> by_cost = rows;
+  std::stable_sort(by_cost.begin(), by_cost.end(),
+                   [](const LedgerRow* a, const LedgerRow* b) { return a->cost_ratio < b->cost_ratio; });
+  for (const LedgerRow* row : by_cost) {
     const double error = std::max(row->error.mean, kLeastShown);
     if (row->dominated_by.empty()) {
       plot.series.push_back({row->choice, {row->cost_ratio}, {error}, io::Series::Style::points});
+      front.x.push_back(row->cost_ratio);
+      front.y.push_back(error);
     } else {
       dominated.x.push_back(row->cost_ratio);
       dominated.y.push_back(error);
     }
   }
+  if (front.x.size() > 1) plot.series.push_back(std::move(front));
   if (!dominated.x.empty()) plot.series.push_back(std::move(dominated));
   return plot;
 }
@@ -100,8 +107,9 @@ std::string to_html(const Ledger& ledger) {
   report.paragraph(ledger.machine.processor + ", " + ledger.machine.compiler + ", " + ledger.machine.flags +
                    (ledger.quick ? ". A quick run: fewer points." : "."));
   report.paragraph(
-      "Costs are lower quartiles of interleaved runs; cost 1 is the exact way. A choice is dominated where "
-      "another is not dearer and in no error worse.");
+      "Times are lower quartiles of interleaved runs, costs medians of pairs of neighbouring runs; cost 1 is "
+      "the exact way. A choice is dominated where another is not dearer and in no error worse.");
+  if (!ledger.left_out.empty()) report.paragraph(ledger.left_out);
   if (!ledger.claims.empty()) {
     report.heading("The documents' claims");
     std::vector<std::vector<io::Cell>> cells;

@@ -98,6 +98,8 @@ TEST(Compare, CountsRowsWhoseCostRatiosAreFurtherApartThanAQuarter) {
   EXPECT_EQ(c.shorter, 1u);
   EXPECT_EQ(c.missing, std::vector<std::string>{"q: gone"});
   EXPECT_EQ(compare(before, before).apart(), 0u);
+  after.quick = true;
+  EXPECT_THROW(compare(before, after), InputError);
 }
 
 }  // namespace
