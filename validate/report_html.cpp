@@ -33,7 +33,7 @@ std::string rounded(double x) {
   return text.str();
 }
 
-io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta) {
+io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta, double phi = 0) {
   io::Plot plot;
   plot.title = "Albedo against angle: " + subject.name();
   plot.x_label = "polar angle of the light, degrees";
@@ -49,7 +49,7 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   for (const double theta : angles) {
     AlbedoOptions options;
     options.tolerance = 1e-5;
-    const auto results = directional_albedo(m, theta * kRadians, 0, options);
+    const auto results = directional_albedo(m, theta * kRadians, phi * kRadians, options);
     for (std::size_t c = 0; c < results.size(); ++c) {
       const AlbedoResult& r = results[c];
       io::Series& s = plot.series[c];
@@ -67,7 +67,8 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
       "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
       "would give off more than it receives. The band is the error bound, at most " +
       rounded(widest) + ".";
-  plot.command = with_selector(subject, m, "albedo", "--theta " + list + " --tolerance 1e-5");
+  plot.command = with_selector(subject, m, "albedo",
+                               "--theta " + list + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
   return plot;
 }
 
@@ -97,6 +98,26 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
       "$i,180,$o,0; done; done) > lobes.csv && " +
       with_selector(subject, m, "eval", "lobes.csv   # f; the plot shows f cos(theta_o)");
   return plot;
+}
+
+// The parameters with which a form reflects most, where that is too much.
+void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const ReportContent& content) {
+  if (!subject.of_form()) return;
+  const auto found = std::find_if(content.findings.begin(), content.findings.end(), [&](const Finding& f) {
+    return f.subject == subject.name() && f.check == "energy" && f.witness && f.verdict != Verdict::pass;
+  });
+  if (found == content.findings.end()) return;
+  Material worst = subject.own();
+  const FormInfo& f = info(*subject.of_form());
+  for (const auto& [name, value] : found->witness->parameters) {
+    const int weight = f.weight_index(name), shape = f.shape_index(name);
+    if (weight >= 0) worst.terms[0].weights[0][std::size_t(weight)] = value;
+    if (shape >= 0) worst.terms[0].shape[0][std::size_t(shape)] = value;
+  }
+  io::Plot plot = albedo_plot(subject, worst, content.max_theta, found->witness->angles.back().second);
+  plot.title = "Albedo against angle at the worst parameters: " + subject.name();
+  plot.caption = "With the parameters of the largest violation: " + found->statement + ".";
+  report.plot(plot);
 }
 
 // White furnace: reflected fraction of uniform light against the first shape parameter.
@@ -210,6 +231,7 @@ std::string to_html(const ReportContent& content) {
     report.heading(subject.name());
     const Material m = shown(subject);
     report.plot(albedo_plot(subject, m, content.max_theta));
+    add_worst_albedo(report, subject, content);
     report.plot(polar_plot(subject, m));
     add_furnace(report, subject, m);
     add_reciprocity_map(report, subject, m);
