@@ -100,9 +100,9 @@ std::string state_text(const ViewState& state) {
 ViewState parse_state(const std::string& text, const std::string& name) {
   const Json json = io::parse_json(text, name);
   const JsonPlace root(json, name);
+  if (root.at("format").text() != "brdf-view") root.at("format").fail("must be \"brdf-view\"");
   root.allow_keys({"format", "version", "scene", "selected", "compare_with", "material", "material_name",
                    "everywhere", "samples", "display", "split", "turntable", "plot"});
-  if (root.at("format").text() != "brdf-view") root.at("format").fail("must be \"brdf-view\"");
   if (root.at("version").number() != 1) root.at("version").fail("must be 1");
   ViewState state;
   state.scene = parse_scene(root.at("scene").value().dump(), name + ": $.scene", "");

@@ -1,0 +1,249 @@
+// `brdf render` and `brdf view` as a user meets them: what goes wrong, and what comes out.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "io/json.h"
+#include "render/picture.h"
+#include "render/texture.h"
+#include "render/view.h"
+#include "tests/cli/run_brdf.h"
+
+namespace brdf {
+namespace {
+
+using testing::HasSubstr;
+
+// Sets a variable for the programs that are run, and puts it back.
+class Setting {
+ public:
+  Setting(const char* name, const char* value) : name_(name) {
+    if (const char* old = std::getenv(name)) old_ = old;
+    value ? setenv(name, value, 1) : unsetenv(name);
+  }
+  ~Setting() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+const std::string kLambert =
+    R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],"weights":{"rho":[0.6,0.4,0.2]}})";
+
+class RenderCli : public testing::Test {
+ protected:
+  void SetUp() override {
+    write("m.json", kLambert);
+    if (run("render m.json --width 8 --height 8 -o first.png").exit_code == 3)
+      GTEST_SKIP() << "no Vulkan driver";
+    std::filesystem::remove(folder_.path() / "first.png");
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+  }
+  // A scene of one object with these further keys, in scene.json.
+  void write_scene(const std::string& keys) {
+    write("scene.json", R"({"format":"brdf-scene","version":1,"camera":{"width":64,"height":64},)"
+                        R"("lights":[{"type":"directional","direction":[1,-1,-1],"intensity":3}],)"
+                        R"("objects":[{"material":)" +
+                            kLambert + "," + keys + "}]}");
+  }
+  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
+  std::set<std::string> names() {
+    std::set<std::string> out;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      out.insert(entry.path().filename().string());
+    return out;
+  }
+  // One line on stderr that holds `what`, nothing on stdout, no new file, the old picture untouched.
+  void expect_refused(const std::string& arguments, int exit_code, const std::string& what) {
+    write("x.png", "old");
+    const auto before = names();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
+    EXPECT_THAT(outcome.err, testing::StartsWith("brdf: ")) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(what)) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(names(), before) << arguments;
+    EXPECT_EQ(file_text(folder_.path() / "x.png"), "old") << arguments;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(RenderCli, WithoutADriverOrADisplayTheEnvironmentIsToBlame) {
+  {
+    const Setting driver("VK_DRIVER_FILES", "/nonexistent"), older("VK_ICD_FILENAMES", "/nonexistent");
+    expect_refused("render m.json -o x.png", 3, "no Vulkan driver");
+  }
+  const Setting display("DISPLAY", nullptr), wayland("WAYLAND_DISPLAY", nullptr);
+  expect_refused("view m.json", 3, "no display");
+}
+
+TEST_F(RenderCli, BrokenTexturesAreNamed) {
+  write_scene(R"("textures":{"albedo":"absent.png"})");
+  expect_refused("render --scene scene.json -o x.png", 2, "absent.png: no such texture file");
+  write("bad.png", "hello");
+  write_scene(R"("textures":{"roughness":"bad.png"})");
+  expect_refused("render --scene scene.json -o x.png", 2, "bad.png: cannot be read as PNG, JPEG, BMP or TGA");
+  write("cut.png", file_text(BRDF_SOURCE_DIR "/docs/img/car.png").substr(0, 300));
+  write_scene(R"("textures":{"normal":"cut.png"})");
+  expect_refused("render --scene scene.json -o x.png", 2, "cut.png: cannot be read");
+}
+
+TEST_F(RenderCli, BrokenModelsAreNamed) {
+  const auto refused = [&](const std::string& model, const std::string& what) {
+    write("model.obj", model);
+    write_scene(R"("mesh":"model.obj")");
+    expect_refused("render --scene scene.json -o x.png", 2, "model.obj: " + what);
+    expect_refused("render --scene scene.json --compare embree -o x.exr", 2, "model.obj: " + what);
+  };
+  refused("this is no model", "");
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n", "cannot be read as a model");
+  refused("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "no triangle with an area");
+  refused("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 is not finite");
+  refused("v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 is not finite");
+}
+
+TEST_F(RenderCli, TrianglesWithoutAreaAreLeftOut) {
+  write("model.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 2\nf 1 2 3\nf 3 3 3\n");
+  write_scene(R"("mesh":"model.obj")");
+  const Outcome outcome = run("render --scene scene.json --compare embree --json -o x.exr");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const io::Json json = io::parse_json(outcome.out, "stdout");
+  EXPECT_LT(json["rel_mse"].get<double>(), 1e-6);
+  EXPECT_LE(json["coverage_mismatch"].get<double>(), 1e-3);
+  const render::Picture picture = render::read_exr(folder_.path() / "x.exr", "");
+  EXPECT_EQ(picture.at(32, 32).a, 1);
+  for (const glm::vec4& p : picture.pixels) ASSERT_TRUE(std::isfinite(p.r + p.g + p.b));
+}
+
+TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
+  expect_refused("render m.json --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
+                 "a picture of 16384 x 16384 needs 19456 MiB of device memory, the limit is 1024 MiB");
+  expect_refused("render m.json --memory-limit 1M -o x.png", 2, "the limit is 1 MiB");
+}
+
+TEST_F(RenderCli, WrongUsageIsExplained) {
+  expect_refused("render m.json", 2, "-o is required");
+  expect_refused("render m.json -o x.tiff", 2, "must end in .exr or .png");
+  expect_refused("render m.json -o nowhere/x.png", 2, "nowhere/x.png: cannot be written");
+  expect_refused("render m.json --show wrong -o x.png", 2, "must be one of picture, split");
+  expect_refused("render m.json --show split -o x.png", 2, "needs --compare or --measured");
+  expect_refused("render m.json --compare absent.json -o x.png", 2, "absent.json: cannot be read");
+  expect_refused("render m.json --compare embree --shading phong -o x.png", 2, "needs the shading brdf");
+  expect_refused("render m.json --gbuffer --shading phong -o x.png", 2, "without the seven targets");
+  expect_refused("render m.json --probe 600,2", 2, "outside the picture of 512 x 512");
+  expect_refused("render m.json --lobes --solo 'A q' -o x.png", 2, "must be one of A r, A g, A b");
+  expect_refused("render --state m.json -o x.png", 2, "must be \"brdf-view\"");
+  expect_refused("render --state m.json m.json -o x.png", 2, "give nothing beside it");
+  expect_refused("render --parity", 2, "--parity needs --all or --form");
+}
+
+TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped) {
+  for (const std::string name : {"cook_torrance_metal", "phong", "ward", "blinn_phong"}) {
+    const std::string form = name.starts_with("cook") ? "cook_torrance" : name;
+    ASSERT_EQ(
+        run("fit '" BRDF_SOURCE_DIR "/data/synthetic/" + name + ".csv' --form " + form + " -o fitted.json")
+            .exit_code,
+        0);
+    const Outcome outcome = run("render fitted.json --json -o x.exr");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_LT(io::parse_json(outcome.out, "stdout")["clipped"].get<double>(), 0.01) << name;
+    const render::Picture picture = render::read_exr(folder_.path() / "x.exr", "");
+    int best_x = 0, best_y = 0;
+    for (int y = 0; y < picture.height; ++y) {
+      for (int x = 0; x < picture.width; ++x) {
+        if (picture.at(x, y).a > 0.5f && picture.at(x, y).g > picture.at(best_x, best_y).g)
+          best_x = x, best_y = y;
+      }
+    }
+    // On the unit sphere the normal is the point; the light travels along (1, -1, -1).
+    render::Camera camera;
+    camera.width = picture.width;
+    camera.height = picture.height;
+    const glm::vec3 ray = glm::normalize(
+        make_view(camera).ray(render::pixel_center(best_x, best_y, camera.width, camera.height)));
+    const float b = glm::dot(camera.position, ray);
+    const glm::vec3 n =
+        camera.position + ray * (-b - std::sqrt(b * b - glm::dot(camera.position, camera.position) + 1));
+    const glm::vec3 h = glm::normalize(glm::normalize(glm::vec3(-1, 1, 1)) - ray);
+    const double off = std::acos(double(glm::clamp(glm::dot(n, h), -1.0f, 1.0f))) * 180 / std::acos(-1.0);
+    EXPECT_LT(off, 3) << name;
+    RecordProperty(name + "_degrees", std::to_string(off));
+  }
+}
+
+TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {
+  write("red.json", R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],)"
+                    R"("weights":{"rho":[0.8,0.1,0.1]}})");
+  const std::string size = " --width 120 --height 100 ";
+  const auto picture = [&](const std::string& arguments) {
+    const Outcome outcome = run("render m.json --compare red.json" + size + arguments + " -o out.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return render::load_texture(folder_.path() / "out.png");
+  };
+  ASSERT_EQ(run("render m.json" + size + "-o a.png").exit_code, 0);
+  ASSERT_EQ(run("render red.json" + size + "-o b.png").exit_code, 0);
+  const render::Texture a = render::load_texture(folder_.path() / "a.png"),
+                        b = render::load_texture(folder_.path() / "b.png");
+  const render::Texture split = picture("--split --no-labels"), flip = picture("--show flip --no-labels");
+  EXPECT_EQ(flip.texels, b.texels);
+  for (std::size_t y = 0; y < 100; ++y) {
+    EXPECT_EQ(split.texels[y * 120 + 10], a.texels[y * 120 + 10]);
+    EXPECT_EQ(split.texels[y * 120 + 110], b.texels[y * 120 + 110]);
+  }
+  const render::Texture labelled = picture("--split");
+  EXPECT_NE(labelled.texels, split.texels);
+  EXPECT_TRUE(std::equal(labelled.texels.begin(), labelled.texels.begin() + 120 * 70, split.texels.begin()));
+  EXPECT_EQ(picture("").width, 3 * 120);
+  EXPECT_EQ(picture("--show difference").width, 120);
+  EXPECT_EQ(picture("--gbuffer").width, 4 * 120);
+}
+
+TEST_F(RenderCli, ProbeAndTimesNeedNoPicture) {
+  write_scene(R"("mesh":"sphere")");
+  const Outcome outcome = run("render --scene scene.json --probe 32,32 --times --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const io::Json json = io::parse_json(outcome.out, "stdout");
+  const double f = json["probe"]["f_r"].at(0).get<double>();
+  EXPECT_NEAR(f, 0.6 / std::acos(-1.0), 1e-6);
+  const double cosine = json["probe"]["wi"].at(2).get<double>();
+  EXPECT_NEAR(json["probe"]["picture"].at(0).get<double>(), 3 * f * cosine, 1e-3);
+  EXPECT_EQ(json["passes"].size(), 3u);
+  const Outcome text = run("render --scene scene.json --probe 0,0 --times");
+  EXPECT_THAT(text.out, HasSubstr("probe: background\n"));
+  EXPECT_THAT(text.out, HasSubstr("lighting "));
+}
+
+TEST_F(RenderCli, LobePlotsShowBothMaterialsOrOneCurve) {
+  const auto plot = [&](const std::string& arguments) {
+    const Outcome outcome = run("render m.json --lobes " + arguments + " --width 300 -o lobes.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return render::load_texture(folder_.path() / "lobes.png");
+  };
+  const render::Texture all = plot("--theta 30"), turned = plot("--theta 60"), solo = plot("--solo 'A g'"),
+                        two = plot("--compare m.json");
+  EXPECT_EQ(all.width, 300);
+  EXPECT_NE(all.texels, turned.texels);
+  EXPECT_NE(all.texels, solo.texels);
+  EXPECT_NE(all.texels, two.texels);
+  // Lambert's lobe is a half circle: the red curve passes straight above the origin at the full radius.
+  std::set<std::size_t> red_rows;
+  for (std::size_t y = 0; y < std::size_t(all.height); ++y) {
+    const auto& t = all.texels[y * 300 + 152];
+    if (t[0] > 180 && t[1] < 130) red_rows.insert(y);
+  }
+  ASSERT_FALSE(red_rows.empty());
+  EXPECT_LE(*red_rows.rbegin() - *red_rows.begin(), 4u);
+}
+
+}  // namespace
+}  // namespace brdf
