@@ -1,9 +1,13 @@
 #include "render/surface.h"
 
+#include <algorithm>
+
 namespace brdf::render {
 namespace {
 
-void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, Surface& s) {
+constexpr float kLeastFacing = 0.05f;  // as in shaders/surface.glsl
+
+void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const glm::vec3& ray, Surface& s) {
   glm::vec3 albedo = s.weights[0];
   if (maps[0]) albedo = maps[0]->sample_srgb(uv);
   const float roughness = maps[2] ? maps[2]->sample(uv).r : 0;
@@ -17,7 +21,9 @@ void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, Surface&
     s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0f, roughness, metallic);
   if (maps[1]) {
     const glm::vec3 m = glm::vec3(maps[1]->sample(uv)) * 2.0f - 1.0f;
-    const glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    const glm::vec3 v = -glm::normalize(ray);
+    n = glm::normalize(n + v * std::max(kLeastFacing - glm::dot(n, v), 0.0f));
     const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
     s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
     s.bitangent = glm::cross(n, s.tangent) * hand;
@@ -79,7 +85,8 @@ Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t t
   s.tangent = glm::normalize(t - s.normal * glm::dot(s.normal, t));
   s.bitangent = glm::cross(s.normal, s.tangent) * (tangent.w < 0 ? -1.0f : 1.0f);
   const TextureSet& maps = scene.textures[item.object];
-  if (maps[0] || maps[1] || maps[2] || maps[3]) apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, s);
+  if (maps[0] || maps[1] || maps[2] || maps[3])
+    apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, ray, s);
   const glm::vec3 turned = s.tangent * item.cos_turn + s.bitangent * item.sin_turn;
   s.bitangent = s.bitangent * item.cos_turn - s.tangent * item.sin_turn;
   s.tangent = turned;

@@ -86,28 +86,32 @@ Mesh smooth_body(const std::vector<Station>& profile, int pieces, int around, fl
   return mesh;
 }
 
-}  // namespace
+constexpr int kAround = 48;
 
-Mesh make_car() {
-  constexpr int kAround = 48;
-  Mesh car = smooth_body({{-2.05f, 0.55f, 0.60f, 0.0f},
-                          {-2.0f, 0.42f, 0.78f, 0.62f},
-                          {-1.5f, 0.30f, 0.92f, 0.84f},
-                          {-0.6f, 0.26f, 0.92f, 0.90f},
-                          {0.6f, 0.26f, 0.90f, 0.90f},
-                          {1.4f, 0.30f, 0.80f, 0.86f},
-                          {1.95f, 0.40f, 0.66f, 0.66f},
-                          {2.1f, 0.52f, 0.56f, 0.0f}},
-                         10, kAround, 4);
-  const Mesh cabin = smooth_body({{-1.55f, 0.80f, 0.84f, 0.0f},
-                                  {-1.2f, 0.70f, 1.16f, 0.62f},
-                                  {-0.6f, 0.70f, 1.42f, 0.70f},
-                                  {0.1f, 0.70f, 1.42f, 0.70f},
-                                  {0.7f, 0.70f, 1.08f, 0.66f},
-                                  {1.15f, 0.76f, 0.80f, 0.0f}},
-                                 10, kAround, 3.5f);
-  append(car, cabin);
-  // A wheel is the same loft turned round y: its stations run along the axle.
+Mesh lower_body() {
+  return smooth_body({{-2.05f, 0.55f, 0.60f, 0.0f},
+                      {-2.0f, 0.42f, 0.78f, 0.62f},
+                      {-1.5f, 0.30f, 0.92f, 0.84f},
+                      {-0.6f, 0.26f, 0.92f, 0.90f},
+                      {0.6f, 0.26f, 0.90f, 0.90f},
+                      {1.4f, 0.30f, 0.80f, 0.86f},
+                      {1.95f, 0.40f, 0.66f, 0.66f},
+                      {2.1f, 0.52f, 0.56f, 0.0f}},
+                     10, kAround, 4);
+}
+
+Mesh cabin() {
+  return smooth_body({{-1.55f, 0.80f, 0.84f, 0.0f},
+                      {-1.2f, 0.70f, 1.16f, 0.62f},
+                      {-0.6f, 0.70f, 1.42f, 0.70f},
+                      {0.1f, 0.70f, 1.42f, 0.70f},
+                      {0.7f, 0.70f, 1.08f, 0.66f},
+                      {1.15f, 0.76f, 0.80f, 0.0f}},
+                     10, kAround, 3.5f);
+}
+
+// A wheel is the same loft turned round y: its stations run along the axle.
+Mesh wheels() {
   const Mesh wheel = smooth_body({{-0.13f, 0.0f, 0.0f, 0.0f},
                                   {-0.12f, -0.30f, 0.30f, 0.30f},
                                   {-0.08f, -0.36f, 0.36f, 0.36f},
@@ -115,12 +119,25 @@ Mesh make_car() {
                                   {0.12f, -0.30f, 0.30f, 0.30f},
                                   {0.13f, 0.0f, 0.0f, 0.0f}},
                                  3, 40, 2);
+  Mesh four;
   for (const float x : {-1.25f, 1.25f}) {
     for (const float z : {-0.82f, 0.82f}) {
       const glm::mat4 place = glm::translate(glm::mat4(1), {x, 0.36f, z});
-      append(car, wheel, glm::rotate(place, 1.57079633f, {0, 1, 0}));
+      append(four, wheel, glm::rotate(place, 1.57079633f, {0, 1, 0}));
     }
   }
+  return four;
+}
+
+}  // namespace
+
+Mesh make_car(std::string_view part) {
+  if (part == "body") return lower_body();
+  if (part == "cabin") return cabin();
+  if (part == "wheels") return wheels();
+  Mesh car = lower_body();
+  append(car, cabin());
+  append(car, wheels());
   return car;
 }
 

@@ -110,7 +110,7 @@ Mesh make_icosphere(int levels) {
   return mesh;
 }
 
-Mesh make_plane(int cells) {
+Mesh make_plane(int cells, int parity) {
   Mesh mesh;
   for (int j = 0; j <= cells; ++j) {
     for (int i = 0; i <= cells; ++i) {
@@ -122,6 +122,7 @@ Mesh make_plane(int cells) {
   const auto at = [&](int j, int i) { return std::uint32_t(j * (cells + 1) + i); };
   for (int j = 0; j < cells; ++j) {
     for (int i = 0; i < cells; ++i) {
+      if (parity >= 0 && (i + j) % 2 != parity) continue;
       mesh.indices.insert(mesh.indices.end(), {at(j, i), at(j, i + 1), at(j + 1, i), at(j + 1, i),
                                                at(j, i + 1), at(j + 1, i + 1)});
     }
@@ -227,7 +228,11 @@ Mesh make_mesh(const std::string& specification, const std::filesystem::path& fo
     return make_sphere_of(plain ? kSphereTriangles : count_of(specification, colon, 12, 4000000));
   if (kind == "icosphere") return make_icosphere(plain ? 5 : count_of(specification, colon, 0, 9));
   if (kind == "plane") return make_plane(plain ? 1 : count_of(specification, colon, 1, 1000));
-  if (specification == "car") return make_car();
+  if (kind == "checker_even") return make_plane(plain ? 8 : count_of(specification, colon, 2, 1000), 0);
+  if (kind == "checker_odd") return make_plane(plain ? 8 : count_of(specification, colon, 2, 1000), 1);
+  for (const char* part : {"car", "car:body", "car:cabin", "car:wheels"}) {
+    if (specification == part) return make_car(plain ? "" : specification.substr(colon + 1));
+  }
   if (kind == "text" && !plain) return make_text_sphere(specification.substr(colon + 1));
   return load_model(folder / specification);
 }

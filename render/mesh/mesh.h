@@ -33,10 +33,12 @@ Mesh make_sphere_of(int triangles);
 inline constexpr int kSphereTriangles = 50176;
 // Icosahedron subdivided `levels` times: 20 * 4^levels triangles of nearly equal size.
 Mesh make_icosphere(int levels);
-// Square [-1, 1]^2 in the xz plane facing +y, cells x cells quads; u and v run over [0, cells].
-Mesh make_plane(int cells = 1);
+// Square [-1, 1]^2 in the xz plane facing +y, cells x cells quads; u and v run over [0, cells]. Parity 0 or
+// 1: only the even or the odd fields of a chessboard.
+Mesh make_plane(int cells = 1, int parity = -1);
 // A model built from profiles: body, cabin, four wheels; about 4 units long, standing on y = 0, facing +x.
-Mesh make_car();
+// "body", "cabin" or "wheels": that part alone, in its place.
+Mesh make_car(std::string_view part = "");
 // UTF-8 text, outlines of the font tessellated and wrapped round the unit sphere; u runs along the text.
 // Throws InputError when the text holds nothing to draw, EnvironmentError when the font cannot be read.
 Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font = {});

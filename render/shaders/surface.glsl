@@ -6,6 +6,8 @@ layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec2 in_uv;
 layout(set = 1, binding = 0) uniform sampler2D maps[4];  // albedo, normal, roughness, metallic
 
+const float kLeastFacing = 0.05;  // cosine of a mapped normal with the viewer; the same in surface.cpp
+
 struct Surface {
   int item;
   bool front;
@@ -40,7 +42,10 @@ void apply_maps(const Item item, inout Surface s) {
   for (int k = 0; k < 4; ++k) s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0, roughness, metallic);
   if ((present & 2) != 0) {
     const vec3 m = bilinear(1).rgb * 2.0 - 1.0;
-    const vec3 n = normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    vec3 n = normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    // A mapped normal cannot face away from the viewer: it would leave black specks along the edge of the object.
+    const vec3 v = normalize(frame.camera.xyz - (item.model[3].xyz + s.relative));
+    n = normalize(n + v * max(kLeastFacing - dot(n, v), 0.0));
     const float hand = sign(dot(cross(s.normal, s.tangent), s.bitangent));
     s.tangent = normalize(s.tangent - n * dot(n, s.tangent));
     s.bitangent = cross(n, s.tangent) * hand;

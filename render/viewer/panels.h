@@ -30,6 +30,8 @@ class Panels {
   PanelRequests draw(ViewState& state, const PanelInfo& info);
   // The prompt for a file's name opens with the next frame.
   void ask_for_file() { open_prompt_ = true; }
+  // The prompt is to open with the next frame: what is typed until then is not for the viewer's keys.
+  bool asking() const { return open_prompt_; }
   // Enter was pressed while text has the keyboard: Dear ImGui polls, and would miss a short tap.
   void accept() { accept_ = true; }
 

@@ -198,7 +198,7 @@ class Viewer {
 
   void key(int key, int mods) {
     wake();
-    if (ImGui::GetIO().WantTextInput) {
+    if (ImGui::GetIO().WantTextInput || panels_.asking()) {
       if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) panels_.accept();
       return;
     }

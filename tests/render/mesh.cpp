@@ -97,6 +97,22 @@ TEST(Mesh, CarIsClosedAndItsNormalsPointOutwards) {
   EXPECT_GT(double(agreeing) / double(car.triangles()), 0.99);
 }
 
+TEST(Mesh, PartsMakeUpTheWhole) {
+  std::size_t triangles = 0;
+  double volume = 0;
+  for (const char* part : {"car:body", "car:cabin", "car:wheels"}) {
+    const Mesh mesh = make_mesh(part, ".");
+    expect_sound_frames(mesh);
+    triangles += mesh.triangles();
+    volume += measure(mesh).volume;
+  }
+  EXPECT_EQ(triangles, make_mesh("car", ".").triangles());
+  EXPECT_NEAR(volume, measure(make_mesh("car", ".")).volume, 1e-4);
+  EXPECT_NEAR(measure(make_mesh("checker_even:5", ".")).area, 4 * 13.0 / 25, 1e-5);
+  EXPECT_NEAR(measure(make_mesh("checker_odd:5", ".")).area, 4 * 12.0 / 25, 1e-5);
+  EXPECT_THROW(make_mesh("car:engine", "."), InputError);
+}
+
 TEST(Mesh, TextLiesOnTheSphereAndFacesOutwards) {
   const Mesh text = make_text_sphere("BRDF");
   EXPECT_GT(text.triangles(), 200u);

@@ -88,6 +88,18 @@ def screenshot():
         return file.read()
 
 
+def picture_size(state):
+    camera = state["scene"]["camera"]
+    return camera["width"], camera["height"]
+
+
+def differing(a, b, path="$"):
+    """Where two JSON values differ."""
+    if isinstance(a, dict) and isinstance(b, dict) and a.keys() == b.keys():
+        return [place for key in a for place in differing(a[key], b[key], f"{path}.{key}")]
+    return [] if a == b else [f"{path}: {a} {b}"]
+
+
 def form_of(state):
     return state["scene"]["objects"][0]["material"]["form"]
 
@@ -168,25 +180,23 @@ try:
     # Resizing.
     for width, height in ((800, 500), (300, 700), (640, 480)):
         x("windowsize", "--sync", window, width, height)
-        time.sleep(1)
+        end = time.time() + 60
+        while (size := picture_size(saved_state())) != (width, height):
+            assert time.time() < end, f"the picture has {size} instead of {width} x {height}"
+            time.sleep(0.2)
 
-    # A material, a model and a broken file by name.
+    # A material by its name.
     material = os.path.join(folder, "blue.json")
     with open(material, "w") as file:
         json.dump({"format": "brdf-material", "version": 1, "form": "ward", "channels": ["r", "g", "b"],
                    "weights": {"kd": [0.1, 0.2, 0.6], "ks": [0.3, 0.3, 0.3]},
                    "shape": {"alpha_x": 0.1, "alpha_y": 0.25}}, file)
-    vase = os.path.join(source, "data/scenes/models/vase.obj")
-    absent = os.path.join(folder, "absent.json")
-    for name in (material, vase, absent):
-        press("o")
-        x("type", "--delay", "20", name)
-        press("Return")
-        time.sleep(1)
-    complaints = [f"{absent}: no such file"]
-    state = saved_state()
-    assert form_of(state) == "ward"
-    assert state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
+    press("o")
+    time.sleep(3)  # the prompt has to have the keyboard: a frame takes long on a busy machine
+    x("type", "--delay", "20", material)
+    press("Return")
+    time.sleep(1)
+    assert form_of(saved_state()) == "ward"
 
     # The same by dropping. What cannot be shown leaves everything as it was and says why in one line.
     def drop(*names):
@@ -203,6 +213,8 @@ try:
     def without_pictures(state):
         return {key: value for key, value in state.items() if key not in ("samples", "compare_with", "display")}
 
+    state = drop(os.path.join(source, "data/scenes/models/vase.obj"))
+    assert form_of(state) == "ward" and state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
     bad = {
         damaged("broken.json", "{"): "line 1",
         damaged("broken.obj", "no model"): "cannot be read as a model",
@@ -215,7 +227,8 @@ try:
         os.path.join(folder, "absent with a space.json"): "no such file",
     }
     for name, reason in bad.items():
-        assert drop(name) == state, f"dropping {name} lost something"
+        changed = differing(drop(name), state)
+        assert not changed, f"dropping {name} changed {changed}"
     assert drop(*list(bad)[:2]) == state
     samples = os.path.join(source, "data/synthetic/cook_torrance_metal.csv")
     dropped = drop(samples)
@@ -239,9 +252,8 @@ try:
     press("q")
     out = finish(viewer)
     said = out.splitlines()
-    assert len(said) == len(complaints) + len(reasons), f"messages: {out}"
-    assert said[:len(complaints)] == [f"brdf: {line}" for line in complaints], f"messages: {out}"
-    for line, (name, reason) in zip(said[len(complaints):], reasons):
+    assert len(said) == len(reasons), f"messages: {out}"
+    for line, (name, reason) in zip(said, reasons):
         about = "absent.png" if "bare" in name else os.path.basename(name)
         assert line.startswith("brdf: ") and reason in line and about in line, f"{name}: {line}"
 
