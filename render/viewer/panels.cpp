@@ -91,7 +91,7 @@ void Panels::plot(ViewState& state) {
     if (state.plot_solo >= int(curves.size())) state.plot_solo = -1;
     ImGui::RadioButton("all", &state.plot_solo, -1);
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      ImGui::SameLine();
+      if (k != 3) ImGui::SameLine();  // A's channels, then B's
       ImGui::RadioButton(curves[k].name.c_str(), &state.plot_solo, int(k));
     }
     draw_lobes(lobe_plot(curves, double(state.plot_theta), state.plot_solo),
