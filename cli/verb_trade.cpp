@@ -41,11 +41,11 @@ void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& led
 Exit run_comparison(const TradeArguments& a) {
   const trade::Comparison c =
       trade::compare(trade::read_ledger(a.compared[0]), trade::read_ledger(a.compared[1]));
+  if (c.compared.empty()) throw InputError("the two ledgers have no row above 1 ns in common");
   if (a.json)
     std::cout << io::to_text(trade::to_json(c)) << '\n';
   else
     std::cout << trade::to_terminal(c);
-  if (c.compared.empty()) throw InputError("the two ledgers have no row above 1 ns in common");
   return c.apart() == 0 ? Exit::kGood : Exit::kFailed;
 }
 
