@@ -63,15 +63,14 @@ void print_json(const std::vector<micro::TheoryRow>& rows, std::uint64_t seed) {
   io::Json out;
   out["rows"] = io::Json::array();
   for (const micro::TheoryRow& row : rows) {
-    io::Json one;  // a number that does not exist (NaN) is written as null
-    one["surface"] = row.surface;
-    one["quantity"] = row.quantity;
-    one["simulated"] = row.simulated;
-    one["standard_error"] = row.standard_error;
-    one["model"] = row.model;
-    one["z"] = row.z;
-    one["exact"] = row.exact;
-    one["holds"] = micro::holds(row);
+    io::Json one{{"surface", row.surface},  // a number that does not exist (NaN) is written as null
+                 {"quantity", row.quantity},
+                 {"simulated", row.simulated},
+                 {"standard_error", row.standard_error},
+                 {"model", row.model},
+                 {"z", row.z},
+                 {"exact", row.exact},
+                 {"holds", micro::holds(row)}};
     if (!row.cause.empty()) one["cause"] = row.cause;
     out["rows"].push_back(std::move(one));
   }

@@ -12,17 +12,11 @@ namespace brdf::cli {
 namespace {
 
 io::Json parameter_json(const ParameterInfo& p, const char* kind) {
-  io::Json json;
-  json["name"] = p.name;
-  json["kind"] = kind;
-  json["min"] = p.min;
-  json["max"] = p.max;
-  json["default"] = p.initial;
-  json["usual_max"] = p.usual_max;
-  json["unit"] = p.unit;
-  json["log_scale"] = p.log_scale;
-  json["doc"] = p.doc;
-  return json;
+  return {{"name", p.name},       {"kind", kind},
+          {"min", p.min},         {"max", p.max},
+          {"default", p.initial}, {"usual_max", p.usual_max},
+          {"unit", p.unit},       {"log_scale", p.log_scale},
+          {"doc", p.doc}};
 }
 
 io::Json form_json(const FormInfo& form) {
@@ -36,13 +30,11 @@ io::Json form_json(const FormInfo& form) {
   for (const ParameterInfo& p : form.shape) json["parameters"].push_back(parameter_json(p, "shape"));
   json["known_violations"] = io::Json::array();
   for (const Violation& v : form.violations) {
-    io::Json violation;
-    violation["check"] = v.check;
-    violation["statement"] = v.statement;
-    violation["witness"] = v.witness;
-    violation["theta"] = v.theta;
-    violation["value"] = v.value;
-    json["known_violations"].push_back(violation);
+    json["known_violations"].push_back({{"check", v.check},
+                                        {"statement", v.statement},
+                                        {"witness", v.witness},
+                                        {"theta", v.theta},
+                                        {"value", v.value}});
   }
   return json;
 }

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -6,31 +7,26 @@
 namespace brdf::io {
 namespace {
 
-// Taylor series on [-pi/4, pi/4]; the first term left out is below 1e-17.
+// Taylor series on [-pi/4, pi/4] in s = x^2, highest power first; the first term left out is below 1e-17.
+constexpr std::array kSine{
+    1.0 / 355687428096000.0, -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0,
+    1.0 / 362880.0,          -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0};
+constexpr std::array kCosine{
+    1.0 / 20922789888000.0, -1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0,
+    1.0 / 40320.0,          -1.0 / 720.0,         1.0 / 24.0,        -0.5};
+
+double series(const std::array<double, 8>& coefficients, double s) {
+  double sum = 0;
+  for (const double c : coefficients) sum = sum * s + c;
+  return sum;
+}
 double sin_series(double x) {
   const double s = x * x;
-  double sum = 1.0 / 355687428096000.0;
-  sum = sum * s - 1.0 / 1307674368000.0;
-  sum = sum * s + 1.0 / 6227020800.0;
-  sum = sum * s - 1.0 / 39916800.0;
-  sum = sum * s + 1.0 / 362880.0;
-  sum = sum * s - 1.0 / 5040.0;
-  sum = sum * s + 1.0 / 120.0;
-  sum = sum * s - 1.0 / 6.0;
-  return x + x * (s * sum);
+  return x + x * (s * series(kSine, s));
 }
-
 double cos_series(double x) {
   const double s = x * x;
-  double sum = 1.0 / 20922789888000.0;
-  sum = sum * s - 1.0 / 87178291200.0;
-  sum = sum * s + 1.0 / 479001600.0;
-  sum = sum * s - 1.0 / 3628800.0;
-  sum = sum * s + 1.0 / 40320.0;
-  sum = sum * s - 1.0 / 720.0;
-  sum = sum * s + 1.0 / 24.0;
-  sum = sum * s - 0.5;
-  return 1.0 + s * sum;
+  return 1.0 + s * series(kCosine, s);
 }
 
 double sin_quadrants(double degrees, int shift) {
