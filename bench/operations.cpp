@@ -63,8 +63,8 @@ Calls kernel_calls(bool double_precision) {
                                         terms(F::exp.size(), D::exp.size()));
   calls["brdf_log"] = kernel_operations([](Traced x) { return kernels::log(x); }, F::log.size(),
                                         terms(F::log.size(), D::log.size()));
-  calls["brdf_log1p"] = kernel_operations([](Traced x) { return kernels::log1p(x); }, F::log.size(),
-                                          terms(F::log.size(), D::log.size()));
+  calls["brdf_log1p"] = kernel_operations([](Traced x) { return kernels::log1p(x, Traced::input("other")); },
+                                          F::log.size(), terms(F::log.size(), D::log.size()));
   calls["brdf_erfcx"] = kernel_operations([](Traced x) { return kernels::erfcx(x); }, F::erfcx.size(),
                                           terms(F::erfcx.size(), D::erfcx.size()));
   calls["brdf_angle"] = kernel_operations([](Traced x) { return kernels::angle(x, Traced::input("other")); },
