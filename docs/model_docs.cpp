@@ -33,12 +33,12 @@ std::string number(double x, const char* format = "%.6g") {
   return text;
 }
 
-// The comment above `struct <form> {` in its family's header.
+// The comment above `struct <form>` in its family's header.
 std::string comment_of(const FormInfo& form) {
   std::istringstream in(read(kSource / "libbrdf/brdf/forms" / (std::string(form.family) + ".h")));
   std::string comment;
   for (std::string line; std::getline(in, line);) {
-    if (line == "struct " + std::string(form.name) + " {") return comment;
+    if (line.starts_with("struct " + std::string(form.name) + " ")) return comment;
     if (line.starts_with("//"))
       comment += (line.size() > 3 ? line.substr(3) : "") + "\n";
     else

@@ -128,6 +128,9 @@ TracedBits operator-(TracedBits a, TracedBits b) {
 TracedBits operator|(TracedBits a, std::uint32_t b) {
   return bits_op("|", a, add_uint(b));
 }
+TracedBits operator&(TracedBits a, std::uint32_t b) {
+  return bits_op("&", a, add_uint(b));
+}
 TracedBits operator<<(TracedBits a, int b) {
   return bits_op("<<", a, add_uint(std::uint32_t(b)));
 }
@@ -177,8 +180,8 @@ Traced exp(Traced x) {
 Traced log(Traced x) {
   return call("brdf_log", x, kernels::log<float>);
 }
-Traced log1p(Traced x) {
-  return call("brdf_log1p", x, kernels::log1p<float>);
+Traced log1p(Traced x, Traced rest) {
+  return Traced::from_node(add(Trace::Type::kFloat, "brdf_log1p", {x.node(), rest.node()}));
 }
 Traced erfcx(Traced x) {
   return call("brdf_erfcx", x, kernels::erfcx<float>);
@@ -196,12 +199,23 @@ std::string glsl_function(std::string_view signature, const std::vector<Traced>&
   return std::string(signature) + " {\n" + Trace::current().statements(roots, result, precise) + "}\n";
 }
 
+// The GLSL function of a kernel with these arguments.
 template <class Kernel>
-std::string kernel_function(const char* name, bool precise, Kernel kernel) {
+std::string kernel_function(const char* name, bool precise, Kernel kernel,
+                            std::vector<std::string> arguments = {"x"}) {
   Trace trace;
   const Trace::Scope scope(trace);
-  return glsl_function(std::string("float ") + name + "(float x)", {kernel(Traced::input("x"))}, "return %0;",
-                       precise);
+  std::string signature = std::string("float ") + name + "(";
+  for (const std::string& argument : arguments)
+    signature += (signature.ends_with('(') ? "float " : ", float ") + argument;
+  const auto input = [&](std::size_t k) { return Traced::input(arguments[k]); };
+  const Traced value = [&] {
+    if constexpr (std::invocable<Kernel, Traced>)
+      return kernel(input(0));
+    else
+      return kernel(input(0), input(1));
+  }();
+  return glsl_function(signature + ")", {value}, "return %0;", precise);
 }
 
 // The parameter struct whose members are the shader's arguments; `component` is "" or ".r", ".g", ".b".
@@ -241,15 +255,13 @@ std::string function_of(F form, bool cosine, bool precise) {
 
 std::string glsl_kernels(const GlslOptions& options) {
   const bool p = options.precise;
-  std::string text = kernel_function("brdf_exp", p, [](Traced x) { return kernels::exp(x); }) +
-                     kernel_function("brdf_log", p, [](Traced x) { return kernels::log(x); }) +
-                     kernel_function("brdf_log1p", p, [](Traced x) { return kernels::log1p(x); }) +
-                     kernel_function("brdf_erfcx", p, [](Traced x) { return kernels::erfcx(x); });
-  Trace trace;
-  const Trace::Scope scope(trace);
-  return text + glsl_function("float brdf_angle(float sine, float cosine)",
-                              {kernels::angle(Traced::input("sine"), Traced::input("cosine"))}, "return %0;",
-                              p);
+  return kernel_function("brdf_exp", p, [](Traced x) { return kernels::exp(x); }) +
+         kernel_function("brdf_log", p, [](Traced x) { return kernels::log(x); }) +
+         kernel_function("brdf_log1p", p, [](Traced x, Traced rest) { return kernels::log1p(x, rest); },
+                         {"x", "rest"}) +
+         kernel_function("brdf_erfcx", p, [](Traced x) { return kernels::erfcx(x); }) +
+         kernel_function("brdf_angle", p, [](Traced s, Traced c) { return kernels::angle(s, c); },
+                         {"sine", "cosine"});
 }
 
 std::string glsl_form(const AnyForm& form, const GlslOptions& options) {

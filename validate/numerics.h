@@ -1,6 +1,7 @@
 // How exactly float and double evaluate every form, measured against 50 digits.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -18,10 +19,13 @@ namespace brdf::validate {
 // oren_nayar_full, whose direct term changes sign.
 struct NumericsRow {
   std::string form;
-  std::string scalar;         // float | double
-  double max_error = 0;       // where f >= 1e-6 of the lobe's peak for that light
-  std::string where;          // parameters as --set takes them, then both directions
-  double faint_error = 0;     // where f is 1e-12..1e-6 of the peak: an exponent of 27 magnifies 6 ulp
+  std::string scalar;    // float | double
+  double max_error = 0;  // where f >= 1e-6 of the lobe's peak for that light
+  struct Where {
+    std::string parameters;  // as --set takes them
+    Vec3<double> wi, wo;
+  } where;                    // of that error
+  double faint_error = 0;     // where f is 1e-12..1e-6 of the peak: an exponent of 27 magnifies roundings
   double tail_error = 0;      // where f is 1e-30..1e-12 of the peak; below that nothing is promised
   std::size_t count = 0;      // values
   std::size_t as_stored = 0;  // of them judged at the vectors as they stand
@@ -40,8 +44,9 @@ NumericsBudget numerics_budget(const std::string& scalar);
 // Within the budget, every value finite, and none negative unless the form declares it.
 bool meets_budget(const NumericsRow& row);
 
-// Prints the rows of these forms, as a table while they are measured (about half a second a form) or as
-// {"rows": [...]}. True where all meet their budgets.
-bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out);
+// Prints the rows of these forms, as a table while they are measured (half a second a form)
+// or as {"rows": [...], "provenance": ...}. True where all meet their budgets.
+bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out,
+                     const std::function<void(int done, int total)>& progress);
 
 }  // namespace brdf::validate

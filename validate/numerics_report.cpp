@@ -1,49 +1,93 @@
+#include <cmath>
 #include <cstdio>
+#include <mutex>
 #include <ostream>
 
 #include "io/json.h"
 #include "validate/numerics.h"
+#include "validate/parallel.h"
 
 namespace brdf::validate {
 namespace {
 
+io::Json json_of(const Vec3<double>& w) {
+  return {w.x, w.y, w.z};
+}
 io::Json json_of(const NumericsRow& row) {
-  return {{"form", row.form},   {"scalar", row.scalar},           {"max_error", row.max_error},
-          {"where", row.where}, {"faint_error", row.faint_error}, {"tail_error", row.tail_error},
-          {"count", row.count}, {"as_stored", row.as_stored},     {"nan", row.nan},
-          {"inf", row.inf},     {"negative", row.negative},       {"within_budget", meets_budget(row)}};
+  return {{"form", row.form},
+          {"scalar", row.scalar},
+          {"max_error", row.max_error},
+          {"where",
+           {{"set", row.where.parameters}, {"wi", json_of(row.where.wi)}, {"wo", json_of(row.where.wo)}}},
+          {"faint_error", row.faint_error},
+          {"tail_error", row.tail_error},
+          {"count", row.count},
+          {"as_stored", row.as_stored},
+          {"nan", row.nan},
+          {"inf", row.inf},
+          {"negative", row.negative},
+          {"within_budget", meets_budget(row)}};
+}
+
+// "60,17.2": polar angle and azimuth in degrees.
+std::string angles_of(const Vec3<double>& w) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g,%.4g", std::atan2(std::hypot(w.x, w.y), w.z) * (180 / kPi),
+                std::atan2(w.y, w.x) * (180 / kPi));
+  return text;
 }
 
 std::string line_of(const NumericsRow& row) {
   char text[160];
-  std::snprintf(text, sizeof text, "%-26s %-6s  %8.1e  %8.1e  %8.1e  %7zu  %3zu  %3zu  %8zu  %s\n",
+  std::snprintf(text, sizeof text, "%-26s %-6s  %8.1e  %8.1e  %8.1e  %7zu  %3zu  %3zu  %8zu  %-11s  ",
                 row.form.c_str(), row.scalar.c_str(), row.max_error, row.faint_error, row.tail_error,
                 row.count, row.nan, row.inf, row.negative, meets_budget(row) ? "ok" : "over budget");
-  return text;
+  return text + row.where.parameters + "  " + angles_of(row.where.wi) + " -> " + angles_of(row.where.wo) +
+         "\n";
 }
 
 }  // namespace
 
-bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out) {
-  bool all_good = true;
-  io::Json rows = io::Json::array();
+bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out,
+                     const std::function<void(int done, int total)>& progress) {
+  std::vector<std::vector<NumericsRow>> rows(forms.size());
+  io::Json all = io::Json::array();
+  std::size_t reported = 0;
+  int done = 0, over_budget = 0;
+  const auto report = [&](const NumericsRow& row) {
+    over_budget += !meets_budget(row);
+    if (json)
+      all.push_back(json_of(row));
+    else
+      out << line_of(row) << std::flush;
+  };
   if (!json)
-    out << "form                       scalar     body     faint      tail   values  nan  inf  negative\n";
-  for (const AnyForm& form : forms)
-    for (const NumericsRow& row : measure_numerics(form)) {
-      all_good &= meets_budget(row);
-      if (json)
-        rows.push_back(json_of(row));
-      else
-        out << line_of(row) << std::flush;
-    }
-  if (json)
-    out << io::to_text(io::Json{{"rows", rows}}) << '\n';
-  else
-    out << "Errors relative to 50 digits where f is at least 1e-6, 1e-12 and 1e-30 of the lobe's peak; "
-           "budgets 5e-6, "
-           "1e-5, 5e-5 (float) and 1e-14, 2e-14, 5e-14 (double).\n";
-  return all_good;
+    out << "form                       scalar      body     faint      tail   values  nan  inf  negative  "
+           "budget       where the body is worst: parameters, light -> view in degrees\n";
+  std::mutex mutex;
+  parallel_for(forms.size(), [&](std::size_t k) {
+    auto measured = measure_numerics(forms[k]);
+    const std::lock_guard lock(mutex);
+    rows[k] = std::move(measured);
+    for (; reported < rows.size() && !rows[reported].empty(); ++reported)
+      for (const NumericsRow& row : rows[reported]) report(row);
+    progress(++done, int(forms.size()));
+  });
+  if (json) {
+    out << io::to_text(io::Json{{"rows", all}, {"provenance", io::to_json(io::provenance())}}) << '\n';
+    return over_budget == 0;
+  }
+  const NumericsBudget f = numerics_budget("float"), d = numerics_budget("double");
+  char budgets[160];
+  std::snprintf(budgets, sizeof budgets, "%-33s  %8.1e  %8.1e  %8.1e\n%-33s  %8.1e  %8.1e  %8.1e\n",
+                "budget in float", f.max_error, f.faint_error, f.tail_error, "budget in double", d.max_error,
+                d.faint_error, d.tail_error);
+  out << budgets
+      << "Largest errors against 50 digits where f is at least 1e-6 (body), 1e-12 (faint), 1e-30 (tail) of "
+         "the lobe's peak. "
+      << (over_budget == 0 ? "All rows are within budget." : std::to_string(over_budget) + " over budget.")
+      << '\n';
+  return over_budget == 0;
 }
 
 }  // namespace brdf::validate

@@ -2,7 +2,7 @@
 //
 // A form is an empty struct with static members:
 //   name, family         strings
-//   Weights<T>, Shape<T> parameter structs with their tables; weights are per channel
+//   Weights<T>, Shape<T> parameter structs with their tables; weights are per channel (base Takes<...>)
 //   violations           what it is known to violate, with the witness
 //   v_cavity = true      (optional) its masking has the kinks of V-cavities: the integrals split there
 //   and one of
@@ -34,6 +34,15 @@ struct Violation {
   double value;
 };
 using NoViolations = std::array<Violation, 0>;
+
+// The parameters of a form, as its base: struct ward : Takes<LobeWeights, Roughness>.
+template <template <class> class WeightsOf, template <class> class ShapeOf>
+struct Takes {
+  template <class T>
+  using Weights = WeightsOf<T>;
+  template <class T>
+  using Shape = ShapeOf<T>;
+};
 
 template <class F>
 concept LinearForm = requires(const typename F::template Shape<double>& shape, const Geometry<double>& g) {

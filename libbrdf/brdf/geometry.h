@@ -15,6 +15,7 @@ template <class T>
 struct Geometry {
   Vec3<T> wi, wo;  // as given, z raised to at least the smallest cosine
   Vec3<T> h;       // wi + wo: not normalised, because through |h|^2 every half-vector term keeps its accuracy
+  Vec3<T> h_rest;  // what rounding took from h: wi + wo = h + h_rest exactly
   T h2;            // |h|^2
   T cos_i, cos_o;  // n.wi, n.wo, raised
   T cos_d;         // wi.h/|h| = |h|/2 (a dot product would lose it near grazing, and reciprocity with it)
@@ -33,6 +34,8 @@ Geometry<T> geometry(const Vec3<T>& wi, const Vec3<T>& wo, double min_cosine = k
   g.cos_i = g.wi.z = at_least(wi.z, T(min_cosine));
   g.cos_o = g.wo.z = at_least(wo.z, T(min_cosine));
   g.h = g.wi + g.wo;
+  g.h_rest = {sum_rest(g.wi.x, g.wo.x, g.h.x), sum_rest(g.wi.y, g.wo.y, g.h.y),
+              sum_rest(g.wi.z, g.wo.z, g.h.z)};
   g.h2 = dot(g.h, g.h);
   g.cos_d = T(0.5) * math::sqrt(g.h2);
   return g;

@@ -44,6 +44,7 @@ struct Precision<float> {
   static constexpr double ln2_high = 0.693359375;
   static constexpr double ln2_low = -2.12194440054690583e-4;
   static constexpr Bits sqrt_half_bits = 0x3F3504F3;
+  static constexpr Bits upper_half = 0xFFFFF000;  // sign, exponent and 12 of 24 bits of the mantissa
   static constexpr std::array exp{5.0e-1, 1.666657698969877568e-1, 4.16665546172045742e-2,
                                   8.36317905272257737e-3, 1.392618358771349454e-3};
   static constexpr std::array log{6.666668505073790482e-1, 3.9988775997834654e-1, 2.958015670534363011e-1};
@@ -68,6 +69,7 @@ struct Precision<double> {
   static constexpr double ln2_high = 6.93147180369123816490e-01;
   static constexpr double ln2_low = 1.90821492927058770002e-10;
   static constexpr Bits sqrt_half_bits = 0x3FE6A09E667F3BCD;
+  static constexpr Bits upper_half = 0xFFFFFFFFF8000000;  // 26 of 53 bits
   static constexpr std::array exp{5.000000000000001022e-1, 1.666666666666666745e-1, 4.166666666662412787e-2,
                                   8.333333333330061833e-3, 1.38888889172137169e-3,  1.984126986305361688e-4,
                                   2.480152129595437513e-5, 2.755726845999706477e-6, 2.762008844540974816e-7,
@@ -91,17 +93,31 @@ struct Precision<double> {
 template <class T>
 using precision_of = Precision<base_scalar_t<T>>;
 
-// sum of c[k] x^k. Expanded, not looped: compilers unroll no loop this long, and one that holds a loop does
-// not vectorise.
+// sum of c[k] x^k. Long ones as two chains in x^2, of even and odd powers: half the latency. Expanded, not
+// looped: compilers unroll no loop this long, and one that holds a loop does not vectorise.
 template <class T, std::size_t N>
 constexpr T polynomial(const T& x, const std::array<double, N>& c) {
-  T y(c[N - 1]);
-  [&]<std::size_t... k>(std::index_sequence<k...>) {
-    ((y = y * x + T(c[N - 2 - k])), ...);
-  }(std::make_index_sequence<N - 1>{});
-  return y;
+  const auto chain = [&]<std::size_t... k>(const T& z, std::size_t highest, std::size_t step,
+                                           std::index_sequence<k...>) {
+    T y(c[highest]);
+    ((y = y * z + T(c[highest - step * (k + 1)])), ...);
+    return y;
+  };
+  if constexpr (N <= 3) {
+    return chain(x, N - 1, 1, std::make_index_sequence<N - 1>{});
+  } else {
+    const T x2 = x * x;
+    const T last = chain(x2, N - 1, 2, std::make_index_sequence<(N - 1) / 2>{});
+    const T other = chain(x2, N - 2, 2, std::make_index_sequence<(N - 2) / 2>{});
+    return N % 2 == 1 ? other * x + last : last * x + other;
+  }
 }
 
+// x with the lower half of its mantissa set to 0: products of two such are exact.
+template <class T>
+inline T upper_half(const T& x) {
+  return from_bits(to_bits(x) & precision_of<T>::upper_half);
+}
 // e^x for x <= 709 (float: 88). Largest error 1.0 ulp; 0 below -690 (float: -80). NaN passes through.
 template <class T>
 inline T exp(const T& x) {
@@ -118,29 +134,49 @@ inline T exp(const T& x) {
 }
 
 // x = m 2^e with m in [sqrt(1/2), sqrt(2)): s = (m - 1)/(m + 1), log m = 2 s + s^3 R(s^2).
+template <class T>
+struct LogParts {
+  T e, f, s;
+  T tail;     // log m = f - tail
+  T inverse;  // 2^-e
+};
+template <class T>
+inline LogParts<T> log_parts(const T& x) {
+  using P = precision_of<T>;
+  const auto shifted = to_bits(x) - P::sqrt_half_bits + (P::exponent_bias << P::mantissa_bits);
+  const auto biased = shifted >> P::mantissa_bits;
+  const auto power = (biased - P::exponent_bias) << P::mantissa_bits;
+  LogParts<T> parts;
+  parts.e = from_bits(biased | P::magic_bits) - T(P::magic + double(P::exponent_bias));
+  const T m = from_bits(to_bits(x) - power);
+  parts.f = m - T(1);
+  parts.s = parts.f / (m + T(1));
+  const T z = parts.s * parts.s;
+  // 2 s = f - s f exactly in the sense of the expansion, and f carries no rounding error.
+  parts.tail = parts.s * (parts.f - z * polynomial(z, P::log));
+  parts.inverse = from_bits(to_bits(T(1)) - power);
+  return parts;
+}
+
 // Natural logarithm of a normal positive x. Largest error 1 ulp away from 1, 1.5 ulp near it.
 template <class T>
 inline T log(const T& x) {
   using P = precision_of<T>;
-  const auto shifted = to_bits(x) - P::sqrt_half_bits + (P::exponent_bias << P::mantissa_bits);
-  const auto biased = shifted >> P::mantissa_bits;
-  const T e = from_bits(biased | P::magic_bits) - T(P::magic + double(P::exponent_bias));
-  const T m = from_bits(to_bits(x) - ((biased - P::exponent_bias) << P::mantissa_bits));
-  const T f = m - T(1);
-  const T s = f / (m + T(1));
-  const T z = s * s;
-  // 2 s = f - s f exactly in the sense of the expansion, and f carries no rounding error.
-  const T tail = s * (f - z * polynomial(z, P::log));
-  return e * T(P::ln2_high) + (f - (tail - e * T(P::ln2_low)));
+  const LogParts<T> p = log_parts(x);
+  return p.e * T(P::ln2_high) + (p.f - (p.tail - p.e * T(P::ln2_low)));
 }
 
-// log(1 + x) for x > -1, accurate also for tiny x. Largest error 2 ulp. (Kahan's correction of the rounding
-// of 1 + x.)
+// log(1 + x + rest) for x > -1, accurate also for tiny x; |rest| at most a few ulp of x. Largest error 2 ulp.
+// What rounding takes from 1 + x is added to the rest, which counts as rest/(1 + x) (after Kahan); 1/m is
+// 1 - 2s + 2s^2 - ..., accurate enough for that.
 template <class T>
-inline T log1p(const T& x) {
+inline T log1p(const T& x, const T& rest) {
+  using P = precision_of<T>;
   const T u = T(1) + x;
-  const T lost = select(x < T(1), x - (u - T(1)), T(1) - (u - x));
-  return log(u) + lost / u;
+  const T lost = select(x < T(1), x - (u - T(1)), T(1) - (u - x)) + rest;
+  const LogParts<T> p = log_parts(u);
+  const T correction = lost * p.inverse * (T(1) - T(2) * (p.s - p.s * p.s));
+  return p.e * T(P::ln2_high) + (p.f - (p.tail - (p.e * T(P::ln2_low) + correction)));
 }
 
 // Angle of the point (cosine, sine), both >= 0 and not both 0: [0, pi/2]. Largest error 2 ulp.

@@ -13,126 +13,109 @@ namespace brdf::math {
 
 template <class T>
 concept Plain = std::same_as<T, float> || std::same_as<T, double>;
-template <class T>
-concept Foreign = !Plain<T> && !Differentiated<T>;
 
 inline constexpr double kTwoOverSqrtPi = 1.12837916709551257390;
 
-namespace lookup {  // nothing here is named like the functions below, so that only the argument's own is
-                    // found
+// The type's own functions. Nothing here is named like the functions below, so that only those are found.
+namespace lookup {
 using std::sqrt;
-template <class T>
-T call_exp(const T& x) {
-  return exp(x);
-}
-template <class T>
-T call_log(const T& x) {
-  return log(x);
-}
-template <class T>
-T call_log1p(const T& x) {
-  return log1p(x);
-}
-template <class T>
-T call_sqrt(const T& x) {
-  return sqrt(x);
-}
-template <class T>
-T call_erfcx(const T& x) {
-  return erfcx(x);
-}
-template <class T>
-T call_atan2(const T& y, const T& x) {
-  return atan2(y, x);
-}
+inline constexpr auto call_exp = [](const auto& x) { return exp(x); };
+inline constexpr auto call_log = [](const auto& x) { return log(x); };
+inline constexpr auto call_log1p = [](const auto& x) { return log1p(x); };
+inline constexpr auto call_log1p_with_rest = [](const auto& x, const auto& rest) { return log1p(x, rest); };
+inline constexpr auto call_sqrt = [](const auto& x) { return sqrt(x); };
+inline constexpr auto call_erfcx = [](const auto& x) { return erfcx(x); };
+inline constexpr auto call_atan2 = [](const auto& y, const auto& x) { return atan2(y, x); };
 }  // namespace lookup
 
-template <Plain T>
+// x with the lower half of its mantissa set to 0, so that products of two such are exact; x itself in other
+// types, which need no help.
+template <class T>
+inline T upper_half(const T& x) {
+  if constexpr (Plain<T> || std::same_as<T, Traced>)
+    return kernels::upper_half(x);
+  else
+    return x;
+}
+
+// Each function: plain numbers, derivatives by the chain rule, everything else.
+
+template <class T>
 inline T exp(const T& x) {
-  return kernels::exp(x);
-}
-template <Foreign T>
-T exp(const T& x) {
-  return lookup::call_exp(x);
-}
-template <Differentiated T>
-inline T exp(const T& x) {
-  const auto y = math::exp(x.a);
-  return T{y, x.v * y};
+  if constexpr (Plain<T>) {
+    return kernels::exp(x);
+  } else if constexpr (Differentiated<T>) {
+    const auto y = math::exp(x.a);
+    return T{y, x.v * y};
+  } else {
+    return lookup::call_exp(x);
+  }
 }
 
-template <Plain T>
+template <class T>
 inline T log(const T& x) {
-  return kernels::log(x);
-}
-template <Foreign T>
-T log(const T& x) {
-  return lookup::call_log(x);
-}
-template <Differentiated T>
-inline T log(const T& x) {
-  using B = base_scalar_t<T>;
-  return T{math::log(x.a), x.v * (B(1) / x.a)};
+  if constexpr (Plain<T>)
+    return kernels::log(x);
+  else if constexpr (Differentiated<T>)
+    return T{math::log(x.a), x.v * (base_scalar_t<T>(1) / x.a)};
+  else
+    return lookup::call_log(x);
 }
 
-template <Plain T>
+// log(1 + x + rest), |rest| a few ulp of x: what rounding took from x.
+template <class T>
+inline T log1p(const T& x, const decltype(value_of(x))& rest) {
+  using B = base_scalar_t<T>;
+  if constexpr (Plain<T>)
+    return kernels::log1p(x, rest);
+  else if constexpr (Differentiated<T>)
+    return T{math::log1p(x.a, rest), x.v * (B(1) / (B(1) + x.a))};
+  else if constexpr (std::same_as<T, Traced>)
+    return lookup::call_log1p_with_rest(x, rest);
+  else
+    return lookup::call_log1p(x + rest);
+}
+template <class T>
 inline T log1p(const T& x) {
-  return kernels::log1p(x);
-}
-template <Foreign T>
-T log1p(const T& x) {
-  return lookup::call_log1p(x);
-}
-template <Differentiated T>
-inline T log1p(const T& x) {
-  using B = base_scalar_t<T>;
-  return T{math::log1p(x.a), x.v * (B(1) / (B(1) + x.a))};
+  return math::log1p(x, std::remove_cvref_t<decltype(value_of(x))>(0));
 }
 
-template <Plain T>
+template <class T>
 inline T sqrt(const T& x) {
-  return std::sqrt(x);
-}
-template <Foreign T>
-T sqrt(const T& x) {
-  return lookup::call_sqrt(x);
-}
-template <Differentiated T>
-inline T sqrt(const T& x) {
-  using B = base_scalar_t<T>;
-  const B y = math::sqrt(x.a);
-  return T{y, x.v * (B(0.5) / at_least(y, B(1e-30)))};
+  if constexpr (Differentiated<T>) {
+    using B = base_scalar_t<T>;
+    const B y = math::sqrt(x.a);
+    return T{y, x.v * (B(0.5) / at_least(y, B(1e-30)))};
+  } else {
+    return lookup::call_sqrt(x);
+  }
 }
 
-template <Plain T>
+template <class T>
 inline T erfcx(const T& x) {
-  return kernels::erfcx(x);
-}
-template <Foreign T>
-T erfcx(const T& x) {
-  return lookup::call_erfcx(x);
-}
-template <Differentiated T>
-inline T erfcx(const T& x) {
-  using B = base_scalar_t<T>;
-  const B y = math::erfcx(x.a);
-  return T{y, x.v * (B(2) * x.a * y - B(kTwoOverSqrtPi))};
+  if constexpr (Plain<T>) {
+    return kernels::erfcx(x);
+  } else if constexpr (Differentiated<T>) {
+    using B = base_scalar_t<T>;
+    const B y = math::erfcx(x.a);
+    return T{y, x.v * (B(2) * x.a * y - B(kTwoOverSqrtPi))};
+  } else {
+    return lookup::call_erfcx(x);
+  }
 }
 
 // Angle of (cosine, sine) in the first quadrant.
-template <Plain T>
+template <class T>
 inline T angle(const T& sine, const T& cosine) {
-  return kernels::angle(sine, cosine);
-}
-template <Foreign T>
-T angle(const T& sine, const T& cosine) {
-  return lookup::call_atan2(sine, cosine);
-}
-template <Differentiated T>
-inline T angle(const T& sine, const T& cosine) {
-  using B = base_scalar_t<T>;
-  const B scale = B(1) / at_least(square(sine.a) + square(cosine.a), B(1e-30));
-  return T{math::angle(sine.a, cosine.a), sine.v * (cosine.a * scale) + cosine.v * (-sine.a * scale)};
+  if constexpr (Plain<T>) {
+    return kernels::angle(sine, cosine);
+  } else if constexpr (Differentiated<T>) {
+    using B = base_scalar_t<T>;
+    const B scale = B(1) / at_least(square(sine.a) + square(cosine.a), B(1e-30));
+    return T{math::angle(sine.a, cosine.a), sine.v * (cosine.a * scale) + cosine.v * (-sine.a * scale)};
+  } else {
+    return lookup::call_atan2(sine, cosine);
+  }
 }
 
 // x^y for x >= 0, 0 at x = 0; relative error |y log x| ulp.

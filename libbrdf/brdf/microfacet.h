@@ -7,6 +7,7 @@
 
 #include "brdf/geometry.h"
 #include "brdf/parameter.h"
+#include "brdf/two_part.h"
 
 namespace brdf {
 
@@ -27,7 +28,7 @@ auto quotient(const Fraction<A>& d, const Fraction<B>& v) {
 // (h_x/alpha_x)^2 + (h_y/alpha_y)^2
 template <class S, class G>
 S scaled_tangent2(const Roughness<S>& a, const Geometry<G>& g) {
-  return square(g.h.x * (S(1) / a.alpha_x)) + square(g.h.y * (S(1) / a.alpha_y));
+  return square(g.h.x) * square(S(1) / a.alpha_x) + square(g.h.y) * square(S(1) / a.alpha_y);
 }
 
 // Trowbridge and Reitz 1975; Walter et al. 2007 eq. 33; anisotropic: Burley 2012.
@@ -49,11 +50,47 @@ Fraction<S> v_smith_ggx(const Roughness<S>& a, const Geometry<G>& g) {
   return {S(0.5), g.cos_o * stretched_length(a, g.wi) + g.cos_i * stretched_length(a, g.wo)};
 }
 
-// exp(-tan^2): the Gaussian of the half vector's slope, scaled by the widths. 0 below e^-80 (float), e^-690
-// (double).
+// 1/alpha^2 - square(1/alpha)
+template <class T>
+T inverse_square_rest(const T& alpha) {
+  const T inverse = T(1) / alpha, rounded = square(inverse);
+  return product_rest(inverse, inverse, rounded) - T(2) * rounded * product_rest(alpha, inverse, T(1));
+}
+
+// What rounding took from scaled_tangent2, but for its three last operations.
 template <class S, class G>
-S slope_gaussian(const Roughness<S>& a, const Geometry<G>& g) {
-  return math::exp(-(scaled_tangent2(a, g) / square(g.h.z)));
+auto scaled_tangent2_rest(const Roughness<S>& a, const Geometry<G>& g) {
+  const auto term = [](const auto& h, const auto& h_rest, const auto& alpha) {
+    return square(h) * inverse_square_rest(alpha) +
+           (h + h) * h_rest * square(decltype(alpha + alpha)(1) / alpha);
+  };
+  return term(value_of(g.h.x), value_of(g.h_rest.x), value_of(a.alpha_x)) +
+         term(value_of(g.h.y), value_of(g.h_rest.y), value_of(a.alpha_y));
+}
+
+// h_z^2
+template <class G>
+auto normal_part2(const Geometry<G>& g) {
+  const auto z = two_part(value_of(g.h.z), value_of(g.h_rest.z));
+  return z * z;
+}
+
+// exp(-n/d) of the scaled tangents n; `inverse` is 1/d rounded, d in two parts.
+template <class S, class G, class T>
+S slope_gaussian(const Roughness<S>& a, const Geometry<G>& g, const G& inverse, const TwoPart<T>& d) {
+  const S tangent2 = scaled_tangent2(a, g);
+  const S exponent = tangent2 * inverse;
+  const T rest = quotient_rest(T(value_of(tangent2)), T(scaled_tangent2_rest(a, g)), d, T(value_of(inverse)),
+                               T(value_of(exponent)));
+  const S gaussian = math::exp(-exponent);
+  return gaussian - gaussian * rest;
+}
+
+// exp(-tan^2): the Gaussian of the half vector's slope, scaled by the widths; `inverse` is 1/h_z^2.
+// 0 below e^-80 (float), e^-690 (double).
+template <class S, class G>
+S slope_gaussian(const Roughness<S>& a, const Geometry<G>& g, const G& inverse) {
+  return slope_gaussian(a, g, inverse, normal_part2(g));
 }
 
 // Beckmann and Spizzichino 1963; Walter et al. 2007 eq. 25. (|h|^2/h_z^2)^2 is 1/cos^4, which overflows if
@@ -61,8 +98,7 @@ S slope_gaussian(const Roughness<S>& a, const Geometry<G>& g) {
 template <class S, class G>
 Fraction<S> d_beckmann(const Roughness<S>& a, const Geometry<G>& g) {
   const G inverse = G(1) / square(g.h.z);
-  return {math::exp(-(scaled_tangent2(a, g) * inverse)) * square(g.h2 * inverse),
-          S(kPi) * a.alpha_x * a.alpha_y};
+  return {slope_gaussian(a, g, inverse) * square(g.h2 * inverse), S(kPi) * a.alpha_x * a.alpha_y};
 }
 
 // cos Lambda(w) of Smith's masking for Beckmann slopes, exact and without cancellation:

@@ -41,6 +41,16 @@ struct BaseScalar<Traced> {
 template <class T>
 using base_scalar_t = typename BaseScalar<T>::type;
 
+// The value without its derivatives.
+template <class T>
+constexpr const T& value_of(const T& x) {
+  return x;
+}
+template <Differentiated T>
+constexpr const auto& value_of(const T& x) {
+  return x.a;
+}
+
 // Both values are computed, then one is taken: this is what vectorises, differentiates and traces.
 template <class T>
 constexpr T select(bool condition, const T& yes, const T& no) {
@@ -68,6 +78,13 @@ constexpr T smaller(const T& a, const T& b) {
 template <class T>
 constexpr T square(const T& x) {
   return x * x;
+}
+
+// a + b - sum exactly, where sum is a + b rounded (Knuth's two-sum).
+template <class T>
+constexpr T sum_rest(const T& a, const T& b, const T& sum) {
+  const T second = sum - a;
+  return (a - (sum - second)) + (b - second);
 }
 
 }  // namespace brdf

@@ -75,6 +75,7 @@ class TracedBits {
   friend TracedBits operator-(TracedBits a, std::uint32_t b);
   friend TracedBits operator-(TracedBits a, TracedBits b);
   friend TracedBits operator|(TracedBits a, std::uint32_t b);
+  friend TracedBits operator&(TracedBits a, std::uint32_t b);
   friend TracedBits operator<<(TracedBits a, int b);
   friend TracedBits operator>>(TracedBits a, int b);
 
@@ -103,7 +104,7 @@ class Traced {
   // Kernels: traced once into GLSL functions, called here.
   friend Traced exp(Traced x);
   friend Traced log(Traced x);
-  friend Traced log1p(Traced x);
+  friend Traced log1p(Traced x, Traced rest);
   friend Traced erfcx(Traced x);
   friend Traced atan2(Traced y, Traced x);
 

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <random>
 
 #include "brdf/material.h"
+#include "brdf/microfacet.h"
 #include "validate/exact.h"
 #include "validate/extremes.h"
 #include "validate/numerics.h"
@@ -21,37 +23,37 @@ struct Contract {
   std::string_view form;
   Errors in_float, in_double;
 };
-// Bounds about 15 % above the measured error. The goal: 5e-6 | 1e-14, tails 5e-5 | 5e-14.
+// Bounds about 15 % above the measured error. The goal: body and faint 5e-6 | 1e-14, tails 5e-5 | 5e-14.
 const std::vector<Contract> kContracts{
     {"lambert", {4.7e-8, 0, 0}, {5.2e-17, 0, 0}},
     {"oren_nayar", {2.5e-7, 0, 0}, {4.3e-16, 4e-16, 0}},
     {"oren_nayar_full", {4.4e-7, 1.2e-7, 0}, {7e-16, 7e-16, 2.4e-16}},
     {"oren_nayar_energy", {2.8e-7, 2.6e-7, 4.7e-8}, {4.5e-16, 3.1e-16, 2.5e-16}},
     {"oren_nayar_as_coded", {3e-7, 2.2e-7, 0}, {5.6e-16, 4.1e-16, 4.6e-16}},
-    {"phong", {1.9e-6, 4.1e-6, 4.7e-6}, {4.9e-15, 6.6e-15, 1.1e-14}},
-    {"phong_unnormalised", {1.8e-6, 4.2e-6, 4.8e-6}, {5e-15, 6.5e-15, 1.1e-14}},
-    {"phong_classic", {1.9e-6, 4.1e-6, 4.7e-6}, {4.8e-15, 6.7e-15, 1.1e-14}},
+    {"phong", {1.7e-6, 2.7e-6, 7.2e-6}, {3e-15, 6.6e-15, 1.2e-14}},
+    {"phong_unnormalised", {1.8e-6, 2.6e-6, 7.3e-6}, {3.1e-15, 6.5e-15, 1.3e-14}},
+    {"phong_classic", {1.8e-6, 2.8e-6, 7.3e-6}, {3e-15, 6.2e-15, 1.3e-14}},
     {"phong_as_coded", {1.2e-7, 0, 0}, {2.2e-16, 0, 0}},
-    {"blinn_phong", {2.3e-6, 4.8e-6, 1.1e-5}, {4.8e-15, 1.1e-14, 2.1e-14}},
-    {"blinn_phong_n8", {2.4e-6, 4.7e-6, 1.1e-5}, {4.8e-15, 1.1e-14, 2.1e-14}},
-    {"blinn_phong_unnormalised", {2.3e-6, 4.7e-6, 1.1e-5}, {4.8e-15, 1.1e-14, 2.1e-14}},
+    {"blinn_phong", {1.5e-6, 3.3e-6, 7.9e-6}, {3.9e-15, 5e-15, 1.6e-14}},
+    {"blinn_phong_n8", {1.4e-6, 3.3e-6, 7.8e-6}, {3.8e-15, 5e-15, 1.6e-14}},
+    {"blinn_phong_unnormalised", {1.6e-6, 3.3e-6, 7.8e-6}, {3.8e-15, 4.9e-15, 1.6e-14}},
     {"blinn_phong_as_coded", {5.4e-7, 0, 0}, {8.2e-16, 0, 0}},
-    {"ward", {3.2e-6, 9.3e-6, 1.8e-5}, {4.9e-15, 1.2e-14, 3.1e-14}},
-    {"ward_duer", {3.3e-6, 9.3e-6, 1.8e-5}, {4.8e-15, 1.2e-14, 3.1e-14}},
-    {"ward_bounded", {3.2e-6, 9.3e-6, 1.8e-5}, {6.5e-15, 1.4e-14, 3e-14}},
-    {"ward_as_coded", {3.5e-6, 9.3e-6, 1.9e-5}, {7e-15, 1.3e-14, 4.4e-14}},
-    {"cook_torrance", {1.8e-6, 2.5e-6, 4.9e-6}, {3.1e-15, 1.4e-15, 5.5e-15}},
-    {"cook_torrance_beckmann", {3e-6, 9.3e-6, 2.2e-5}, {6.3e-15, 1.4e-14, 3e-14}},
-    {"cook_torrance_dielectric", {1.9e-6, 2.9e-6, 5.3e-6}, {3.8e-15, 5.9e-15, 1.1e-14}},
-    {"cook_torrance_vcavity", {3.1e-6, 9.1e-6, 2.3e-5}, {6.9e-15, 1.4e-14, 3e-14}},
-    {"cook_torrance_1982", {2.9e-6, 9.2e-6, 2.2e-5}, {6.8e-15, 1.4e-14, 3e-14}},
-    {"cook_torrance_schlick_ggx", {1.7e-6, 1.7e-6, 2.7e-6}, {3.3e-15, 1.8e-15, 2.2e-15}},
-    {"cook_torrance_as_printed", {1.7e-6, 1.8e-6, 2.9e-6}, {4e-15, 2.4e-15, 2.3e-15}},
-    {"cook_torrance_as_coded", {2.4e-6, 2.7e-6, 0}, {7.5e-15, 5.9e-15, 0}},
+    {"ward", {1.6e-6, 3.2e-6, 1.8e-5}, {2.8e-15, 5.5e-15, 1.9e-14}},
+    {"ward_duer", {1.6e-6, 3.2e-6, 1.8e-5}, {2.5e-15, 5.4e-15, 1.9e-14}},
+    {"ward_bounded", {1.4e-6, 3.2e-6, 1.8e-5}, {2.9e-15, 5.6e-15, 1.8e-14}},
+    {"ward_as_coded", {1.6e-6, 3.3e-6, 1.4e-5}, {2.6e-15, 5.6e-15, 1.9e-14}},
+    {"cook_torrance", {1.8e-6, 1.4e-6, 4.9e-6}, {3.1e-15, 1.2e-15, 5.5e-15}},
+    {"cook_torrance_beckmann", {1.6e-6, 3.2e-6, 1.8e-5}, {2.9e-15, 5.3e-15, 1.9e-14}},
+    {"cook_torrance_dielectric", {1.9e-6, 1.7e-6, 5.3e-6}, {3.8e-15, 2.3e-15, 1.1e-14}},
+    {"cook_torrance_vcavity", {2.4e-6, 3.7e-6, 1.9e-5}, {4e-15, 5.6e-15, 1.9e-14}},
+    {"cook_torrance_1982", {1.5e-6, 3.2e-6, 1.8e-5}, {2.9e-15, 5.5e-15, 1.9e-14}},
+    {"cook_torrance_schlick_ggx", {1.7e-6, 9.4e-7, 2.3e-6}, {3.3e-15, 1.7e-15, 2.5e-15}},
+    {"cook_torrance_as_printed", {1.7e-6, 1.4e-6, 2.5e-6}, {4e-15, 2.4e-15, 2.6e-15}},
+    {"cook_torrance_as_coded", {2.4e-6, 2.5e-6, 0}, {7.5e-15, 5.9e-15, 0}},
 };
 
 void expect_close_below(double error, double bound, const NumericsRow& row) {
-  EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << " at " << row.where;
+  EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << " at " << row.where.parameters;
   EXPECT_GE(error, bound / 2) << row.form << ' ' << row.scalar << " is better than stated";
 }
 
@@ -92,13 +94,58 @@ TEST(AccuracyContracts, AreStatedInTheHeaders) {
     const FormInfo& form = info(*find_form(contract.form));
     std::ifstream in(std::string(BRDF_SOURCE_DIR "/libbrdf/brdf/forms/") + std::string(form.family) + ".h");
     std::string previous, line;
-    while (std::getline(in, line) && line != "struct " + std::string(form.name) + " {") previous = line;
+    while (std::getline(in, line) && !line.starts_with("struct " + std::string(form.name) + " "))
+      previous = line;
     double in_double = 0, in_float = 0;
     EXPECT_EQ(std::sscanf(previous.c_str(), "// Error: %lf, in float %lf.", &in_double, &in_float), 2)
         << form.name;
     EXPECT_EQ(in_double, contract.in_double.body) << form.name;
     EXPECT_EQ(in_float, contract.in_float.body) << form.name;
   }
+}
+
+// volatile: g++ 12 at -O2 drops the rounding of a pair that goes to float and back.
+template <class T>
+Vec3<T> rounded(const Vec3<double>& w) {
+  const auto one = [](double x) {
+    volatile T y = T(x);
+    return T(y);
+  };
+  return {one(w.x), one(w.y), one(w.z)};
+}
+
+// The exponent's rounding errors are carried along (brdf/two_part.h): the goal holds on any directions, not
+// only on the grid's. Against W, at the vectors as stored, down to 1e-12 of the peak.
+template <class T, class W>
+double worst_gaussian_error() {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit;
+  W worst = 0;
+  for (int k = 0; k < 200000; ++k) {
+    const Roughness<T> a{T(std::pow(10, -4 * unit(random))), T(std::pow(10, -4 * unit(random)))};
+    const double radius = std::sqrt(10 + 17.6 * unit(random)), azimuth = 2 * kPi * unit(random);
+    const double x = double(a.alpha_x) * radius * std::cos(azimuth),
+                 y = double(a.alpha_y) * radius * std::sin(azimuth), length = std::sqrt(x * x + y * y + 1);
+    const Vec3<double> i = direction(1.5 * unit(random), 2 * kPi * unit(random)),
+                       h{x / length, y / length, 1 / length}, o = h * (2 * dot(i, h)) - i;
+    if (o.z < 1e-3) continue;
+    const Geometry<T> g = geometry(rounded<T>(i), rounded<T>(o));
+    const W tan_x = (W(g.wi.x) + W(g.wo.x)) / (W(g.wi.z) + W(g.wo.z)) / W(a.alpha_x),
+            tan_y = (W(g.wi.y) + W(g.wo.y)) / (W(g.wi.z) + W(g.wo.z)) / W(a.alpha_y);
+    const W exponent = tan_x * tan_x + tan_y * tan_y;
+    if (exponent > W(27.6)) continue;
+    worst =
+        std::max(worst, std::abs(W(slope_gaussian(a, g, T(1) / square(g.h.z))) / std::exp(-exponent) - 1));
+  }
+  return double(worst);
+}
+TEST(SlopeGaussian, MeetsTheGoalOnRandomDirections) {
+  const double in_float = worst_gaussian_error<float, double>(),
+               in_double = worst_gaussian_error<double, long double>();
+  EXPECT_LE(in_float, 5e-6);
+  EXPECT_GE(in_float, 2.5e-6);
+  EXPECT_LE(in_double, 1e-14);
+  EXPECT_GE(in_double, 5e-15);
 }
 
 // What rounding the directions to float does to GGX at 60 degrees within 1.5 widths of the peak.
@@ -108,13 +155,9 @@ double cost_of_storing(double alpha) {
     const Geometry<double> g = geometry(wi, wo);
     return quotient(d_ggx(a, g), v_smith_ggx(a, g));
   };
-  // volatile: g++ 12 at -O2 drops the rounding of a pair that goes to float and back.
-  const auto rounded = [](double x) {
-    volatile float y = float(x);
-    return double(y);
-  };
-  const auto stored = [&](const Vec3<double>& w) {
-    const Vec3<double> v{rounded(w.x), rounded(w.y), rounded(w.z)};
+  const auto stored = [](const Vec3<double>& w) {
+    const Vec3<float> r = rounded<float>(w);
+    const Vec3<double> v{r.x, r.y, r.z};
     return v * (1 / std::sqrt(dot(v, v)));
   };
   double worst = 0;

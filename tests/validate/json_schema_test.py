@@ -22,6 +22,12 @@ assert {"pass", "known_violation", "not_applicable"} <= verdicts, verdicts
 required = subprocess.run([executable, "validate", "--form", "blinn_phong_n8", "--require", "energy"],
                           capture_output=True, text=True, check=False)
 assert required.returncode == 1, required.returncode
+numerics = subprocess.run([executable, "validate", "--numerics", "--form", "lambert", "--json"],
+                          capture_output=True, text=True, check=False)
+assert numerics.returncode == 0, numerics.stderr
+rows = json.loads(numerics.stdout)
+jsonschema.validate(rows, schema)
+assert [row["scalar"] for row in rows["rows"]] == ["float", "double"], rows
 try:
     jsonschema.validate({"findings": [{"subject": "x"}]}, schema)
 except jsonschema.ValidationError:

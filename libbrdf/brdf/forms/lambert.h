@@ -8,14 +8,10 @@ namespace brdf {
 // Domain: everywhere. Symmetry: isotropic, reciprocal. Albedo rho at every angle.
 // Known violations: none for rho <= 1.
 // Error: 5.2e-17, in float 4.7e-8.
-struct lambert {
+struct lambert : Takes<DiffuseWeights, NoShape> {
   static constexpr std::string_view name = "lambert";
   static constexpr std::string_view family = "lambert";
   static constexpr NoViolations violations{};
-  template <class T>
-  using Weights = DiffuseWeights<T>;
-  template <class T>
-  using Shape = NoShape<T>;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>&, const Geometry<G>&) {

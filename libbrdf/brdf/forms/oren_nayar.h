@@ -18,16 +18,12 @@ G oren_nayar_azimuth(const Geometry<G>& g) {
 // sigma. Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy, by up to 1.5 % at
 // rho = 1 (sigma .1985, towards grazing); none for sigma >= .32613.
 // Error: 4.3e-16, in float 2.5e-7.
-struct oren_nayar {
+struct oren_nayar : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr std::string_view name = "oren_nayar";
   static constexpr std::string_view family = "oren_nayar";
   static constexpr std::array violations{Violation{"energy",
                                                    "albedo up to 1.0152 at rho 1, for sigma below .32613",
                                                    "rho=1 sigma=0.198533", 90, 1.015179}};
-  template <class T>
-  using Weights = DiffuseWeights<T>;
-  template <class T>
-  using Shape = SlopeDeviation<T>;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -52,7 +48,7 @@ G sine(const Vec3<G>& w) {
 // Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy up to 1.0510 at rho 1
 // (sigma .304); L1 is negative towards double grazing for sigma > .664, so f is negative there for small rho.
 // Error: 7e-16, in float 4.4e-7.
-struct oren_nayar_full {
+struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr std::string_view name = "oren_nayar_full";
   static constexpr std::string_view family = "oren_nayar";
   static constexpr std::array violations{
@@ -60,10 +56,6 @@ struct oren_nayar_full {
                 "rho=1 sigma=0.304", 89.5, 1.04704},
       Violation{"non_negative", "the direct term is negative towards double grazing for sigma > .664",
                 "rho=0.41 sigma=1.5707963267948966", 89.5, -0.01723}};
-  template <class T>
-  using Weights = DiffuseWeights<T>;
-  template <class T>
-  using Shape = SlopeDeviation<T>;
 
   // What f needs of the directions, free of cancellation.
   template <class G>
@@ -126,14 +118,10 @@ struct UnitRoughness {
 // 1 - E = A r (c1 - G/pi) and 1 + s are formed without cancellation: nothing is 0/0.
 // Domain: roughness 0..1. Symmetry: isotropic, reciprocal. Albedo 1 at rho 1. Known violations: none.
 // Error: 4.5e-16, in float 2.8e-7.
-struct oren_nayar_energy {
+struct oren_nayar_energy : Takes<DiffuseWeights, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_energy";
   static constexpr std::string_view family = "oren_nayar";
   static constexpr NoViolations violations{};
-  template <class T>
-  using Weights = DiffuseWeights<T>;
-  template <class T>
-  using Shape = UnitRoughness<T>;
 
   static constexpr double kC1 = 0.5 - 2 / (3 * kPi);
   static constexpr double kC2 = 2.0 / 3 - 28 / (15 * kPi);
@@ -176,15 +164,11 @@ struct LinearAlbedo {
 // c = wi.wo - cos_i cos_o. Domain: roughness 0..1. Symmetry: isotropic, reciprocal.
 // Known violations: energy, by the factor 1 + roughness/2: 1.15 at normal incidence (roughness .5).
 // Error: 5.6e-16, in float 3e-7.
-struct oren_nayar_as_coded {
+struct oren_nayar_as_coded : Takes<LinearAlbedo, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_as_coded";
   static constexpr std::string_view family = "oren_nayar";
   static constexpr std::array violations{Violation{"energy", "albedo above 1 by the factor 1 + roughness/2",
                                                    "albedo=1 roughness=0.55", 89.5, 1.21904}};
-  template <class T>
-  using Weights = LinearAlbedo<T>;
-  template <class T>
-  using Shape = UnitRoughness<T>;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {

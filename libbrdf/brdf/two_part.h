@@ -1,0 +1,64 @@
+// Numbers in two parts, for what an exponent must not lose.
+//
+// At 1e-12 of a lobe's peak an exponent of 27 turns the relative error of one rounding into 27 of them: a
+// dozen roundings would be 1e-5 in float. What they take is therefore carried along, in plain numbers
+// (derivatives need none of it). Not by fused multiply-add, which shaders may take apart: halves of mantissas
+// multiply exactly everywhere.
+#pragma once
+
+#include "brdf/math.h"
+
+namespace brdf {
+
+// high + low, where high has half a mantissa.
+template <class T>
+struct TwoPart {
+  T high, low;
+
+  friend TwoPart operator*(const TwoPart& a, const TwoPart& b) {
+    const T product = a.high * b.high;
+    const T high = math::upper_half(product);
+    return {high, (product - high) + (a.high * b.low + a.low * (b.high + b.low))};
+  }
+  friend TwoPart operator+(const TwoPart& a, const TwoPart& b) {
+    const T high = math::upper_half(a.high + b.high);
+    return {high, ((larger(a.high, b.high) - high) + smaller(a.high, b.high)) + (a.low + b.low)};
+  }
+};
+
+// x + rest, where rest is what rounding took from x.
+template <class T>
+TwoPart<T> two_part(const T& x, const T& rest) {
+  const T high = math::upper_half(x);
+  return {high, (x - high) + rest};
+}
+
+template <class T>
+TwoPart<T> half(const TwoPart<T>& x) {
+  return {T(0.5) * x.high, T(0.5) * x.low};
+}
+
+// The square root, given its rounded value.
+template <class T>
+TwoPart<T> square_root(const TwoPart<T>& x, const T& root) {
+  const TwoPart<T> r = two_part(root, T(0)), square = r * r;
+  return two_part(root, T(0.5) * ((x.high - square.high) + (x.low - square.low)) / root);
+}
+
+// a b - p where p is a b but for a few ulp.
+template <class T>
+T product_rest(const T& a, const T& b, const T& p) {
+  const T a_high = math::upper_half(a), b_high = math::upper_half(b);
+  const T a_low = a - a_high, b_low = b - b_high;
+  return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+// (n + n_rest)/d - q, where q is n/d but for a few ulp and `inverse` about 1/d.
+template <class T>
+T quotient_rest(const T& n, const T& n_rest, const TwoPart<T>& d, const T& inverse, const T& q) {
+  const T q_high = math::upper_half(q);
+  const T remainder = (n - q_high * d.high) - q_high * d.low + n_rest;
+  return (q_high - q) + remainder * inverse;
+}
+
+}  // namespace brdf
