@@ -93,22 +93,29 @@ struct Precision<double> {
 template <class T>
 using precision_of = Precision<base_scalar_t<T>>;
 
-// sum of c[k] x^k. Long ones as two chains in x^2, of even and odd powers: half the latency. Expanded, not
-// looped: compilers unroll no loop this long, and one that holds a loop does not vectorise.
+// c[last] z^n + c[last - step] z^(n-1) + ... + c[last % step]. Expanded, not looped: compilers unroll no loop
+// this long, and one that holds a loop does not vectorise.
+template <std::size_t last, std::size_t step, class T, std::size_t N>
+constexpr T chain(const T& z, const std::array<double, N>& c) {
+  T y(c[last]);
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    ((y = y * z + T(c[last - step * (k + 1)])), ...);
+  }(std::make_index_sequence<last / step>{});
+  return y;
+}
+// sum of c[k] x^k as one chain: the most accurate where the first term is the sum's size.
+template <class T, std::size_t N>
+constexpr T horner(const T& x, const std::array<double, N>& c) {
+  return chain<N - 1, 1>(x, c);
+}
+// The same as two chains in x^2, of even and odd powers, where that halves the latency.
 template <class T, std::size_t N>
 constexpr T polynomial(const T& x, const std::array<double, N>& c) {
-  const auto chain = [&]<std::size_t... k>(const T& z, std::size_t highest, std::size_t step,
-                                           std::index_sequence<k...>) {
-    T y(c[highest]);
-    ((y = y * z + T(c[highest - step * (k + 1)])), ...);
-    return y;
-  };
   if constexpr (N <= 3) {
-    return chain(x, N - 1, 1, std::make_index_sequence<N - 1>{});
+    return horner(x, c);
   } else {
     const T x2 = x * x;
-    const T last = chain(x2, N - 1, 2, std::make_index_sequence<(N - 1) / 2>{});
-    const T other = chain(x2, N - 2, 2, std::make_index_sequence<(N - 2) / 2>{});
+    const T last = chain<N - 1, 2>(x2, c), other = chain<N - 2, 2>(x2, c);
     return N % 2 == 1 ? other * x + last : last * x + other;
   }
 }

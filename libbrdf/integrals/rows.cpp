@@ -28,7 +28,7 @@ constexpr std::array kCos{1.0,
 void sinh_cosh(std::size_t count, const double* s, double* sinh, double* cosh) {
   const auto body = [=](std::size_t k) {
     const double x = s[k], up = kernels::exp(x), down = 1 / up;
-    const double series = x * kernels::polynomial(x * x, kSinh);
+    const double series = x * kernels::horner(x * x, kSinh);
     sinh[k] = select(x < 0.5, series, 0.5 * (up - down));
     cosh[k] = 0.5 * (up + down);
   };
@@ -40,7 +40,7 @@ void sin_cos(std::size_t count, const double* angle, double* sine, double* cosin
   const auto body = [=](std::size_t k) {
     const double x = angle[k], rest = kPi - x;
     const double t = 0.5 * smaller(x, rest), t2 = t * t;
-    const double s = t * kernels::polynomial(t2, kSin), c = kernels::polynomial(t2, kCos);
+    const double s = t * kernels::horner(t2, kSin), c = kernels::horner(t2, kCos);
     const double inner = 1 - 2 * s * s;
     sine[k] = 2 * s * c;
     cosine[k] = select(x < rest, inner, -inner);
