@@ -50,7 +50,7 @@ def same_token(expected, printed):
 
 
 def same_line(expected, printed):
-    a, b = expected.split(), printed.split()
+    a, b = expected.replace(",", " ").split(), printed.replace(",", " ").split()
     return len(a) == len(b) and all(map(same_token, a, b))
 
 
