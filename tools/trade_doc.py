@@ -3,9 +3,8 @@
 ledger, from `brdf recommend` and from `brdf render`.
 
     build/release/brdf trade -o data/ledger.json && tools/trade_doc.py      # on an idle machine
-
-Arguments: the executable and the ledger, where they are others.
 """
+import argparse
 import json
 import pathlib
 import re
@@ -159,8 +158,11 @@ def filled(text, ledger):
 
 
 def main():
-    arguments = sys.argv[1:] or [ROOT / "build/release/brdf", ROOT / "data/ledger.json"]
-    brdf, ledger = str(pathlib.Path(arguments[0]).resolve()), Ledger(str(pathlib.Path(arguments[1]).resolve()))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--brdf", type=pathlib.Path, default=ROOT / "build/release/brdf", help="the program")
+    parser.add_argument("--ledger", type=pathlib.Path, default=ROOT / "data/ledger.json")
+    options = parser.parse_args()
+    brdf, ledger = str(options.brdf.resolve()), Ledger(str(options.ledger.resolve()))
     parts = {"@fronts@": fronts(ledger), "@tables@": "".join(table(ledger, name) for name in TABLES),
              "@shading@": table(ledger, "where to shade: diffuse") + table(ledger, "where to shade: highlight"),
              "@lookup@": table(ledger, "lookup texture in a frame", some_textures)
