@@ -17,6 +17,7 @@
 #include "io/output.h"
 #include "io/samples.h"
 #include "io/text.h"
+#include "validate/bound_pairs.h"
 #include "validate/integrators.h"
 #include "validate/numerics.h"
 #include "validate/report.h"
@@ -116,7 +117,7 @@ void write_report(const Options& o, validate::ReportContent& content) {
 Exit run_integrators(const Options& o) {
   io::Json rows = io::Json::array();
   bool honest = true;
-  validate::check_integrators(o.seed, [&](const validate::IntegratorRow& row) {
+  const auto report = [&](const validate::IntegratorRow& row) {
     honest = honest && row.wrong == 0;
     rows.push_back({{"set", row.set},
                     {"tolerance", row.tolerance},
@@ -131,7 +132,9 @@ Exit run_integrators(const Options& o) {
                 << " wrong, " << row.unconverged << " unconverged, " << row.mean_evaluations
                 << " evaluations each\n"
                 << std::flush;
-  });
+  };
+  validate::check_integrators(o.seed, report);
+  validate::check_bounds(o.seed, o.effort == "full" ? 20000 : 4000, report);
   if (o.json) std::cout << io::to_text(io::Json{{"rows", rows}}) << '\n';
   return honest ? Exit::kGood : Exit::kFailed;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "brdf/integrals.h"
+#include "validate/integral_cases.h"
 
 namespace brdf::validate {
 
@@ -21,16 +21,6 @@ struct IntegratorRow {
   double worst;  // largest error over what was allowed
   std::string worst_case;
 };
-
-// One case: a term of one channel and the fixed direction (radians).
-struct IntegralCase {
-  Term term;
-  double theta, phi;
-};
-
-// The cases of a set: isotropic, grazing, anisotropic, ward, v_cavity.
-std::vector<IntegralCase> integral_cases(const std::string& set, std::uint64_t seed);
-std::vector<std::string> integral_sets();
 
 // Every set at 1e-4, 1e-6 and 1e-10, and "second_rule_SET": the truth of 100 of its cases against a rule of
 // another kind, at 1e-7.

@@ -1,7 +1,8 @@
-// Bisection of cells in (t, phi), elevation = pi/2 t^2, phi from the mirror plane: each cell by two product
-// Gauss-Legendre rules whose difference is its error; the worst cell is halved along its worse direction.
-// The first cells close in on the lobe by its widths. A kink is looked for where it could hide from both
-// rules.
+// Bisection of cells in (t, phi), elevation = pi/2 t^2, phi from the mirror plane: each cell by a product
+// Gauss-Legendre rule, its error by rules of fewer points, one kind of which looks at the cell's edges and
+// corners too (Lobatto): a kink that cuts off a part in which no Gauss node lies does not hide. Two rules may
+// agree on a kink by chance, so a cell is not believed to be much better than the cell that it is half of.
+// The worst cell is halved along its worse direction. The first cells close in on the lobe by its widths.
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -12,14 +13,16 @@
 namespace brdf::integrals {
 namespace {
 
-constexpr int kFine = 10, kCoarse = 7;
+constexpr int kFine = 10, kOpen = 7, kClosed = 8;
+constexpr double kGain = 4;     // no half is believed to be better than its whole was, by more than this
+constexpr double kCaution = 8;  // what all rules miss alike: a lobe's edge through a corner, say
 
 struct Cell {
   double t0, t1, phi0, phi1;
   std::vector<double> value, error;  // per output
-  double priority = 0;
   bool halve_t = true;
-  bool operator<(const Cell& other) const { return priority < other.priority; }
+  double worst() const { return *std::max_element(error.begin(), error.end()); }
+  bool operator<(const Cell& other) const { return worst() < other.worst(); }
 };
 
 class Adaptive {
@@ -33,7 +36,7 @@ class Adaptive {
   std::vector<AlbedoResult> run(double tolerance, long max_evaluations) {
     const std::size_t outputs = integrand_.outputs();
     std::priority_queue<Cell> cells;
-    std::vector<double> total(outputs, 0.0), error(outputs, 0.0);
+    std::vector<double> total = integrand_.constant_outputs(), error(outputs, 0.0);
     const auto insert = [&](Cell cell) {
       for (std::size_t k = 0; k < outputs; ++k) {
         total[k] += cell.value[k];
@@ -59,8 +62,14 @@ class Adaptive {
         low.t1 = high.t0 = (worst.t0 + worst.t1) / 2;
       else
         low.phi1 = high.phi0 = (worst.phi0 + worst.phi1) / 2;
-      insert(measure(low));
-      insert(measure(high));
+      low = measure(low);
+      high = measure(high);
+      for (std::size_t k = 0; k < outputs; ++k) {
+        const double least = std::abs(low.value[k] + high.value[k] - worst.value[k]) / kGain / 2;
+        for (Cell* half : {&low, &high}) half->error[k] = std::max(half->error[k], least);
+      }
+      insert(std::move(low));
+      insert(std::move(high));
     }
     return results(cells, outputs, tolerance);
   }
@@ -68,13 +77,18 @@ class Adaptive {
  private:
   std::vector<AlbedoResult> results(std::priority_queue<Cell>& cells, std::size_t outputs, double tolerance) {
     // Summed afresh: the running totals carry the rounding of everything subtracted.
+    const std::vector<double> constant = integrand_.constant_outputs();
     std::vector<AlbedoResult> found(outputs);
+    for (std::size_t k = 0; k < outputs; ++k) found[k].value = constant[k];
     for (; !cells.empty(); cells.pop())
       for (std::size_t k = 0; k < outputs; ++k) {
         found[k].value += cells.top().value[k];
         found[k].error_bound += cells.top().error[k];
       }
+    // One evaluation's rounding: elevation and azimuth are the same in many, so that it does not average out.
+    const double rounding = rounding_of(integrand_, {elevation_, phi_}, 1);
     for (AlbedoResult& r : found) {
+      r.error_bound += rounding * std::abs(r.value);
       r.evaluations = evaluations_;
       r.converged = r.error_bound <= tolerance * std::abs(r.value);
       r.rule = Rule::adaptive;
@@ -127,75 +141,71 @@ class Adaptive {
     return cells;
   }
 
-  std::vector<double> product(const Cell& c, int n_t, int n_phi) {
+  std::vector<double> product(const Cell& c, const GaussRule& rule_t, const GaussRule& rule_phi) {
     NodeSum sum(integrand_, fixed_);
-    const GaussRule& rule_t = gauss_legendre(n_t);
-    const GaussRule& rule_phi = gauss_legendre(n_phi);
     const double twice = integrand_.features().anisotropic() ? 1 : 2;
-    for (int i = 0; i < n_t; ++i) {
+    for (std::size_t i = 0; i < rule_t.node.size(); ++i) {
       const double t = c.t0 + (c.t1 - c.t0) * rule_t.node[i];
       const double e = kPi / 2 * t * t, s = std::cos(e), z = std::sin(e);
       const double weight = twice * s * kPi * t * (c.t1 - c.t0) * rule_t.weight[i] * (c.phi1 - c.phi0);
-      for (int j = 0; j < n_phi; ++j) {
+      for (std::size_t j = 0; j < rule_phi.node.size(); ++j) {
         const double phi = phi_ + kPi + c.phi0 + (c.phi1 - c.phi0) * rule_phi.node[j];
         sum.add(s * std::cos(phi), s * std::sin(phi), z, weight * rule_phi.weight[j]);
       }
     }
     auto columns = sum.sums();
     evaluations_ += sum.evaluations();
-    return integrand_.combine(columns);
+    return integrand_.combine_varying(columns);
   }
 
   Cell measure(Cell cell) {
-    cell.value = product(cell, kFine, kFine);
-    const auto less_t = product(cell, kCoarse, kFine), less_phi = product(cell, kFine, kCoarse);
+    const GaussRule &fine = gauss_legendre(kFine), &open = gauss_legendre(kOpen),
+                    &closed = gauss_lobatto(kClosed);
+    cell.value = product(cell, fine, fine);
+    const auto open_t = product(cell, open, fine), closed_t = product(cell, closed, fine),
+               open_phi = product(cell, fine, open), closed_phi = product(cell, fine, closed),
+               corners = product(cell, closed, closed);
+    const std::vector<double> pole = cell.t1 == 1 ? hidden_at_pole(cell) : std::vector<double>();
     double along_t = 0, along_phi = 0;
     cell.error.assign(cell.value.size(), 0.0);
     for (std::size_t k = 0; k < cell.value.size(); ++k) {
-      const double dt = std::abs(less_t[k] - cell.value[k]), dphi = std::abs(less_phi[k] - cell.value[k]);
-      cell.error[k] = dt + dphi;
+      const auto off = [&](const std::vector<double>& other) { return std::abs(other[k] - cell.value[k]); };
+      const double dt = std::max(off(open_t), off(closed_t)), dphi = std::max(off(open_phi), off(closed_phi));
+      cell.error[k] = kCaution * std::max({dt + dphi, off(corners), pole.empty() ? 0 : std::abs(pole[k])});
       along_t = std::max(along_t, dt);
       along_phi = std::max(along_phi, dphi);
     }
     cell.halve_t = along_t >= along_phi;
-    if (integrand_.features().kink == Kink::v_cavity) {
-      const Cut cut = hidden_cut(cell);
-      for (std::size_t k = 0; k < cell.value.size(); ++k) {
-        const double most = cut.depth * std::abs(cell.value[k]);
-        if (most <= cell.error[k]) continue;
-        cell.error[k] = most;
-        cell.halve_t = cut.along_t;
-        along_t = std::max(along_t, most);
-      }
-    }
-    cell.priority = std::max(along_t, along_phi);
     return cell;
   }
 
-  // Of V-cavities, G = min(1, r): r is 1 where the masking sets in.
-  double masking(double t, double phi) const {
-    const double e = kPi / 2 * t * t, s = std::cos(e), azimuth = phi_ + kPi + phi;
-    const Vec3<double> w{s * std::cos(azimuth), s * std::sin(azimuth), std::sin(e)}, h = w + fixed_;
-    return 4 * h.z * std::min(w.z, fixed_.z) / std::max(dot(h, h), 1e-300);
-  }
-
-  struct Cut {
-    double depth = 0;  // how far G departs beyond the kink from its continuation to there
-    bool along_t = true;
-  };
-  // A kink that cuts a corner off which no node lies in is seen by no difference of rules. G at the cell's
-  // corners and the middles of its sides tells: the part beyond the kink is wrong by no more than this.
-  Cut hidden_cut(const Cell& c) const {
-    const double t = (c.t0 + c.t1) / 2, phi = (c.phi0 + c.phi1) / 2, centre = masking(t, phi);
-    Cut cut;
-    for (const double u : {c.t0, t, c.t1})
-      for (const double v : {c.phi0, phi, c.phi1}) {
-        const double r = masking(u, v);
-        if ((r < 1) != (centre < 1)) cut.depth = std::max(cut.depth, std::min(std::abs(r - 1), 1.0));
-      }
-    cut.along_t = std::abs(masking(c.t0, phi) - masking(c.t1, phi)) >=
-                  std::abs(masking(t, c.phi0) - masking(t, c.phi1));
-    return cut;
+  // At the pole the cell's solid angle vanishes and no rule sees the value there. What it departs by from the
+  // polynomial through the nodes, over the cap beyond the last of them.
+  std::vector<double> hidden_at_pole(const Cell& c) {
+    const GaussRule& rule = gauss_legendre(kFine);
+    std::array<double, kFine + 1> x, y, z, weight;
+    const double phi = phi_ + kPi + (c.phi0 + c.phi1) / 2;
+    for (std::size_t i = 0; i <= kFine; ++i) {
+      const double v = i < kFine ? rule.node[i] : 1, t = c.t0 + (c.t1 - c.t0) * v, e = kPi / 2 * t * t;
+      x[i] = std::cos(e) * std::cos(phi);
+      y[i] = std::cos(e) * std::sin(phi);
+      z[i] = std::sin(e);
+      weight[i] = 1;
+      for (std::size_t j = 0; j < kFine; ++j)
+        if (j != i) weight[i] *= i < kFine ? (1 - rule.node[j]) / (v - rule.node[j]) : 1;
+    }
+    std::vector<double> values((kFine + 1) * integrand_.columns());
+    integrand_.evaluate(fixed_, x.size(), x.data(), y.data(), z.data(), values.data());
+    evaluations_ += kFine + 1;
+    const double cap = (integrand_.features().anisotropic() ? 1 : 2) * (c.phi1 - c.phi0) * (1 - z[kFine - 1]);
+    std::vector<double> columns;
+    for (std::size_t k = 0; k < integrand_.columns(); ++k) {
+      const double* f = &values[k * x.size()];
+      double off = f[kFine];
+      for (std::size_t i = 0; i < kFine; ++i) off -= weight[i] * f[i];
+      columns.push_back(cap * off);
+    }
+    return integrand_.combine_varying(columns);
   }
 
   const Integrand& integrand_;

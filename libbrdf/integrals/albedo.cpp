@@ -11,45 +11,75 @@ namespace {
 
 constexpr std::array kOrders{6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr int kFirstAccepted = 12;
-constexpr double kRounding = 4e-15;  // relative, of a sum of ten thousand terms of one sign
+constexpr double kNodesPerFold = 1.25;  // with fewer, two orders may agree because both miss the same part
 
 using PanelRule = Sums (*)(const Integrand&, const FixedDirection&, int);
-
-// Relative, of directions stored in double precision: near grazing a lobe of width a spans a cos (at the
-// horizon a^2) of the half vector's components, each rounded to 1e-16; over many points that averages out.
-double stored_directions(const Integrand& integrand, const FixedDirection& fixed, long evaluations) {
-  const double width = std::min(integrand.features().width_x, integrand.features().width_y);
-  return 1e-15 / (width * std::max(std::sin(fixed.elevation), width / 4) * std::sqrt(double(evaluations)));
-}
 
 double distance(double a, double b) {
   return std::abs(a - b);
 }
 
+// The last values of one output, the newest first, as many as there are.
+class History {
+ public:
+  void add(double value) {
+    std::copy_backward(values_.begin(), values_.end() - 1, values_.end());
+    values_[0] = value;
+    count_ = std::min(count_ + 1, values_.size());
+  }
+  // Distance to the value before: of the newest (0), of the one before (1), ...; infinite where there is
+  // none.
+  double change(std::size_t k) const {
+    return k + 1 < count_ ? distance(values_[k], values_[k + 1]) : HUGE_VAL;
+  }
+
+ private:
+  std::array<double, 4> values_{};
+  std::size_t count_ = 0;
+};
+
+// How the error falls from order to order.
+enum class Fall {
+  fast,  // by much more than four, once the rule resolves it
+  slow,  // as fast in the end, but unevenly: two small changes in a row may be chance
+};
+
+// Above the error in each of 120 000 random integrals, for 1.2 times the evaluations of an estimate that was
+// up to 160 times too small in one of 2000.
+double truncation_error(const History& history, Fall fall, double rounding) {
+  const double last = history.change(0), earlier = history.change(1);
+  const double change = last < earlier / 4 || last < 10 * rounding ? last : 4 * last;
+  const bool third = !std::isfinite(history.change(2));  // order: little better than the second
+  if (fall == Fall::fast) return std::max(change, (third ? 0.4 : 0.1) * earlier);
+  return std::max({change, (third ? 0.8 : 0.4) * earlier, third ? 0 : 0.01 * history.change(2)});
+}
+
 std::vector<AlbedoResult> escalate(PanelRule rule, Rule name, const Integrand& integrand,
                                    const FixedDirection& fixed, const AlbedoOptions& options) {
   std::vector<AlbedoResult> results(integrand.outputs());
-  std::vector<double> previous, before;
+  std::vector<History> history(integrand.outputs());
+  const bool kinked = integrand.features().kink == Kink::v_cavity;
+  const Fall fall = kinked || name == Rule::slope ? Fall::slow : Fall::fast;
   long evaluations = 0;
   for (const int n : kOrders) {
     const Sums sums = rule(integrand, fixed, n);
     evaluations += sums.evaluations;
     const std::vector<double> values = integrand.combine(sums.columns);
-    const double rounding = kRounding + stored_directions(integrand, fixed, sums.evaluations);
+    const double rounding = rounding_of(integrand, fixed, sums.evaluations);
     bool all = true;
     for (std::size_t k = 0; k < results.size(); ++k) {
-      const double change = previous.empty() ? HUGE_VAL : distance(values[k], previous[k]);
-      const double earlier = before.empty() ? HUGE_VAL : 0.1 * distance(previous[k], before[k]);
-      const double error = std::max(change, earlier) + rounding * std::abs(values[k]);
+      history[k].add(values[k]);
+      const double floor = rounding * std::abs(values[k]);
+      const double error = truncation_error(history[k], fall, floor) + floor;
       results[k] = {values[k], error, evaluations,
-                    n >= kFirstAccepted && error <= options.tolerance * std::abs(values[k]), name};
+                    n >= std::max(double(kFirstAccepted), kNodesPerFold * sums.folds) &&
+                        error <= options.tolerance * std::abs(values[k]),
+                    name};
       if (values[k] == 0 && error == 0) results[k].converged = true;
       all = all && results[k].converged;
     }
     // The next order costs about twice as much.
     if (all || evaluations + 2 * sums.evaluations > options.max_evaluations) break;
-    before = std::move(previous);
-    previous = values;
   }
   return results;
 }
@@ -63,16 +93,35 @@ std::vector<AlbedoResult> fixed_order(PanelRule rule, Rule name, const Integrand
   return results;
 }
 
+// The rule that can do what is asked for. `pole` knows isotropic lobes (at the horizon itself those of the
+// half vector want `slope`, too: a row's width goes to 0 with its elevation), `slope` lobes of the half
+// vector, and a kink that no rule is told of wants bisection.
+Rule applicable(const Features& features, const FixedDirection& fixed, Rule asked) {
+  if (asked == Rule::adaptive || features.kink == Kink::unplaced) return Rule::adaptive;
+  const bool half_vector = features.about_half_vector();
+  if (half_vector && (asked == Rule::slope || fixed.elevation < kGrazing)) return Rule::slope;
+  if (!features.anisotropic()) return Rule::pole;
+  return half_vector ? Rule::slope : Rule::adaptive;
+}
+
 }  // namespace
+
+// Directions are stored in double precision: near grazing a lobe of width a spans a cos (at the horizon a^2)
+// of the half vector's components, each rounded to 1e-16; over many points that averages out.
+double rounding_of(const Integrand& integrand, const FixedDirection& fixed, long evaluations) {
+  constexpr double kRounding = 4e-15;  // of a sum of ten thousand terms of one sign
+  const double width = std::min(integrand.features().width_x, integrand.features().width_y);
+  const double stored =
+      1e-15 / (width * std::max(std::sin(fixed.elevation), width / 4) * std::sqrt(double(evaluations)));
+  return kRounding + stored;
+}
 
 std::vector<AlbedoResult> integrate(const Integrand& integrand, const FixedDirection& fixed,
                                     const AlbedoOptions& options) {
-  if (options.rule == Rule::adaptive)
+  const Rule name = applicable(integrand.features(), fixed, options.rule);
+  if (name == Rule::adaptive)
     return adaptive_rule(integrand, fixed, options.tolerance, options.max_evaluations);
-  const bool anisotropic = integrand.features().anisotropic();
-  const bool slope = options.rule == Rule::slope || anisotropic;
-  const PanelRule rule = slope ? slope_rule : pole_rule;
-  const Rule name = slope ? Rule::slope : Rule::pole;
+  const PanelRule rule = name == Rule::slope ? slope_rule : pole_rule;
   if (options.order > 0) return fixed_order(rule, name, integrand, fixed, options.order);
   return escalate(rule, name, integrand, fixed, options);
 }

@@ -16,6 +16,8 @@ struct GaussRule {
 
 // Nodes to 1e-16, by Newton's method on the Legendre recurrence. Kept once computed; thread safe.
 const GaussRule& gauss_legendre(int n);
+// The rule of n >= 3 points that has both ends among its nodes (Lobatto): exact to degree 2 n - 3.
+const GaussRule& gauss_lobatto(int n);
 
 struct UnitNode {
   double v, weight;
@@ -33,8 +35,9 @@ inline UnitNode unit_node(const GaussRule& rule, std::size_t k, bool root_low, b
 }
 
 // visit(distance, weight) for distances in [0, length] from a point where the integrand varies on `scale`.
+// Returns how many e-folds of distance the nodes are spread over.
 template <class Visit>
-void graded_panel(const GaussRule& rule, double length, double scale, bool root, Visit&& visit) {
+double graded_panel(const GaussRule& rule, double length, double scale, bool root, Visit&& visit) {
   scale = std::fmin(scale, length);
   const double end = std::asinh(length / scale);
   std::array<double, kRow> s, weight, sinh, cosh;
@@ -48,6 +51,7 @@ void graded_panel(const GaussRule& rule, double length, double scale, bool root,
     sinh_cosh(count, s.data(), sinh.data(), cosh.data());
     for (std::size_t k = 0; k < count; ++k) visit(scale * sinh[k], weight[k] * cosh[k]);
   }
+  return end;
 }
 
 }  // namespace brdf::integrals

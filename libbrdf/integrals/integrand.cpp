@@ -18,6 +18,7 @@ Kink kink_of(const AnyForm& form, double width) {
   const FormInfo& f = info(form);
   if (std::visit([](auto g) { return has_v_cavity<decltype(g)>(); }, form)) return Kink::v_cavity;
   if (f.family == "oren_nayar") return Kink::azimuth;
+  if (f.name == "cook_torrance_as_coded") return Kink::unplaced;
   // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
   if (f.family == "phong" && width > 0.08) return Kink::mirror_edge;
   return Kink::none;
@@ -151,6 +152,22 @@ std::vector<double> Integrand::combine(std::span<const double> sums) const {
   std::vector<double> columns(sums.begin(), sums.end());
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (!std::isnan(constants_[c])) columns[c] = kPi * constants_[c];
+  return weigh(std::move(columns));
+}
+
+std::vector<double> Integrand::combine_varying(std::span<const double> sums) const {
+  std::vector<double> columns(sums.begin(), sums.end());
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (!std::isnan(constants_[c])) columns[c] = 0;
+  return weigh(std::move(columns));
+}
+
+std::vector<double> Integrand::constant_outputs() const {
+  return combine(std::vector<double>(columns_, 0.0));
+}
+
+// Outputs from columns: the lobes themselves, or the channels' sums of weight times lobe.
+std::vector<double> Integrand::weigh(std::vector<double> columns) const {
   if (lobes_only_) return columns;
   return std::visit(
       [&](auto f) -> std::vector<double> {

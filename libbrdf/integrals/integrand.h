@@ -15,6 +15,7 @@ enum class Kink {
   azimuth,      // where the azimuths are a right angle apart, and where the polar angles are equal
   mirror_edge,  // where the mirror direction leaves the other's hemisphere
   v_cavity,     // the minimum of Torrance and Sparrow's masking
+  unplaced,     // somewhere: no rule is told where
 };
 
 // Where the integrand varies fast. Widths are read from the parameters alpha_x, alpha_y; a form without them
@@ -27,6 +28,10 @@ struct Features {
   bool compact = false;
   Kink kink = Kink::none;
   bool anisotropic() const { return width_x != width_y; }
+  // Whether the slopes of the half vector are the right variables.
+  bool about_half_vector() const {
+    return !mirror_lobe && kink != Kink::azimuth && kink != Kink::mirror_edge;
+  }
 };
 
 // exp(-kReach^2) = 9e-27.
@@ -36,6 +41,7 @@ inline constexpr double kReach = 7.745966692414834;
 struct FixedDirection {
   double elevation, phi;
 };
+inline constexpr double kGrazing = 1e-11;  // elevations below this are the limit
 
 class Integrand {
  public:
@@ -49,8 +55,13 @@ class Integrand {
   const Features& features() const { return features_; }
   std::size_t columns() const { return columns_; }  // integrals done side by side
   std::size_t outputs() const { return lobes_only_ ? columns_ : channels_.size(); }
-  // Outputs from the integrals of the columns. A column that does not vary is pi times its value, exactly.
+  // Outputs from the integrals of the columns over the hemisphere. A column that does not vary is pi times
+  // its value, exactly.
   std::vector<double> combine(std::span<const double> columns) const;
+  // The same in two parts, for rules that add up the hemisphere piece by piece: what the columns that vary
+  // contribute to a piece, and what the others contribute to the whole.
+  std::vector<double> combine_varying(std::span<const double> columns) const;
+  std::vector<double> constant_outputs() const;
 
   // f cos of column c at n <= kBlock moving unit directions: out[c n + j]. `fixed` in the tangent's frame.
   // Through the forms' batches.
@@ -70,6 +81,7 @@ class Integrand {
   Features features_;
 
   void look();
+  std::vector<double> weigh(std::vector<double> columns) const;
   double sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) const;
   void find_constants();
   double measured_width() const;
@@ -113,11 +125,15 @@ class NodeSum {
 struct Sums {
   std::vector<double> columns;
   long evaluations;
+  double folds = 0;  // e-folds of distance that the longest panel's points are spread over, where that counts
 };
 
 // The integrals with n points per panel and dimension.
 Sums pole_rule(const Integrand& integrand, const FixedDirection& fixed, int n);
 Sums slope_rule(const Integrand& integrand, const FixedDirection& fixed, int n);
+
+// What rounding may have done to a sum of so many evaluations, relative.
+double rounding_of(const Integrand& integrand, const FixedDirection& fixed, long evaluations);
 
 // One result per output.
 std::vector<AlbedoResult> adaptive_rule(const Integrand& integrand, const FixedDirection& fixed,

@@ -13,8 +13,6 @@
 namespace brdf::integrals {
 namespace {
 
-constexpr double kGrazing = 1e-11;  // elevations below this are the limit
-
 // A point of the outer integral, with the difference to the fixed polar angle where that is known exactly.
 struct Polar {
   double elevation, delta;
@@ -37,6 +35,7 @@ RowKink row_kink(Kink kind, double sin_i, double cos_i, double sin_o, double cos
     case Kink::v_cavity:  // |h|^2 = 4 h_z min(cos): the edge of G = 1
       return {(1 + cos_i * cos_o - 2 * (cos_i + cos_o) * std::min(cos_i, cos_o)) / ss};
     case Kink::none:
+    case Kink::unplaced:
       break;
   }
   return {2};

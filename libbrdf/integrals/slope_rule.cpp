@@ -16,8 +16,6 @@
 namespace brdf::integrals {
 namespace {
 
-constexpr double kGrazing = 1e-11;
-
 struct End {
   double at, scale;
   bool root;
@@ -42,7 +40,7 @@ class SlopeRule {
     const std::vector<End> ends = outer_ends();
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
       segment(ends[k], ends[k + 1], [&](double p, double, double, double weight) { row(p, weight); });
-    return {sum_.sums(), sum_.evaluations()};
+    return {sum_.sums(), sum_.evaluations(), longest_};
   }
 
  private:
@@ -53,13 +51,14 @@ class SlopeRule {
 
   // visit(x, x - low, high - x, weight), the distances without cancellation.
   template <class Visit>
-  void segment(const End& low, const End& high, Visit&& visit) const {
+  void segment(const End& low, const End& high, Visit&& visit) {
     const double length = high.at - low.at, half = length / 2;
     if (!(length > 0)) return;
-    graded_panel(rule_, half, low.scale, low.root,
-                 [&](double d, double w) { visit(low.at + d, d, length - d, w); });
-    graded_panel(rule_, half, high.scale, high.root,
-                 [&](double d, double w) { visit(high.at - d, length - d, d, w); });
+    const double at_low = graded_panel(rule_, half, low.scale, low.root,
+                                       [&](double d, double w) { visit(low.at + d, d, length - d, w); });
+    const double at_high = graded_panel(rule_, half, high.scale, high.root,
+                                        [&](double d, double w) { visit(high.at - d, length - d, d, w); });
+    longest_ = std::max({longest_, at_low, at_high});
   }
 
   // Width of the lobe along q at this p, never beyond the scale on which the half vector itself turns.
@@ -122,15 +121,32 @@ class SlopeRule {
         ends.push_back({p, std::max(ridge_width(p) * steepness, 1e-14 * (1 + std::abs(p))), false});
       }
     }
-    if (features_.kink == Kink::v_cavity)
-      for (const double p : v_cavity_breaks(ox_, oy_, oz_, p_low, p_high)) ends.push_back({p, 1e300, true});
-    if (features_.kink == Kink::v_cavity)
-      for (const Crossing& c : v_cavity_crossings(ox_, oy_, oz_))
-        if (c.p > p_low && c.p < p_high)
-          ends.push_back({c.p, std::max(ridge_width(c.p) * c.steepness, 1e-14 * (1 + std::abs(c.p))), false});
+    if (features_.kink == Kink::v_cavity) add_v_cavity_ends(p_low, p_high, ends);
     ends.push_back({p_high, edge_scale(p_high), true});
     limit_scales(ends);
     return sorted(std::move(ends));
+  }
+
+  // A row's kinks appear and vanish at breaks, as a root of the distance. A crossing is felt as far as the
+  // kink's curve moves in p while q passes the ridge. Where it stands beside a break (the curve turns back at
+  // the ridge) both are one end.
+  void add_v_cavity_ends(double p_low, double p_high, std::vector<End>& ends) const {
+    const std::size_t first = ends.size();
+    for (const double p : v_cavity_breaks(ox_, oy_, oz_, p_low, p_high)) ends.push_back({p, 1e300, true});
+    const std::size_t last = ends.size();
+    for (const Crossing& c : v_cavity_crossings(ox_, oy_, oz_)) {
+      if (!(c.p > p_low && c.p < p_high)) continue;
+      const double ridge = ridge_width(c.p);
+      const double scale =
+          std::max(ridge * (c.steepness + ridge * c.curvature / 2), 1e-14 * (1 + std::abs(c.p)));
+      bool merged = false;
+      for (std::size_t k = first; k < last; ++k) {
+        if (std::abs(ends[k].at - c.p) > 0.1 * scale) continue;
+        ends[k].scale = std::min(ends[k].scale, scale);
+        merged = true;
+      }
+      if (!merged) ends.push_back({c.p, scale, false});
+    }
   }
 
   // At the disc's left and right ends a row's length goes as the square root of the distance d.
@@ -195,6 +211,7 @@ class SlopeRule {
   const bool swapped_;
   const double wp_, wq_, oz_;
   double ox_ = 0, oy_ = 0, disc_low_ = 0, disc_high_ = 0;
+  double longest_ = 0;  // panel, in e-folds
   const GaussRule& rule_;
   NodeSum sum_;
   std::vector<End> row_ends_;

@@ -122,7 +122,7 @@ std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_lo
 }
 
 std::vector<Crossing> v_cavity_crossings(double ox, double oy, double oz) {
-  // The curves' values and gradients; w = o_z + o_x p + o_y q, m = 1 + p^2 + q^2.
+  // The curves' gradients and second derivatives at q = 0; w = o_z + o_x p + o_y q, m = 1 + p^2 + q^2.
   std::vector<double> roots;
   if (ox != 0) roots = {oz / ox, ox / oz};           // fixed = 1: w = 2 o_z; fixed = moving: w = o_z m
   add_cubic_roots(-ox, -3 * oz, 3 * ox, oz, roots);  // moving = 1: 4 w = 2 o_z m + w m
@@ -131,14 +131,20 @@ std::vector<Crossing> v_cavity_crossings(double ox, double oy, double oz) {
     const double nudge = 1e-6 * std::abs(p);
     if (branches(ox, oy, oz, p - nudge, 0).taken() == branches(ox, oy, oz, p + nudge, 0).taken()) continue;
     const double w = oz + ox * p, m = 1 + p * p;
-    double along_p = ox, along_q = oy;
+    double along_p = ox, along_q = oy, pp = 0, pq = 0, qq = 0;
     if (std::abs(w - oz * m) < 1e-9 * w) {
       along_p = ox - 2 * oz * p;
+      pp = qq = -2 * oz;
     } else if (std::abs(w - 2 * oz) > 1e-9 * w) {
       along_p = (4 - m) * ox - 2 * p * (2 * oz + w);
       along_q = (4 - m) * oy;
+      qq = -4 * oz - 2 * w;
+      pp = qq - 4 * ox * p;
+      pq = -2 * oy * p;
     }
-    crossings.push_back({p, std::abs(along_q) / std::max(std::abs(along_p), 1e-300)});
+    along_p = std::copysign(std::max(std::abs(along_p), 1e-300), along_p);
+    const double slope = -along_q / along_p;
+    crossings.push_back({p, std::abs(slope), std::abs((qq + 2 * pq * slope + pp * slope * slope) / along_p)});
   }
   return crossings;
 }

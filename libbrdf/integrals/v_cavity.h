@@ -12,9 +12,9 @@ std::vector<double> v_cavity_kinks(double ox, double oy, double oz, double p, do
 // The p in (p_low, p_high) at which the branches of a row change, ascending.
 std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_low, double p_high);
 
-// Where a kink crosses q = 0: the p, and the |dp/dq| of the kink's curve there.
+// Where a kink crosses q = 0: the p, and |dp/dq| and |d^2p/dq^2| of the kink's curve there.
 struct Crossing {
-  double p, steepness;
+  double p, steepness, curvature;
 };
 std::vector<Crossing> v_cavity_crossings(double ox, double oy, double oz);
 

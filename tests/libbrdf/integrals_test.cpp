@@ -136,6 +136,42 @@ TEST(Albedo, OfAnisotropicLobesAgreesBetweenIndependentRules) {
   }
 }
 
+// A column that does not vary is counted once, not once per cell.
+TEST(Albedo, ByBisectionCountsADiffuseTermOnce) {
+  for (const double theta : {0.0, 30.0, 75.0})
+    EXPECT_NEAR(albedo(term_of(lambert{}, {}, {0.5}), theta, 0, 1e-10, Rule::adaptive).value, 0.5, 1e-14);
+  const Term term = make_term(cook_torrance{}, 1);  // kd 0.5
+  const AlbedoResult slope = albedo(term, 30, 0, 1e-10, Rule::slope),
+                     adaptive = albedo(term, 30, 0, 1e-10, Rule::adaptive);
+  EXPECT_NEAR(slope.value, 0.51758933786028, 1e-13);
+  EXPECT_NEAR(adaptive.value, slope.value, adaptive.error_bound + slope.error_bound);
+}
+
+// Near the normal the kink of V-cavities turns back where it crosses the lobe's ridge.
+TEST(Albedo, OfAnisotropicVCavitiesLiesWithinItsBound) {
+  struct {
+    double alpha_x, alpha_y, theta, phi;
+  } const cases[] = {
+      {.10009, .3, 0, 0}, {.153, .413, 0, 270.2}, {.105, .261, 3.23, 0}, {.1185, .1337, 0, 286.7}};
+  for (const auto& c : cases)
+    for (const double tolerance : {1e-4, 1e-6}) {
+      const Term term = term_of(cook_torrance_1982{}, {c.alpha_x, c.alpha_y}, {0.5, 0.5, 0.04});
+      const AlbedoResult rough = albedo(term, c.theta, c.phi, tolerance),
+                         fine = albedo(term, c.theta, c.phi, 1e-12);
+      EXPECT_LE(std::abs(rough.value - fine.value), rough.error_bound) << c.alpha_x << ' ' << c.theta;
+      EXPECT_LE(rough.error_bound, tolerance * rough.value);
+      EXPECT_LE(rough.evaluations, 20000);
+    }
+}
+
+// Its lobe stands about the mirror direction, and bisection finds what no rule is told of.
+TEST(Albedo, IsIntegratedByARuleThatKnowsTheLobe) {
+  EXPECT_EQ(albedo(make_term(phong{}, 1), 80, 0, 1e-6, Rule::slope).rule, Rule::pole);
+  EXPECT_EQ(albedo(make_term(oren_nayar{}, 1), 80, 0, 1e-6, Rule::slope).rule, Rule::pole);
+  EXPECT_EQ(albedo(make_term(cook_torrance{}, 1), 90).rule, Rule::slope);
+  EXPECT_EQ(albedo(make_term(cook_torrance_as_coded{}, 1), 30).rule, Rule::adaptive);
+}
+
 TEST(Albedo, OfAMaterialIsTheSumOfItsTerms) {
   Material material = make_material(lambert{});
   material.terms.push_back(make_term(cook_torrance{}, 3));
