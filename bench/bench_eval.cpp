@@ -19,6 +19,7 @@
 #include "bench/operations.h"
 #include "bench/scalar_code.h"
 #include "bench/throughput.h"
+#include "brdf/forms.h"
 #include "trade/timing.h"
 
 namespace brdf::bench {
@@ -110,7 +111,7 @@ DirectionArrays<T> random_directions() {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform;
   const auto one = [&] {
-    const Vec3<double> w = direction(1.4 * uniform(random), 2 * kPi * uniform(random));
+    const Vec3<double> w = direction(radians(1.4 * uniform(random)), radians(2 * kPi * uniform(random)));
     return Vec3<T>{T(w.x), T(w.y), T(w.z)};
   };
   DirectionArrays<T> directions(kPairs);
@@ -125,25 +126,26 @@ struct Row {
 };
 
 template <class T>
-Row measure(const AnyForm& form) {
-  const FormInfo& about = info(form);
+Row measure(const Reflectance& form) {
+  const ReflectanceInfo& about = info(form);
   const auto arrays = random_directions<T>();
   const Directions<T> d = arrays.view();
   std::vector<T> weights, shape;
   for (const ParameterInfo& p : about.weights) weights.push_back(T(p.initial));
-  for (const ParameterInfo& p : about.shape) shape.push_back(T(p.name == "alpha_y" ? 0.2 : p.initial));
+  for (const ParameterInfo& p : about.shape)
+    shape.push_back(T(p.role == Role::width_across ? 0.2 : p.initial));
   std::vector<T> out[2] = {std::vector<T>(kPairs), std::vector<T>(kPairs)};
-  const auto batch = batch_kernels<T>(form).eval_cos;
+  const ParameterValues<T> values{weights, weights, shape};
   const auto scalar = scalar_template<T>(form);
   const auto by_textbook = textbook<T>(form);
   std::vector<T> a(kThroughputCount), b(kThroughputCount), c(kThroughputCount);
   for (int i = 0; i < kThroughputCount; ++i) a[std::size_t(i)] = b[std::size_t(i)] = T(0.5 + 0.0004 * i);
 
-  Pair pair([&](int thread) { batch(weights, weights, shape, d, out[thread].data()); });
+  Pair pair([&](int thread) { form->eval_cos(values, d, out[thread].data()); });
   const std::vector<std::function<void()>> calls{
       [&] { (by_textbook ? by_textbook : scalar)(weights, shape, d, out[0].data()); },
       [&] { scalar(weights, shape, d, out[0].data()); },
-      [&] { batch(weights, weights, shape, d, out[0].data()); },
+      [&] { form->eval_cos(values, d, out[0].data()); },
       [&] { Throughput<T>::divide(a.data(), b.data(), c.data()); },
       [&] { Throughput<T>::square_root(a.data(), c.data()); },
       [&] { Throughput<T>::fused_multiply_add(a.data(), c.data()); },
@@ -220,17 +222,17 @@ void print_goals(const std::vector<Row>& in_double, const std::vector<Row>& in_f
 }
 
 template <class T>
-std::vector<Row> table(const std::vector<AnyForm>& forms) {
+std::vector<Row> table(const std::vector<Reflectance>& forms) {
   std::printf("\n%s, ns per evaluation of f cos_i\n%-26s%9s%9s%9s%9s%10s%10s%11s%9s\n",
               std::is_same_v<T, double> ? "double" : "float", "form", "textbook", "scalar", "batch", "limit",
               "textbook/", "scalar/", "of limit", "2 threads");
   std::vector<Row> rows;
-  for (const AnyForm& form : forms) print(rows.emplace_back(measure<T>(form)));
+  for (const Reflectance& form : forms) print(rows.emplace_back(measure<T>(form)));
   return rows;
 }
 
 int run(int argc, char** argv) {
-  std::vector<AnyForm> forms;
+  std::vector<Reflectance> forms;
   for (int k = 1; k < argc; ++k) {
     const auto form = find_form(argv[k]);
     if (!form) {
@@ -239,7 +241,7 @@ int run(int argc, char** argv) {
     }
     forms.push_back(*form);
   }
-  if (forms.empty()) for_each_form([&](auto form) { forms.push_back(form); });
+  if (forms.empty()) forms.assign(catalogue().begin(), catalogue().end());
   std::printf(
       "bench_eval of brdf %s\n%s\nbest of %d interleaved rounds, %zu pairs, anisotropic where there is a "
       "choice\n",

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "bench/machine.h"
+#include "brdf/forms.h"
 #include "brdf/material.h"
 #include "fit/data.h"
 #include "fit/minima.h"
@@ -64,15 +65,15 @@ FitData samples(bool quick) {
         if (quick && index++ % 16 != 0) continue;
         const double th = kPi / 2 * (h + 0.5) * (h + 0.5) / 8100, td = kPi / 2 * (d + 0.5) / 90,
                      pd = kPi * (p + 0.5) / 180;
-        const Vec3<double> diff = direction(td, pd);
+        const Vec3<double> diff = direction(radians(td), radians(pd));
         const double c = std::cos(th), s = std::sin(th);
         const Vec3<double> wi{diff.x * c + diff.z * s, diff.y, diff.z * c - diff.x * s};
         const Vec3<double> wo{-diff.x * c + diff.z * s, -diff.y, diff.z * c + diff.x * s};
         // Cells below the horizon or too steep are turned into others, so that the count stays 1.46 million.
         const double lowest = std::min(wi.z, wo.z);
-        const Vec3<double> a = lowest > 0.17 ? wi : direction(th, pd);
-        const Vec3<double> b = lowest > 0.17 ? wo : direction(std::min(td, 1.39), 2 * pd);
-        const Vec3<double> i = a.z > 0.17 ? a : direction(1.3, pd);
+        const Vec3<double> a = lowest > 0.17 ? wi : direction(radians(th), radians(pd));
+        const Vec3<double> b = lowest > 0.17 ? wo : direction(radians(std::min(td, 1.39)), radians(2 * pd));
+        const Vec3<double> i = a.z > 0.17 ? a : direction(radians(1.3), radians(pd));
         eval(truth, i, b, f);
         data.wi_x.push_back(i.x), data.wi_y.push_back(i.y), data.wi_z.push_back(i.z);
         data.wo_x.push_back(b.x), data.wo_y.push_back(b.y), data.wo_z.push_back(b.z);

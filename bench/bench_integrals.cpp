@@ -66,7 +66,7 @@ void print(double tolerance, const std::array<Account, kCount>& accounts, std::s
 int main(int argc, char** argv) {
   auto cases = validate::integral_cases("isotropic", argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1);
   const std::size_t most = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : cases.size();
-  cases.resize(std::min(most, cases.size()));
+  cases.erase(cases.begin() + std::ptrdiff_t(std::min(most, cases.size())), cases.end());
   if (cases.empty()) {
     std::fprintf(stderr, "usage: bench_integrals [CASES] [SEED]\n");
     return 2;
@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
   for (std::size_t k = 0; k < cases.size(); ++k) {
     AlbedoOptions truth_options;
     truth_options.order = 192;
-    const double truth = directional_albedo(cases[k].term, 0, cases[k].theta, 0, truth_options).value;
+    const double truth =
+        directional_albedo(cases[k].term, 0, radians(cases[k].theta), {}, truth_options).value;
     const auto results = interleaved({cases[k].term, cases[k].theta}, k);
     for (std::size_t t = 0; t < kTolerances.size(); ++t)
       for (std::size_t m = 0; m < kCount; ++m) {

@@ -19,7 +19,7 @@ void RaysAt60Degrees(benchmark::State& state) {
   Tracer tracer(surface);
   Random random(1, state.thread_index(), Stream::scatter);
   Account account{.escaped = std::vector<double>(64)};
-  const Vec wi = brdf::direction(brdf::kPi / 3, 0);
+  const Vec wi = brdf::direction(brdf::degrees(60), {});
   for (auto _ : state) {
     for_each_stratum(1 << 20, random, [&](double u, double v) {
       walk(tracer, simulation.facets, wi, u, v, random, account, [](int, const Vec&, double) {});

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "brdf/forms.h"
 #include "io/error.h"
 #include "render/picture.h"
 #include "render/renderer.h"

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "brdf/batch.h"
+#include "brdf/forms.h"
 #include "brdf/integrals.h"
+#include "brdf/quadrature.h"
+#include "brdf/reflectance.h"
 #include "brdf/sampling.h"
-#include "integrals/gauss_legendre.h"
 
 namespace brdf::bench {
 namespace {
@@ -28,7 +29,8 @@ class Stopwatch {
 class Block {
  public:
   static constexpr std::size_t kMost = 1024;
-  explicit Block(const Lobe& lobe) : lobe_(lobe), directions_(kMost), light_(direction(lobe.theta, kPi)) {}
+  explicit Block(const Lobe& lobe)
+      : lobe_(lobe), directions_(kMost), light_(direction(radians(lobe.theta), radians(kPi))) {}
 
   // trig(k) gives sine and cosine of the polar angle, then of the azimuth.
   template <class Trig>
@@ -55,7 +57,7 @@ class Block {
 };
 
 double product(Block& block, int n) {
-  const auto& rule = integrals::gauss_legendre(n);
+  const auto& rule = quadrature::gauss_legendre(n);
   std::vector<double> sine, cosine, out(static_cast<std::size_t>(n));
   for (const double v : rule.node) {
     sine.push_back(std::sin(kPi * v));
@@ -106,7 +108,7 @@ Results pole_adapted(const Lobe& lobe) {
     AlbedoOptions options;
     options.tolerance = kTolerances[t];
     options.max_evaluations = kMostEvaluations;
-    const AlbedoResult r = directional_albedo(lobe.term, 0, lobe.theta, 0, options);
+    const AlbedoResult r = directional_albedo(lobe.term, 0, radians(lobe.theta), {}, options);
     results[t] = {r.value, r.evaluations, r.converged, watch.seconds()};
   }
   return results;
@@ -139,9 +141,9 @@ Results adaptive_cubature(const Lobe& lobe) {
 }
 
 Results visible_normals(const Lobe& lobe) {
-  const auto shape = typed_shape(cook_torrance{}, lobe.term, 0);
-  const auto weights = typed_weights(cook_torrance{}, lobe.term, 0);
-  const Vec3<double> wo = direction(lobe.theta, 0);  // the lobe is reciprocal
+  const auto shape = from_values<Roughness<double>>(lobe.term.shape_of(0));
+  const auto weights = from_values<SchlickWeights<double>>(std::span<const double>(lobe.term.weights[0]));
+  const Vec3<double> wo = direction(radians(lobe.theta), {});  // the lobe is reciprocal
   std::mt19937_64 random(1);
   const auto uniform = [&] { return double(random() >> 11) * 0x1p-53; };
   Milestones milestones;

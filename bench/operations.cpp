@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "brdf/forms.h"
 #include "brdf/trace.h"
 
 namespace brdf::bench {
@@ -34,7 +35,8 @@ Operations count(const Trace& trace, int root, const Calls& calls) {
       ++sum.roots;
     else if (const auto call = calls.find(node.code); call != calls.end())
       add(sum, call->second);
-    else if (node.type == Trace::Type::kFloat && (node.code == "+" || node.code == "-" || node.code == "*"))
+    else if (node.type == Trace::Type::float_type &&
+             (node.code == "+" || node.code == "-" || node.code == "*"))
       ++sum.arithmetic;
     return any;
   };
@@ -81,21 +83,21 @@ P inputs() {
 
 }  // namespace
 
-Operations operations(const AnyForm& form, bool double_precision) {
+Operations operations(const Reflectance& form, bool double_precision) {
   const Calls calls = kernel_calls(double_precision);
-  return std::visit(
-      [&]<class F>(F f) {
-        Trace trace;
-        const Trace::Scope scope(trace);
-        const auto vector = [](std::string v) {
-          return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
-        };
-        const auto weights = inputs<typename F::template Weights<Traced>>();
-        const Traced value = eval_cos(f, weights, weights, inputs<typename F::template Shape<Traced>>(),
-                                      geometry(vector("wi"), vector("wo")));
-        return count(trace, value.node(), calls);
-      },
-      form);
+  Operations counted;
+  with_form(catalogue_index(form), [&]<class F>(F f) {
+    Trace trace;
+    const Trace::Scope scope(trace);
+    const auto vector = [](std::string v) {
+      return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
+    };
+    const auto weights = inputs<typename F::template Weights<Traced>>();
+    const Traced value = eval_cos(f, weights, weights, inputs<typename F::template Shape<Traced>>(),
+                                  geometry(vector("wi"), vector("wo")));
+    counted = count(trace, value.node(), calls);
+  });
+  return counted;
 }
 
 }  // namespace brdf::bench

@@ -1,7 +1,7 @@
 // How many operations an evaluation needs: counted on the traced formula, not estimated.
 #pragma once
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 
 namespace brdf::bench {
 
@@ -12,6 +12,6 @@ struct Operations {
 };
 
 // eval_cos of one channel. The kernels' polynomials are longer in double.
-Operations operations(const AnyForm& form, bool double_precision);
+Operations operations(const Reflectance& form, bool double_precision);
 
 }  // namespace brdf::bench

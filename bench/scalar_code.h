@@ -1,7 +1,7 @@
 // The scalar code that batches are compared with.
 #pragma once
 
-#include "brdf/batch.h"
+#include "brdf/reflectance.h"
 
 namespace brdf::bench {
 
@@ -11,10 +11,10 @@ using Scalar = void (*)(std::span<const T> weights, std::span<const T> shape, co
 
 // The library's template, one call of brdf::eval_cos per pair.
 template <class T>
-Scalar<T> scalar_template(const AnyForm& form);
+Scalar<T> scalar_template(const Reflectance& form);
 
 // What one writes from a textbook: world space, normalised half vector, pow, acos; null for the other forms.
 template <class T>
-Scalar<T> textbook(const AnyForm& form);
+Scalar<T> textbook(const Reflectance& form);
 
 }  // namespace brdf::bench

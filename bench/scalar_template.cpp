@@ -1,4 +1,5 @@
 #include "bench/scalar_code.h"
+#include "brdf/forms.h"
 
 namespace brdf::bench {
 namespace {
@@ -13,10 +14,12 @@ void evaluate(std::span<const T> weights, std::span<const T> shape, const Direct
 }  // namespace
 
 template <class T>
-Scalar<T> scalar_template(const AnyForm& form) {
-  return std::visit([]<class F>(F) -> Scalar<T> { return &evaluate<F, T>; }, form);
+Scalar<T> scalar_template(const Reflectance& form) {
+  Scalar<T> code = nullptr;
+  with_form(catalogue_index(form), [&]<class F>(F) { code = &evaluate<F, T>; });
+  return code;
 }
-template Scalar<float> scalar_template(const AnyForm&);
-template Scalar<double> scalar_template(const AnyForm&);
+template Scalar<float> scalar_template(const Reflectance&);
+template Scalar<double> scalar_template(const Reflectance&);
 
 }  // namespace brdf::bench

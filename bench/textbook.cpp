@@ -136,7 +136,7 @@ void evaluate(std::span<const T> weights, std::span<const T> shape, const Direct
 }  // namespace
 
 template <class T>
-Scalar<T> textbook(const AnyForm& form) {
+Scalar<T> textbook(const Reflectance& form) {
   static const std::map<std::string_view, Scalar<T>> known{
       {"lambert", &evaluate<T, lambert_textbook<T>>},
       {"oren_nayar", &evaluate<T, oren_nayar_textbook<T>>},
@@ -149,7 +149,7 @@ Scalar<T> textbook(const AnyForm& form) {
   const auto found = known.find(info(form).name);
   return found == known.end() ? nullptr : found->second;
 }
-template Scalar<float> textbook(const AnyForm&);
-template Scalar<double> textbook(const AnyForm&);
+template Scalar<float> textbook(const Reflectance&);
+template Scalar<double> textbook(const Reflectance&);
 
 }  // namespace brdf::bench

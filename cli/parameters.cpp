@@ -58,7 +58,7 @@ void set_shape(Term& term, std::size_t index, const Setting& setting) {
 
 // False where the term has no such parameter.
 bool apply(Term& term, const Setting& setting) {
-  const FormInfo& table = info(term.form);
+  const ReflectanceInfo& table = info(term.form);
   if (setting.name == "alpha" && table.anisotropic()) {
     for (const char* name : {"alpha_x", "alpha_y"})
       set_shape(term, static_cast<std::size_t>(table.shape_index(name)), setting);
@@ -67,7 +67,7 @@ bool apply(Term& term, const Setting& setting) {
   if (setting.name == "tangent_phi" && table.anisotropic()) {
     check_range(setting, -180, 180);
     if (setting.values.size() != 1) refuse(setting, "takes one value");
-    term.tangent_phi = setting.values[0] * (kPi / 180);
+    term.tangent_phi = degrees(setting.values[0]);
     return true;
   }
   if (const int k = table.weight_index(setting.name); k >= 0) {
@@ -87,7 +87,7 @@ std::string known_parameters(const Material& material) {
     if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
   };
   for (const Term& term : material.terms) {
-    const FormInfo& table = info(term.form);
+    const ReflectanceInfo& table = info(term.form);
     for (const ParameterInfo& p : table.weights) add(p.name);
     for (const ParameterInfo& p : table.shape) add(p.name);
     if (table.anisotropic()) {
@@ -102,10 +102,10 @@ std::string known_parameters(const Material& material) {
 
 }  // namespace
 
-AnyForm require_form(const std::string& name) {
+Reflectance require_form(const std::string& name) {
   if (const auto form = find_form(name)) return *form;
   std::string known;
-  for_each_form([&](auto form) { (known += known.empty() ? "" : ", ") += form.name; });
+  for (const Reflectance& form : catalogue()) (known += known.empty() ? "" : ", ") += info(form).name;
   throw InputError("'" + name + "' is no form (known: " + known + ")");
 }
 

@@ -29,11 +29,11 @@ struct MaterialChoice {
 // a wrong count, or when not exactly one of form and material is given.
 Material choose_material(const MaterialChoice& choice);
 
-// Applies settings to every term that has the parameter: alpha sets alpha_x and alpha_y, tangent_phi is in
-// degrees.
+// Applies settings to every term that has the parameter:
+// alpha sets alpha_x and alpha_y, tangent_phi is in degrees.
 void apply_settings(Material& material, const std::vector<Setting>& settings);
 
 // The form of that name. Throws InputError that lists the known ones.
-AnyForm require_form(const std::string& name);
+Reflectance require_form(const std::string& name);
 
 }  // namespace brdf::cli

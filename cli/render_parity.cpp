@@ -11,9 +11,9 @@
 namespace brdf::cli {
 
 Exit run_parity(const std::vector<std::string>& names, bool all, bool json) {
-  std::vector<AnyForm> forms;
+  std::vector<Reflectance> forms;
   for (const std::string& name : names) forms.push_back(require_form(name));
-  if (all) for_each_form([&](auto form) { forms.emplace_back(form); });
+  if (all) forms.assign(catalogue().begin(), catalogue().end());
   if (forms.empty()) throw InputError("--parity needs --all or --form");
   render::Device device;
   const auto print_row = [&](const render::ParityRow& row) {

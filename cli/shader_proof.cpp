@@ -50,7 +50,7 @@ void print_table(const std::vector<render::ProbeRow>& rows, const std::string& d
 
 }  // namespace
 
-Exit validate_gpu(std::span<const AnyForm> forms, std::uint64_t seed, bool json) {
+Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json) {
   render::Device device;
   const bool software = render::is_software(device);
   const auto progress = progress_line("brdf validate: forms probed");
@@ -69,7 +69,7 @@ Exit validate_gpu(std::span<const AnyForm> forms, std::uint64_t seed, bool json)
 
 #else
 
-Exit validate_gpu(std::span<const AnyForm>, std::uint64_t, bool) {
+Exit validate_gpu(std::span<const Reflectance>, std::uint64_t, bool) {
   throw EnvironmentError("this build has no shaders: Vulkan was missing (see the messages of cmake)");
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 #include "cli/verbs.h"
 
 namespace brdf::cli {
@@ -12,6 +12,6 @@ namespace brdf::cli {
 // `brdf validate --gpu`: each form on 2^20 random configurations and the extremes, as a table or as JSON on
 // stdout. kFailed where a software driver differs in any bit, or a hardware device by more than the
 // tolerance. Throws EnvironmentError where there is no Vulkan driver or this build has no renderer.
-Exit validate_gpu(std::span<const AnyForm> forms, std::uint64_t seed, bool json);
+Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json);
 
 }  // namespace brdf::cli

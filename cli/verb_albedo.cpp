@@ -73,7 +73,7 @@ Exit run(const Options& o) {
   std::vector<Row> rows;
   bool converged = true;
   for (const double theta : o.theta) {
-    const auto results = directional_albedo(material, theta * (kPi / 180), o.phi * (kPi / 180), options);
+    const auto results = directional_albedo(material, degrees(theta), degrees(o.phi), options);
     for (std::size_t c = 0; c < results.size(); ++c) {
       rows.push_back({theta, material.channels[c], results[c]});
       converged &= results[c].converged;

@@ -29,7 +29,7 @@ std::string glsl_vector(const Term& term, std::size_t parameter) {
 }
 
 std::string call(const Term& term, const std::string& wi, const std::string& wo) {
-  const FormInfo& form = info(term.form);
+  const ReflectanceInfo& form = info(term.form);
   std::string text = "brdf_eval_" + std::string(form.name) + "(" + wi + ", " + wo;
   for (std::size_t k = 0; k < form.shape.size(); ++k) text += ", " + glsl_number(term.shape[0][k]);
   for (std::size_t k = 0; k < form.weights.size(); ++k) text += ", " + glsl_vector(term, k);
@@ -44,12 +44,12 @@ std::string material_function(const Material& material) {
   std::string text = "vec3 brdf_material(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
   for (const Term& term : material.terms) {
     if (term.shape.size() > 1) throw InputError("--to glsl needs one shape for all channels");
-    if (term.tangent_phi == 0) {
+    if (term.tangent_phi == Angle{}) {
       text += "  f += " + call(term, "wi", "wo") + ";\n";
       continue;
     }
-    const std::string c = glsl_number(std::cos(term.tangent_phi)),
-                      s = glsl_number(std::sin(term.tangent_phi));
+    const std::string c = glsl_number(std::cos(term.tangent_phi.radians())),
+                      s = glsl_number(std::sin(term.tangent_phi.radians()));
     const auto turned = [&](const std::string& w) {
       return "vec3(" + w + ".x * " + c + " + " + w + ".y * " + s + ", " + w + ".y * " + c + " - " + w +
              ".x * " + s + ", " + w + ".z)";
@@ -65,11 +65,11 @@ std::string glsl(const Material& material, bool is_form, bool include) {
                      "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n";
   if (!include) text += "#version 450\n";
   text += glsl_kernels();
-  std::vector<std::size_t> written;
+  std::vector<Reflectance> written;
   for (const Term& term : material.terms) {
-    if (std::find(written.begin(), written.end(), term.form.index()) != written.end()) continue;
-    written.push_back(term.form.index());
-    text += glsl_form(term.form);
+    if (std::find(written.begin(), written.end(), term.form) != written.end()) continue;
+    written.push_back(term.form);
+    text += term.form->glsl();
   }
   if (!is_form) text += material_function(material);
   if (!include) text += "void main() {}\n";

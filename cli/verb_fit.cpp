@@ -40,10 +40,10 @@ fit::Metric metric_of(const std::string& name) {
 }
 
 // "all", "every", "ward" or "oren_nayar+ward".
-std::vector<std::vector<AnyForm>> models_of(const std::string& text) {
+std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
   if (text == "all") return fit::canonical_models();
   if (text == "every") return fit::every_model();
-  std::vector<AnyForm> forms;
+  std::vector<Reflectance> forms;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find('+', begin), text.size());

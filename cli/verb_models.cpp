@@ -19,11 +19,11 @@ io::Json parameter_json(const ParameterInfo& p, const char* kind) {
           {"doc", p.doc}};
 }
 
-io::Json form_json(const FormInfo& form) {
+io::Json form_json(const ReflectanceInfo& form) {
   io::Json json;
   json["form"] = form.name;
   json["family"] = form.family;
-  json["fittable"] = form.fittable;
+  json["fittable"] = form.fittable();
   json["canonical"] = form.canonical;
   json["parameters"] = io::Json::array();
   for (const ParameterInfo& p : form.weights) json["parameters"].push_back(parameter_json(p, "weight"));
@@ -45,13 +45,13 @@ std::string range(const ParameterInfo& p) {
 }
 
 // Forms under their families: parameters with range and unit, then one line of what is known to be violated.
-void print_list(const std::vector<FormInfo>& forms) {
+void print_list(const std::vector<ReflectanceInfo>& forms) {
   std::string_view family;
-  for (const FormInfo& form : forms) {
+  for (const ReflectanceInfo& form : forms) {
     if (form.family != family) std::cout << (family.empty() ? "" : "\n") << form.family << '\n';
     family = form.family;
     std::cout << "  " << std::left << std::setw(27) << form.name
-              << (form.fittable ? "fittable  " : "          ");
+              << (form.fittable() ? "fittable  " : "          ");
     const char* separator = "";
     for (const auto table : {form.weights, form.shape})
       for (const ParameterInfo& p : table) {
@@ -68,8 +68,8 @@ void print_list(const std::vector<FormInfo>& forms) {
   }
 }
 
-void print_form(const FormInfo& form) {
-  std::cout << form.name << " (family " << form.family << (form.fittable ? ", fittable" : "") << ")\n";
+void print_form(const ReflectanceInfo& form) {
+  std::cout << form.name << " (family " << form.family << (form.fittable() ? ", fittable" : "") << ")\n";
   const auto print = [](const ParameterInfo& p, const char* kind) {
     std::cout << "  " << std::left << std::setw(10) << p.name << std::setw(7) << kind << std::setw(25)
               << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
@@ -96,15 +96,15 @@ void add_models(CLI::App& app) {
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer("Example: brdf models ward");
   on_run(*verb, [options] {
-    std::vector<FormInfo> forms;
+    std::vector<ReflectanceInfo> forms;
     if (!options->form.empty())
       forms.push_back(info(require_form(options->form)));
     else
-      for_each_form([&](auto form) { forms.push_back(info(form)); });
+      for (const Reflectance& form : catalogue()) forms.push_back(info(form));
     if (options->json) {
       io::Json json;
       json["forms"] = io::Json::array();
-      for (const FormInfo& form : forms) json["forms"].push_back(form_json(form));
+      for (const ReflectanceInfo& form : forms) json["forms"].push_back(form_json(form));
       std::cout << io::to_text(json);
     } else if (options->form.empty()) {
       print_list(forms);

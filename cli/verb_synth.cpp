@@ -80,7 +80,7 @@ Exit run(const Options& o) {
   instrument.grid.parts.assign(parts.begin(), parts.end());
   if (!o.azimuths.empty())
     instrument.grid.azimuths = o.azimuths;
-  else if (synth::is_anisotropic(material))
+  else if (is_anisotropic(material))
     instrument.grid.azimuths = {0, 45, 90};
   return write(synth::measure(material, instrument, progress_line("brdf synth: directions")), o.output);
 }

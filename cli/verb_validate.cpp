@@ -76,7 +76,8 @@ validate::MeasuredTable measured(const std::string& file) {
 validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
   content.max_theta = o.max_theta;
-  if (o.all) for_each_form([&](auto form) { content.subjects.push_back(validate::Subject::form(form)); });
+  if (o.all)
+    for (const Reflectance& form : catalogue()) content.subjects.push_back(validate::Subject::form(form));
   for (const std::string& name : o.forms)
     content.subjects.push_back(validate::Subject::form(require_form(name)));
   for (const std::string& file : o.files) {
@@ -140,9 +141,9 @@ Exit run_integrators(const Options& o) {
 }
 
 // --form, repeated, or --all.
-std::vector<AnyForm> forms_of(const Options& o) {
-  std::vector<AnyForm> forms;
-  if (o.all) for_each_form([&](auto form) { forms.push_back(form); });
+std::vector<Reflectance> forms_of(const Options& o) {
+  std::vector<Reflectance> forms;
+  if (o.all) forms.assign(catalogue().begin(), catalogue().end());
   for (const std::string& name : o.forms) forms.push_back(require_form(name));
   if (forms.empty()) throw InputError("which forms? give --form or --all");
   return forms;

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "cli/verbs.h"
@@ -18,8 +19,12 @@ render::ViewState initial_state(render::Job job) {
   }
   if (two || !job.measured.empty()) job.show = "split";
   if (job.scene.empty() && job.materials.empty() && job.state.empty()) {
+    // Something to begin with: a family's own form of microfacets.
+    const auto all = catalogue();
+    const auto form = std::find_if(
+        all.begin(), all.end(), [](const Reflectance& f) { return f.info().canonical && f.info().facets; });
     render::ViewState state;
-    state.scene = render::material_scene({{"cook_torrance", make_material(cook_torrance{})}});
+    state.scene = render::material_scene({{std::string(form->info().name), make_material(*form)}});
     if (!job.measured.empty()) render::open_file(state, job.measured);
     return state;
   }

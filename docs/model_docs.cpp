@@ -33,16 +33,18 @@ std::string number(double x, const char* format = "%.6g") {
   return text;
 }
 
-// The comment above `struct <form>` in its family's header.
-std::string comment_of(const FormInfo& form) {
-  std::istringstream in(read(kSource / "libbrdf/brdf/forms" / (std::string(form.family) + ".h")));
-  std::string comment;
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("struct " + std::string(form.name) + " ")) return comment;
-    if (line.starts_with("//"))
-      comment += (line.size() > 3 ? line.substr(3) : "") + "\n";
-    else
-      comment.clear();
+// The comment above `struct <form>` in one of the forms' headers.
+std::string comment_of(const ReflectanceInfo& form) {
+  for (const auto& header : fs::directory_iterator(kSource / "libbrdf/brdf/forms")) {
+    std::istringstream in(read(header.path()));
+    std::string comment;
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with("struct " + std::string(form.name) + " ")) return comment;
+      if (line.starts_with("//"))
+        comment += (line.size() > 3 ? line.substr(3) : "") + "\n";
+      else
+        comment.clear();
+    }
   }
   throw std::runtime_error("no comment above " + std::string(form.name));
 }
@@ -54,8 +56,8 @@ void add_parameters(std::string& text, std::span<const ParameterInfo> table, con
 }
 
 // Operations of the generated shader function for one RGB value of f: what a device executes.
-std::string cost_of(const AnyForm& form) {
-  const std::string glsl = glsl_form(form);
+std::string cost_of(const Reflectance& form) {
+  const std::string glsl = form->glsl();
   const std::string eval_only = glsl.substr(0, glsl.find("vec3 brdf_eval_cos_"));
   const auto count = [&](std::string_view pattern) {
     int n = 0;
@@ -72,15 +74,15 @@ std::string cost_of(const AnyForm& form) {
   return text;
 }
 
-std::string section_of(const AnyForm& form) {
-  const FormInfo& f = info(form);
+std::string section_of(const Reflectance& form) {
+  const ReflectanceInfo& f = info(form);
   const std::string name(f.name);
   std::string text = "### `" + name + "`\n\n![lobe of " + name + "](models/" + name + ".svg)\n\n```text\n" +
                      comment_of(f) +
                      "```\n\n| parameter | kind | range | default | unit | |\n|---|---|---|---|---|---|\n";
   add_parameters(text, f.weights, "weight");
   add_parameters(text, f.shape, "shape");
-  text += "\nFittable: " + std::string(f.fittable ? "yes" : "no") + ". Cost: " + cost_of(form) + ".\n";
+  text += "\nFittable: " + std::string(f.fittable() ? "yes" : "no") + ". Cost: " + cost_of(form) + ".\n";
   if (!f.violations.empty()) {
     text += "\n| known violation | | at | angle | value |\n|---|---|---|---|---|\n";
     for (const Violation& v : f.violations)
@@ -90,29 +92,32 @@ std::string section_of(const AnyForm& form) {
   return text + "\n";
 }
 
-std::string forms_text() {
+// Which forms the page is about: all, or (checking) those that it has.
+using Forms = std::vector<Reflectance>;
+
+std::string forms_text(const Forms& forms) {
   std::string text, family;
-  for_each_form([&](auto form) {
-    if (form.family != family) {
-      family = form.family;
+  for (const Reflectance& form : forms) {
+    if (info(form).family != family) {
+      family = info(form).family;
       text += "## Family " + family + "\n\n";
     }
     text += section_of(form);
-  });
+  }
   return text;
 }
 
-std::string accuracy_text() {
+std::string accuracy_text(const Forms& forms) {
   std::string text =
       "| form | double: body | faint | tail | float: body | faint | tail |\n|---|---|---|---|---|---|---|\n";
-  for_each_form([&](auto form) {
+  for (const Reflectance& form : forms) {
     const auto rows = validate::measure_numerics(form);
-    text += "| `" + std::string(form.name) + "`";
+    text += "| `" + std::string(info(form).name) + "`";
     for (const validate::NumericsRow* row : {&rows[1], &rows[0]})
       for (double error : {row->max_error, row->faint_error, row->tail_error})
         text += error == 0 ? " | 0" : " | " + number(error, "%.1e");
     text += " |\n";
-  });
+  }
   return text;
 }
 
@@ -123,11 +128,11 @@ constexpr double kDegree = kPi / 180;
 constexpr double kRadius = 130, kCentre = 160, kBase = 150;
 
 std::vector<double> values_in_plane(const Material& material, double theta_i) {
-  const Vec3<double> wi = direction(theta_i * kDegree, kPi);
+  const Vec3<double> wi = direction(degrees(theta_i), radians(kPi));
   std::vector<double> values;
   for (int k = -89; k <= 89; ++k) {
     double f = 0;
-    eval(material, wi, direction(std::abs(k) * kDegree, k < 0 ? kPi : 0), {&f, 1});
+    eval(material, wi, direction(degrees(std::abs(k)), radians(k < 0 ? kPi : 0)), {&f, 1});
     values.push_back(f);
   }
   return values;
@@ -149,7 +154,7 @@ std::string light(double theta_i, const char* colour) {
          "\" y2=\"" + number(kBase) + "\" stroke=\"" + colour + "\" stroke-dasharray=\"4 3\"/>\n";
 }
 
-std::string picture_of(const AnyForm& form) {
+std::string picture_of(const Reflectance& form) {
   const Material material = make_material(form, {"y"});
   const auto steep = values_in_plane(material, 30), flat = values_in_plane(material, 70);
   const double scale =
@@ -166,18 +171,32 @@ std::string picture_of(const AnyForm& form) {
 
 // --- Files -----------------------------------------------------------------------------------------------
 
-std::map<fs::path, std::string> all_files() {
+std::map<fs::path, std::string> all_files(const Forms& forms) {
   std::map<fs::path, std::string> files;
   std::string page = read(kSource / "docs/models.in.md");
   const auto put = [&](const std::string& mark, const std::string& text) {
     page.replace(page.find(mark), mark.size(), text);
   };
-  put("@ACCURACY@\n", accuracy_text());
-  put("@FORMS@\n", forms_text());
+  put("@ACCURACY@\n", accuracy_text(forms));
+  put("@FORMS@\n", forms_text(forms));
   files["docs/models.md"] = page;
-  for_each_form(
-      [&](auto form) { files["docs/models/" + std::string(form.name) + ".svg"] = picture_of(form); });
+  for (const Reflectance& form : forms)
+    files["docs/models/" + std::string(info(form).name) + ".svg"] = picture_of(form);
   return files;
+}
+
+// The forms that have a section; the others are named. (A form can be tried before its page is written.)
+Forms forms_of_page() {
+  const std::string page = read(kSource / "docs/models.md");
+  Forms forms;
+  for (const Reflectance& form : catalogue()) {
+    const std::string name(info(form).name);
+    if (page.find("### `" + name + "`") != std::string::npos)
+      forms.push_back(form);
+    else
+      std::cout << "not in docs/models.md yet (run model_docs): " << name << '\n';
+  }
+  return forms;
 }
 
 }  // namespace
@@ -185,7 +204,8 @@ std::map<fs::path, std::string> all_files() {
 int main(int argc, char** argv) try {
   const bool check = argc > 1 && std::string(argv[1]) == "--check";
   int outdated = 0;
-  for (const auto& [path, text] : all_files()) {
+  const Forms forms = check ? forms_of_page() : Forms(catalogue().begin(), catalogue().end());
+  for (const auto& [path, text] : all_files(forms)) {
     const fs::path full = kSource / path;
     if (check) {
       if (fs::exists(full) && read(full) == text) continue;

@@ -55,7 +55,7 @@ std::vector<std::string> output_names(const std::vector<std::string>& files) {
 
 class Batch {
  public:
-  Batch(const std::vector<std::string>& files, const std::vector<std::vector<AnyForm>>& models,
+  Batch(const std::vector<std::string>& files, const std::vector<std::vector<Reflectance>>& models,
         const FitOptions& options, const BatchOptions& batch)
       : files_(files), models_(models), options_(options), batch_(batch), names_(output_names(files)) {
     rows_.resize(files.size());
@@ -143,7 +143,7 @@ class Batch {
   }
 
   const std::vector<std::string>& files_;
-  const std::vector<std::vector<AnyForm>>& models_;
+  const std::vector<std::vector<Reflectance>>& models_;
   const FitOptions& options_;
   const BatchOptions& batch_;
   std::vector<std::string> names_;
@@ -180,8 +180,8 @@ std::string bytes_of(const fs::path& file) {
 }  // namespace
 
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
-                                const std::vector<std::vector<AnyForm>>& models, const FitOptions& options,
-                                const BatchOptions& batch) {
+                                const std::vector<std::vector<Reflectance>>& models,
+                                const FitOptions& options, const BatchOptions& batch) {
   return Batch(files, models, options, batch).run();
 }
 

@@ -32,8 +32,8 @@ struct BatchRow {
 // content is kept, so that a run that was killed redoes only what was in flight. Input errors are rows.
 // Throws InputError where two files would have the same name.
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
-                                const std::vector<std::vector<AnyForm>>& models, const FitOptions& options,
-                                const BatchOptions& batch);
+                                const std::vector<std::vector<Reflectance>>& models,
+                                const FitOptions& options, const BatchOptions& batch);
 
 // summary.csv and summary.html in the folder; a picture name.png beside a material is shown.
 void write_summary(const std::vector<BatchRow>& rows, const std::filesystem::path& folder);

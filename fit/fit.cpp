@@ -76,7 +76,7 @@ double information_criterion(const Stream& stream, const Minimum& m) {
   return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
 }
 
-FormFit fit_model(const FitData& data, const std::vector<AnyForm>& forms, const FitOptions& options,
+FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
                   std::optional<double> noise) {
   const auto begin = std::chrono::steady_clock::now();
   const Model model(forms, data.channels, options);
@@ -161,7 +161,7 @@ std::string_view to_text(Estimate::Status status) {
   }
 }
 
-FitResult fit(const io::SampleTable& table, const std::vector<std::vector<AnyForm>>& models,
+FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options) {
   const FitData data = prepare(table, options);
   FitResult result;
@@ -179,19 +179,17 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<AnyFor
   return result;
 }
 
-std::vector<std::vector<AnyForm>> canonical_models() {
-  std::vector<std::vector<AnyForm>> models;
-  for_each_form([&](auto form) {
-    if (info(form).canonical && info(form).fittable) models.push_back({form});
-  });
+std::vector<std::vector<Reflectance>> canonical_models() {
+  std::vector<std::vector<Reflectance>> models;
+  for (const Reflectance& form : catalogue())
+    if (info(form).canonical && info(form).fittable()) models.push_back({form});
   return models;
 }
 
-std::vector<std::vector<AnyForm>> every_model() {
-  std::vector<std::vector<AnyForm>> models;
-  for_each_form([&](auto form) {
-    if (info(form).fittable) models.push_back({form});
-  });
+std::vector<std::vector<Reflectance>> every_model() {
+  std::vector<std::vector<Reflectance>> models;
+  for (const Reflectance& form : catalogue())
+    if (info(form).fittable()) models.push_back({form});
   return models;
 }
 

@@ -76,11 +76,11 @@ struct FitResult {
 };
 
 // Fits each model (a form, or several that are summed). Throws InputError on options that do not fit.
-FitResult fit(const io::SampleTable& table, const std::vector<std::vector<AnyForm>>& models,
+FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options);
 
 // The canonical forms, or all that can be fitted.
-std::vector<std::vector<AnyForm>> canonical_models();
-std::vector<std::vector<AnyForm>> every_model();
+std::vector<std::vector<Reflectance>> canonical_models();
+std::vector<std::vector<Reflectance>> every_model();
 
 }  // namespace brdf::fit

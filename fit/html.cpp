@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "brdf/aperture.h"
+#include "brdf/geometry.h"
 #include "fit/report.h"
 #include "io/html_report.h"
 
@@ -50,8 +51,8 @@ std::string in_words(const FormFit& f) {
 std::vector<std::vector<double>> fitted_values(const Material& material, const io::UnitDirections& d,
                                                std::size_t rows, double aperture) {
   std::vector out(material.channels.size(), std::vector<double>(rows));
-  const std::vector<ApertureNode> detector = aperture_nodes(aperture * (kPi / 180), kFitRings);
-  const std::vector<ApertureNode> source = aperture_nodes(0);
+  const std::vector<ApertureNode> detector = aperture_nodes(degrees(aperture), kFitRings);
+  const std::vector<ApertureNode> source = aperture_nodes({});
   std::vector<double> f(material.channels.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
@@ -113,8 +114,8 @@ void add_slices(io::HtmlReport& report, const io::SampleTable& table,
 
 constexpr std::size_t kMapCells = 45;  // of two degrees
 
-// Mean ln(fit/value) of every cell over (theta_h, theta_d), row by row from theta_d 0; NaN where nothing was
-// measured.
+// Mean ln(fit/value) of every cell over (theta_h, theta_d),
+// row by row from theta_d 0; NaN where nothing was measured.
 std::vector<double> residual_cells(const io::SampleTable& table, const io::UnitDirections& d,
                                    const std::vector<std::vector<double>>& fitted) {
   std::vector<double> sum(kMapCells * kMapCells, 0), count(kMapCells * kMapCells, 0);
@@ -212,7 +213,7 @@ void add_correlations(io::HtmlReport& report, const Correlations& c) {
 std::string shape_text(const Material& m) {
   std::string text;
   for (const Term& term : m.terms) {
-    const FormInfo& f = info(term.form);
+    const ReflectanceInfo& f = info(term.form);
     for (std::size_t k = 0; k < f.shape.size(); ++k)
       text += (text.empty() ? "" : ", ") + std::string(f.shape[k].name) + " " + digits(term.shape[0][k]);
   }

@@ -4,18 +4,11 @@
 
 namespace brdf::fit {
 
-std::size_t lobe_count_of(const AnyForm& form) {
-  return std::visit(
-      [](auto f) -> std::size_t {
-        if constexpr (LinearForm<decltype(f)>)
-          return lobe_count<decltype(f)>;
-        else
-          return 0;
-      },
-      form);
+std::size_t lobe_count_of(const Reflectance& form) {
+  return info(form).lobes.size();
 }
 
-LobeBlock::LobeBlock(const AnyForm& form)
+LobeBlock::LobeBlock(const Reflectance& form)
     : form_(form),
       lobes_(lobe_count_of(form)),
       shape_parameters_(info(form).shape.size()),
@@ -23,22 +16,21 @@ LobeBlock::LobeBlock(const AnyForm& form)
       turned_(kBlock),
       displaced_(kBlock) {}
 
-void LobeBlock::evaluate_point(std::span<const double> shape, double tangent_phi, Partial partial,
+void LobeBlock::evaluate_point(std::span<const double> shape, Angle tangent_phi, Partial partial,
                                const Directions<double>& directions, double* out) {
-  const auto kernel = batch_kernels<double>(form_).lobes[std::size_t(partial)];
-  if (tangent_phi == 0) {
-    kernel(shape, directions, {out, kBlock});
+  if (tangent_phi == Angle{}) {
+    form_->lobes(shape, partial, directions, {out, kBlock});
     return;
   }
   turn_batch(directions, tangent_phi, turned_);
   Directions<double> turned = turned_.view();
   turned.count = directions.count;
-  kernel(shape, turned, {out, kBlock});
+  form_->lobes(shape, partial, turned, {out, kBlock});
 }
 
-void LobeBlock::evaluate(std::span<const double> shape, double tangent_phi, Partial partial,
+void LobeBlock::evaluate(std::span<const double> shape, Angle tangent_phi, Partial partial,
                          const Directions<double>& directions, std::span<const ApertureNode> detector) {
-  derivatives_ = partial == Partial::kNone ? 0 : shape_parameters_ + (partial == Partial::kShapeAndPhi);
+  derivatives_ = partial == Partial::none ? 0 : shape_parameters_ + (partial == Partial::shape_and_phi);
   if (detector.empty()) {
     evaluate_point(shape, tangent_phi, partial, directions, rows_.data());
     return;

@@ -114,8 +114,8 @@ void start_weights(const Stream& stream, std::vector<double>& p) {
   }
 }
 
-// Equivalent parameters, written one way: the tangent in (-45, 45] degrees, the narrower of two equal lobes
-// first.
+// Equivalent parameters, written one way: the tangent in
+// (-45, 45] degrees, the narrower of two equal lobes first.
 void canonicalise(const Model& model, Minimum& m) {
   const auto swap_slots = [&](std::size_t a, std::size_t b) {
     std::swap(m.p[a], m.p[b]);
@@ -134,7 +134,7 @@ void canonicalise(const Model& model, Minimum& m) {
     double turns = std::ceil((m.p[t] - kPi / 4) / (kPi / 2));
     bool swappable = true;
     for (std::size_t k = 0; k < model.terms().size(); ++k) {
-      const FormInfo& info = *model.terms()[k].info;
+      const ReflectanceInfo& info = *model.terms()[k].info;
       if (!info.anisotropic()) continue;
       for (std::size_t g = 0; g < model.groups(); ++g)
         swappable = swappable && shape_slot(k, std::size_t(info.shape_index("alpha_x")), g) != kNoSlot &&
@@ -144,14 +144,14 @@ void canonicalise(const Model& model, Minimum& m) {
     m.p[t] -= turns * (kPi / 2);
     if (std::fmod(std::abs(turns), 2.0) == 1.0)
       for (std::size_t k = 0; k < model.terms().size(); ++k) {
-        const FormInfo& info = *model.terms()[k].info;
+        const ReflectanceInfo& info = *model.terms()[k].info;
         if (!info.anisotropic()) continue;
         for (std::size_t g = 0; g < model.groups(); ++g)
           swap_slots(shape_slot(k, std::size_t(info.shape_index("alpha_x")), g),
                      shape_slot(k, std::size_t(info.shape_index("alpha_y")), g));
       }
   }
-  if (model.terms().size() == 2 && model.terms()[0].form.index() == model.terms()[1].form.index()) {
+  if (model.terms().size() == 2 && model.terms()[0].form == model.terms()[1].form) {
     std::vector<std::size_t> first, second;
     for (std::size_t s = 0; s < model.shape_slots(); ++s)
       if (model.slots()[s].kind == Slot::Kind::kShape)

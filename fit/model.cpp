@@ -19,8 +19,8 @@ std::vector<double> Model::shape(std::span<const double> p, std::size_t term, st
   return shape;
 }
 
-double Model::tangent_phi(std::span<const double> p) const {
-  return tangent_slot_ == kNoSlot ? fixed_tangent_ : p[tangent_slot_];
+Angle Model::tangent_phi(std::span<const double> p) const {
+  return tangent_slot_ == kNoSlot ? fixed_tangent_ : radians(p[tangent_slot_]);
 }
 
 void Model::lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const {
@@ -38,36 +38,10 @@ void Model::lobe_weights(std::span<const double> p, std::size_t channel, std::sp
 namespace {
 
 // The weights in the order of the form's table, from the weights of its lobes.
-std::vector<double> table_weights(const AnyForm& form, std::span<const double> lobes) {
-  return std::visit(
-      [&](auto f) {
-        std::vector<double> values;
-        using F = decltype(f);
-        if constexpr (LinearForm<F>) {
-          using W = typename F::template Weights<double>;
-          std::array<double, lobe_count<F>> linear{};
-          std::copy(lobes.begin(), lobes.end(), linear.begin());
-          const W w = W::from_linear(linear);
-          for (const auto& field : W::fields()) values.push_back(w.*(field.member));
-        }
-        return values;
-      },
-      form);
-}
-
-// The weights of its lobes, from those in the order of the form's table.
-std::vector<double> linear_weights(const AnyForm& form, const std::vector<double>& values) {
-  return std::visit(
-      [&](auto f) {
-        std::vector<double> out;
-        using F = decltype(f);
-        if constexpr (LinearForm<F>) {
-          using W = typename F::template Weights<double>;
-          for (double w : from_values<W>(std::span<const double>(values)).linear()) out.push_back(w);
-        }
-        return out;
-      },
-      form);
+std::vector<double> table_weights(const Reflectance& form, std::span<const double> lobes) {
+  std::vector<double> values;
+  for (const auto& weight : form->weights_of(lobes)) values.push_back(weight.value);
+  return values;
 }
 
 }  // namespace
@@ -127,7 +101,7 @@ void Model::apply_start_weights(const std::vector<NamedValues>& start, std::vect
           }
       if (!named) continue;
       // The unknowns that come closest to these lobes' weights.
-      const std::vector<double> target = linear_weights(term.form, values);
+      const std::vector<double> target = linear_weights(*term.info, values);
       const LinearBlock& block = term.weights[c];
       Matrix h(block.unknowns, block.unknowns);
       std::vector<double> g(block.unknowns, 0);

@@ -49,8 +49,8 @@ struct LinearBlock {
 };
 
 struct TermModel {
-  AnyForm form;
-  const FormInfo* info = nullptr;
+  Reflectance form;
+  const ReflectanceInfo* info = nullptr;
   std::size_t lobes = 0, first_lobe = 0;
   std::size_t partials = 0, first_partial = 0;  // derivatives that are needed, tangent included
   std::vector<int> partial;                     // [shape parameter]
@@ -62,7 +62,7 @@ struct TermModel {
 class Model {
  public:
   // Throws InputError where the forms cannot be fitted or an option names no parameter of theirs.
-  Model(std::vector<AnyForm> forms, std::vector<std::string> channels, const FitOptions& options);
+  Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options);
 
   const std::string& name() const { return name_; }  // "ward", "oren_nayar+ward"
   const std::vector<TermModel>& terms() const { return terms_; }
@@ -82,7 +82,7 @@ class Model {
   }
   // Natural shape of a term in a group.
   std::vector<double> shape(std::span<const double> p, std::size_t term, std::size_t group) const;
-  double tangent_phi(std::span<const double> p) const;
+  Angle tangent_phi(std::span<const double> p) const;
   // Weights of all lobes of a channel.
   void lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const;
 
@@ -111,7 +111,7 @@ class Model {
   std::vector<Slot> slots_;
   std::vector<std::size_t> partial_slot_;
   std::size_t shape_slots_ = 0, groups_ = 1, lobes_ = 0, partials_ = 0, tangent_slot_ = kNoSlot;
-  double fixed_tangent_ = 0;
+  Angle fixed_tangent_{};
 };
 
 // True where the user's name means this parameter: "terms[1].alpha" addresses one term of a sum, "alpha" both

@@ -15,10 +15,10 @@ bool is_width(std::string_view name) {
   return name == "alpha_x" || name == "alpha_y";
 }
 
-// True where every lobe's derivative by the parameter vanishes at its lower bound, as sigma's does in
-// Oren-Nayar: such a parameter enters by its square, and on its own scale a solver would never leave the
-// bound.
-bool flat_at_minimum(const AnyForm& form, const FormInfo& info, std::size_t parameter) {
+// True where every lobe's derivative by the parameter vanishes at its
+// lower bound, as sigma's does in Oren-Nayar: such a parameter enters by
+// its square, and on its own scale a solver would never leave the bound.
+bool flat_at_minimum(const Reflectance& form, const ReflectanceInfo& info, std::size_t parameter) {
   std::vector<double> shape;
   for (const ParameterInfo& q : info.shape) shape.push_back(q.initial);
   shape[parameter] = info.shape[parameter].min;
@@ -26,14 +26,14 @@ bool flat_at_minimum(const AnyForm& form, const FormInfo& info, std::size_t para
   pairs.set(0, {-0.6, 0, 0.8}, {0.48, 0.64, 0.6});
   pairs.set(1, {-0.6, 0, 0.8}, {-0.28, 0, 0.96});
   LobeBlock block(form);
-  block.evaluate(shape, 0, Partial::kShape, pairs.view(), {});
+  block.evaluate(shape, {}, Partial::shape, pairs.view(), {});
   for (std::size_t k = 0; k < lobe_count_of(form); ++k)
     for (std::size_t j = 0; j < 2; ++j)
       if (block.derivative(k, parameter)[j] != 0) return false;
   return true;
 }
 
-Scale scale_of(const AnyForm& form, const FormInfo& info, std::size_t parameter) {
+Scale scale_of(const Reflectance& form, const ReflectanceInfo& info, std::size_t parameter) {
   const ParameterInfo& p = info.shape[parameter];
   if (p.log_scale) return p.min > 0 ? Scale::kLog : Scale::kLog1p;
   return flat_at_minimum(form, info, parameter) ? Scale::kSquare : Scale::kIdentity;
@@ -86,12 +86,12 @@ void check_range(const ParameterInfo& p, double value, const char* option) {
                      " is outside " + io::to_text(p.min) + " to " + io::to_text(p.max));
 }
 
-Model::Model(std::vector<AnyForm> forms, std::vector<std::string> channels, const FitOptions& options)
+Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options)
     : channels_(std::move(channels)) {
   groups_ = options.per_channel ? channels_.size() : 1;
-  for (const AnyForm& form : forms) {
+  for (const Reflectance& form : forms) {
     TermModel term{form, &info(form)};
-    if (!term.info->fittable)
+    if (!term.info->fittable())
       throw InputError("form '" + std::string(term.info->name) +
                        "' cannot be fitted: it is not linear in its weights");
     term.lobes = lobe_count_of(form);
@@ -140,7 +140,7 @@ void Model::add_shape_slots(const FitOptions& options) {
   bool turned = false;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     TermModel& term = terms_[t];
-    const FormInfo& info = *term.info;
+    const ReflectanceInfo& info = *term.info;
     term.fixed_shape.assign(groups_, std::vector<double>(info.shape.size(), kNan));
     term.partial.assign(info.shape.size(), -1);
     term.first_partial = partials_;
@@ -187,7 +187,7 @@ void Model::add_shape_slots(const FitOptions& options) {
         term.tangent_partial = int(term.partials++);
         turned = true;
       } else {
-        fixed_tangent_ = fixed * kPi / 180;
+        fixed_tangent_ = degrees(fixed);
       }
     }
     partials_ += term.partials;
@@ -232,7 +232,7 @@ void Model::add_linear_slots(const FitOptions& options) {
 }
 
 LinearBlock Model::linear_block(std::size_t t, std::size_t channel, const FitOptions& options) const {
-  const FormInfo& info = *terms_[t].info;
+  const ReflectanceInfo& info = *terms_[t].info;
   const std::size_t lobes = terms_[t].lobes;
   LinearBlock block;
   block.lobes = lobes;

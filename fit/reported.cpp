@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/dual.h"
-
 namespace brdf::fit {
 namespace {
 
@@ -36,32 +34,6 @@ void add_shape(const Model& model, std::span<const double> p, std::size_t t, std
   }
 }
 
-// The weights of one term and channel with their derivatives by the lobes' weights.
-struct TableWeight {
-  double value;
-  std::vector<double> by_lobe;
-};
-std::vector<TableWeight> table_weights(const AnyForm& form, std::span<const double> lobes) {
-  return std::visit(
-      [&](auto f) {
-        using F = decltype(f);
-        std::vector<TableWeight> out;
-        if constexpr (LinearForm<F>) {
-          constexpr std::size_t n = lobe_count<F>;
-          using D = Dual<double, int(n)>;
-          std::array<D, n> linear;
-          for (std::size_t k = 0; k < n; ++k) linear[k] = D::variable(lobes[k], k);
-          const auto w = F::template Weights<D>::from_linear(linear);
-          for (const auto& field : F::template Weights<D>::fields()) {
-            const D& x = w.*(field.member);
-            out.push_back({x.a, {x.v.d, x.v.d + n}});
-          }
-        }
-        return out;
-      },
-      form);
-}
-
 void add_weights(const Model& model, std::span<const double> p, std::size_t t, std::vector<Reported>& out) {
   const TermModel& term = model.terms()[t];
   std::vector<double> lobes(model.lobes());
@@ -70,7 +42,7 @@ void add_weights(const Model& model, std::span<const double> p, std::size_t t, s
     double total = 0;
     for (double w : lobes) total += w;
     const LinearBlock& block = term.weights[c];
-    const auto table = table_weights(term.form, std::span(lobes).subspan(term.first_lobe, term.lobes));
+    const auto table = term.form->weights_of(std::span(lobes).subspan(term.first_lobe, term.lobes));
     for (std::size_t k = 0; k < table.size(); ++k) {
       const ParameterInfo& info = term.info->weights[k];
       Reported r;
@@ -87,7 +59,7 @@ void add_weights(const Model& model, std::span<const double> p, std::size_t t, s
       }
       r.min = info.min, r.max = info.max;
       r.weight = true;
-      r.fresnel = info.name == "f0";
+      r.fresnel = info.role == Role::f0;
       r.weight_scale = total;
       out.push_back(std::move(r));
     }

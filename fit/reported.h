@@ -21,8 +21,8 @@ struct Reported {
   bool fresnel = false, weight = false;
 };
 
-// Every shape parameter, the tangent's direction and every weight of every channel, at the solver's
-// parameters p.
+// Every shape parameter, the tangent's direction and every
+// weight of every channel, at the solver's parameters p.
 std::vector<Reported> reported_parameters(const Model& model, std::span<const double> p);
 
 // "ks[r]".

@@ -19,8 +19,8 @@ struct CrossValidation {
 CrossValidation cross_validate(const FitData& data, const Model& model, const Residual& residual,
                                std::span<const double> solution, const FitOptions& options);
 
-// Sorts best first by error; equal errors (three digits) by verdict, then by number of parameters. Sets
-// `recommended`.
+// Sorts best first by error; equal errors (three digits) by
+// verdict, then by number of parameters. Sets `recommended`.
 void rank(FitResult& result);
 
 }  // namespace brdf::fit

@@ -29,10 +29,10 @@ struct Solution {
   int passes = 0, iterations = 0;
 };
 
-// Levenberg-Marquardt (Ceres) on the p + 1 residuals that have the same cost, gradient and Gauss-Newton
-// matrix as the samples (Cholesky). Ceres stops early where a bound is active, and calls it convergence:
-// parameters at a bound that the cost pushes against are held there and the rest solved again, until none
-// moves.
+// Levenberg-Marquardt (Ceres) on the p + 1 residuals that have the same cost,
+// gradient and Gauss-Newton matrix as the samples (Cholesky). Ceres stops early
+// where a bound is active, and calls it convergence: parameters at a bound that the
+// cost pushes against are held there and the rest solved again, until none moves.
 Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
                std::span<const double> high, const SolveOptions& options);
 

@@ -59,7 +59,7 @@ ResidualBlock residual_block(const FitData& data, std::size_t channel, std::size
 Stream::Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
                unsigned threads)
     : data_(data), model_(model), residual_(residual), threads_(threads) {
-  if (aperture > 0) detector_ = aperture_nodes(aperture * (kPi / 180), kFitRings);
+  if (aperture > 0) detector_ = aperture_nodes(degrees(aperture), kFitRings);
 }
 
 Stream::Shapes Stream::shapes(std::span<const double> p, std::size_t group, bool derivatives) const {
@@ -81,9 +81,9 @@ void Stream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t row
     const TermModel& term = model_.terms()[t];
     LobeBlock& block = w.blocks[t];
     const bool derivatives = shapes.derivatives && term.partials > 0;
-    const Partial partial = !derivatives                ? Partial::kNone
-                            : term.tangent_partial >= 0 ? Partial::kShapeAndPhi
-                                                        : Partial::kShape;
+    const Partial partial = !derivatives                ? Partial::none
+                            : term.tangent_partial >= 0 ? Partial::shape_and_phi
+                                                        : Partial::shape;
     block.evaluate(shapes.shape[t], shapes.tangent_phi, partial, directions, detector_);
     for (std::size_t k = 0; k < term.lobes; ++k) {
       w.lobes[term.first_lobe + k] = block.lobe(k);

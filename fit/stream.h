@@ -25,9 +25,9 @@ struct ScoreMatrices {
   Matrix bread, meat;
 };
 
-// Sums over all rows of the Gram matrix of (lobes, derivatives of lobes) weighted by the squared slope of a
-// linear residual: given it, every choice of weights is algebra. Valid while all channels of a group have the
-// same weights.
+// Sums over all rows of the Gram matrix of (lobes, derivatives of lobes)
+// weighted by the squared slope of a linear residual: given it, every choice of
+// weights is algebra. Valid while all channels of a group have the same weights.
 struct LobeGram {
   std::size_t lobes = 0, derivatives = 0;  // columns: lobes, then for each derivative the term's lobes
   Matrix gram;                             // of the columns

@@ -13,7 +13,7 @@ namespace brdf::fit {
 // The shapes of one group at the current parameters, ready to be evaluated.
 struct Stream::Shapes {
   std::vector<std::vector<double>> shape;  // [term]
-  double tangent_phi = 0;
+  Angle tangent_phi{};
   bool derivatives = true;
 };
 

@@ -23,8 +23,8 @@ constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeight
 // Above this many rows no value has a leverage worth a second pass.
 constexpr std::size_t kManyRows = 100000;
 
-// 97.5 % quantile of Student's t (Cornish-Fisher expansion, Abramowitz and Stegun 26.7.5; 1e-3 from 4 degrees
-// of freedom).
+// 97.5 % quantile of Student's t (Cornish-Fisher expansion,
+// Abramowitz and Stegun 26.7.5; 1e-3 from 4 degrees of freedom).
 double t_quantile(double freedom) {
   constexpr double z = 1.959963984540054;
   if (freedom < 1) return std::numeric_limits<double>::infinity();

@@ -10,11 +10,11 @@ namespace brdf::io::astm {
 
 bool recognises(const std::filesystem::path& path);
 
-// Angles are taken for radians where no polar angle exceeds pi/2, otherwise for degrees. Files exist whose
-// VARS line omits the name of an angle: where the rows have one column more than names, the missing angle
-// stands in its usual place; where they have as many, it is not in the file, and phi_i = 180 or phi_s = 0
-// degrees is assumed (the plane of incidence with the mirror direction at phi_s = 0). Either is said in the
-// warnings.
+// Angles are taken for radians where no polar angle exceeds pi/2, otherwise for degrees.
+// Files exist whose VARS line omits the name of an angle: where the rows have one column
+// more than names, the missing angle stands in its usual place; where they have as many,
+// it is not in the file, and phi_i = 180 or phi_s = 0 degrees is assumed (the plane of
+// incidence with the mirror direction at phi_s = 0). Either is said in the warnings.
 SampleTable read(const std::filesystem::path& path);
 
 }  // namespace brdf::io::astm

@@ -4,8 +4,8 @@
 
 namespace brdf {
 
-// Bad input or usage: one message that names the file, the line or JSON path, the value and the rule. Exit
-// code 2.
+// Bad input or usage: one message that names the file, the
+// line or JSON path, the value and the rule. Exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

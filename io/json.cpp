@@ -61,8 +61,8 @@ Json parse_json(const std::string& text, const std::string& file) {
   } catch (const InputError& error) {
     throw InputError(file + ": " + error.what());
   } catch (const Json::parse_error& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 3: ...": the file takes the bracket's
-    // place
+    // "[json.exception.parse_error.101] parse error at line
+    // 1, column 3: ...": the file takes the bracket's place
     std::string message = error.what();
     if (const std::size_t stop = message.find("] "); stop != message.npos) message.erase(0, stop + 2);
     std::replace(message.begin(), message.end(), '\n', ' ');

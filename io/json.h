@@ -10,8 +10,8 @@ namespace brdf::io {
 
 using Json = nlohmann::ordered_json;  // keeps the order of keys: files read as they were written
 
-// Parses strictly: syntax errors and keys given twice are refused with file, line and column. Throws
-// InputError.
+// Parses strictly: syntax errors and keys given twice are
+// refused with file, line and column. Throws InputError.
 Json read_json(const std::filesystem::path& path);
 Json parse_json(const std::string& text, const std::string& file);
 

@@ -10,8 +10,8 @@ namespace brdf::io {
 // io/material_json.h has the rest: writing, the `fit` block, materials inside other documents.
 Material read_material(const std::filesystem::path& path);
 
-// Refuses parameters outside their table's range, wrong counts, empty or repeated channel names. `where`
-// opens the message.
+// Refuses parameters outside their table's range, wrong counts,
+// empty or repeated channel names. `where` opens the message.
 void check_material(const Material& material, const std::string& where);
 
 }  // namespace brdf::io

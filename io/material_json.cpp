@@ -14,21 +14,20 @@ namespace {
 
 constexpr const char* kFormat = "brdf-material";
 constexpr int kVersion = 1;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
-// The shortest decimal in degrees that gives these radians back; the nearest one where none does.
-double to_degrees(double radians) {
-  const double exact = radians / kDegree;
+// The shortest decimal in degrees that gives this angle back; the nearest one where none does.
+double to_degrees(Angle angle) {
+  const double exact = angle.degrees();
   for (int digits = 15; digits <= 17; ++digits) {
     char text[40];
     const auto end =
         std::to_chars(text, text + sizeof text, exact, std::chars_format::scientific, digits - 1).ptr;
     double rounded = exact;
     std::from_chars(text, end, rounded);
-    if (rounded * kDegree == radians) return rounded;
+    if (degrees(rounded) == angle) return rounded;
   }
   for (const double near : {std::nextafter(exact, -1e9), std::nextafter(exact, 1e9)})
-    if (near * kDegree == radians) return near;
+    if (degrees(near) == angle) return near;
   return exact;
 }
 
@@ -66,9 +65,9 @@ std::vector<double> read_values(const JsonPlace& place, const ParameterInfo& p, 
   return values;
 }
 
-Term read_term(const JsonPlace& place, const AnyForm& form, std::size_t channels) {
-  const FormInfo& table = info(form);
-  Term term{form, {}, std::vector<std::vector<double>>(channels), 0};
+Term read_term(const JsonPlace& place, const Reflectance& form, std::size_t channels) {
+  const ReflectanceInfo& table = info(form);
+  Term term{form, {}, std::vector<std::vector<double>>(channels)};
   const JsonPlace weights = place.at("weights");
   check_parameter_names(weights, table.weights);
   for (const ParameterInfo& p : table.weights) {
@@ -86,7 +85,7 @@ Term read_term(const JsonPlace& place, const AnyForm& form, std::size_t channels
     const std::vector<double> values = read_values(shape.at(p.name), p, channels);
     for (std::size_t s = 0; s < term.shape.size(); ++s) term.shape[s].push_back(values[s]);
   }
-  if (place.has("tangent_phi")) term.tangent_phi = place.at("tangent_phi").number(-180, 180) * kDegree;
+  if (place.has("tangent_phi")) term.tangent_phi = degrees(place.at("tangent_phi").number(-180, 180));
   return term;
 }
 
@@ -98,11 +97,11 @@ void check_header(const JsonPlace& place) {
     place.at("version").fail("must be " + std::to_string(kVersion));
 }
 
-AnyForm read_form(const JsonPlace& place) {
+Reflectance read_form(const JsonPlace& place) {
   const std::string name = place.text();
   if (const auto form = find_form(name)) return *form;
   std::string known = "sum";
-  for_each_form([&](auto form) { (known += ", ") += form.name; });
+  for (const Reflectance& form : catalogue()) (known += ", ") += info(form).name;
   place.fail("is no form (known: " + known + ")");
 }
 
@@ -111,7 +110,7 @@ Term read_sum_term(const JsonPlace& place, std::vector<std::string>& channels) {
   check_header(place);
   if (place.at("form").value() == "sum") place.at("form").fail("must be a form: sums do not nest");
   place.allow_keys({"format", "version", "form", "channels", "weights", "shape", "tangent_phi"});
-  const AnyForm form = read_form(place.at("form"));
+  const Reflectance form = read_form(place.at("form"));
   if (place.has("channels") || channels.empty()) {
     const std::vector<std::string> own = read_channels(place.at("channels"));
     if (channels.empty()) channels = own;
@@ -127,7 +126,7 @@ Json values_json(const std::vector<std::vector<double>>& sets, std::size_t param
 }
 
 Json term_json(const Term& term, const std::vector<std::string>& channels) {
-  const FormInfo& table = info(term.form);
+  const ReflectanceInfo& table = info(term.form);
   Json json;
   json["form"] = table.name;
   json["channels"] = channels;
@@ -155,7 +154,7 @@ MaterialFile material_from_json(const JsonPlace& place) {
     for (std::size_t k = 0; k < terms.size(); ++k)
       file.material.terms.push_back(read_sum_term(terms.at(k), file.material.channels));
   } else {
-    const AnyForm form = read_form(place.at("form"));
+    const Reflectance form = read_form(place.at("form"));
     place.allow_keys({"format", "version", "form", "channels", "weights", "shape", "tangent_phi", "fit"});
     file.material.channels = read_channels(place.at("channels"));
     file.material.terms.push_back(read_term(place, form, file.material.channels.size()));

@@ -17,10 +17,10 @@ struct CellDirections {
   double theta_i, phi_i, theta_o, phi_o;
 };
 
-// The centre of a cell in file order (theta_half, theta_difference, phi_difference from slow to fast):
-// theta_half = 90 ((i + 1/2)/90)^2, theta_difference = j + 1/2, phi_difference = k + 1/2 degrees, half vector
-// at azimuth 0. phi_difference covers 180 degrees: exchanging the directions adds 180, and the files are
-// reciprocal.
+// The centre of a cell in file order (theta_half, theta_difference, phi_difference
+// from slow to fast): theta_half = 90 ((i + 1/2)/90)^2, theta_difference = j + 1/2,
+// phi_difference = k + 1/2 degrees, half vector at azimuth 0. phi_difference covers
+// 180 degrees: exchanging the directions adds 180, and the files are reciprocal.
 CellDirections cell_directions(std::size_t cell);
 
 // The cell that holds a pair of directions; their common azimuth does not matter.

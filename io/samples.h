@@ -11,10 +11,10 @@
 
 namespace brdf::io {
 
-// Measured or computed values of f_r in 1/sr, one row per pair of directions; column by column in memory.
-// Directions are polar coordinates in DEGREES as in the files (so that reading and writing is exact), both
-// away from the surface, theta from the normal in [0, 90]; the mirror direction is theta_o = theta_i, phi_o =
-// phi_i + 180.
+// Measured or computed values of f_r in 1/sr, one row per pair of directions; column
+// by column in memory. Directions are polar coordinates in DEGREES as in the files
+// (so that reading and writing is exact), both away from the surface, theta from the
+// normal in [0, 90]; the mirror direction is theta_o = theta_i, phi_o = phi_i + 180.
 struct SampleTable {
   std::vector<std::string> channels;
   std::vector<double> theta_i, phi_i, theta_o, phi_o;  // degrees
@@ -57,8 +57,8 @@ UnitDirections unit_directions(const SampleTable& table);
 // x, y, z of a direction given in degrees. Built on sin_degrees, so it is the same on every machine.
 void unit_vector(double theta, double phi, double& x, double& y, double& z);
 
-// The polar angle in [0, 180] and the azimuth in [0, 360) of a direction, in degrees; its length does not
-// matter.
+// The polar angle in [0, 180] and the azimuth in [0, 360)
+// of a direction, in degrees; its length does not matter.
 void polar_degrees(double x, double y, double z, double& theta, double& phi);
 
 // Sine and cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp of the true

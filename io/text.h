@@ -37,8 +37,8 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
 // Splits at runs of blanks and tabs.
 void split_blanks(std::string_view line, std::vector<std::string_view>& fields);
 
-// The whole of `text` as a number (a leading plus sign is allowed). False where it is none or out of double's
-// range.
+// The whole of `text` as a number (a leading plus sign is
+// allowed). False where it is none or out of double's range.
 bool parse_number(std::string_view text, double& value);
 
 // Shortest decimal that reads back to the same double.

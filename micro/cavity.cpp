@@ -15,7 +15,7 @@ double groove_single_reflection(double sigma, const Vec& wi, const Vec& wo) {
     const double weight = std::exp(-t * t / (2 * sigma * sigma)) * std::sin(t);
     weights += weight * kAzimuths;
     for (int j = 0; j < kAzimuths; ++j) {
-      const Vec a = direction(t, (j + 0.5) / kAzimuths * 2 * kPi);
+      const Vec a = direction(radians(t), radians((j + 0.5) / kAzimuths * 2 * kPi));
       const double lit = dot(wi, a), seen = dot(wo, a);
       if (lit <= 0 || seen <= 0) continue;
       const double open = std::min({1.0, 2 * wi.z * a.z / lit, 2 * wo.z * a.z / seen});

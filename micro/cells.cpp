@@ -12,14 +12,14 @@ double Cell::projected_solid_angle() const {
 }
 
 Vec Cell::centre() const {
-  return direction(centre_theta(), centre_phi());
+  return direction(radians(centre_theta()), radians(centre_phi()));
 }
 
 Vec Cell::point(double u, double v) const {
   const double low = square(std::sin(theta_low)), high = square(std::sin(theta_high));
   const double sine_squared = low + u * (high - low);
   const double theta = std::asin(std::sqrt(std::clamp(sine_squared, 0.0, 1.0)));
-  return direction(theta, phi_low + v * (phi_high - phi_low));
+  return direction(radians(theta), radians(phi_low + v * (phi_high - phi_low)));
 }
 
 Cells::Cells(double width) {

@@ -39,7 +39,7 @@ SurfaceScatter scatter_on(const Simulation& s, int index, const std::vector<Inci
     Energies energies;
     energies.fill(std::vector<double>(cells.size()));
     Account account = empty_account(s), shares;
-    const Vec wi = direction(from.theta, from.phi);
+    const Vec wi = direction(radians(from.theta), radians(from.phi));
     for_each_stratum(s.rays, random, [&](double u, double v) {
       walk(tracer, s.facets, wi, u, v, random, account, [&](int order, const Vec& wo, double weight) {
         energies[order_class(order)][cells.find(wo, from.phi)] += weight * share;
@@ -81,8 +81,8 @@ std::vector<Estimate> estimates(const std::vector<Collector>& collectors) {
   return result;
 }
 
-// Radiance towards `view` of the path that starts with `wo`, lit by each source in turn; [source][order
-// class].
+// Radiance towards `view` of the path that starts with
+// `wo`, lit by each source in turn; [source][order class].
 using Shares = std::vector<std::array<double, kOrderClasses>>;
 
 void view_path(Tracer& tracer, const Simulation& s, const Vec& wo, const std::vector<Vec>& sources, double u,
@@ -143,7 +143,7 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
                                                     const std::vector<Incidence>& views,
                                                     const Progress& progress) {
   std::vector<Vec> sources;
-  for (const Incidence& i : incidences) sources.push_back(direction(i.theta, i.phi));
+  for (const Incidence& i : incidences) sources.push_back(direction(radians(i.theta), radians(i.phi)));
   struct Collected {
     std::array<Collector, kOrderClasses> f;
     Collector total;
@@ -156,7 +156,7 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
     Random random(s.seed, index, Stream::radiance);
     std::vector<Shares> result;
     for (const Incidence& view : views) {
-      const Vec wo = direction(view.theta, view.phi);
+      const Vec wo = direction(radians(view.theta), radians(view.phi));
       Shares shares(sources.size());
       for_each_stratum(s.rays, random,
                        [&](double u, double v) { view_path(tracer, s, wo, sources, u, v, random, shares); });

@@ -42,9 +42,9 @@ Surface make_height_field(const HeightField& settings, Random& random) {
   const int n = settings.size;
   const double length = settings.correlation_length;
   Spectrum spectrum(static_cast<std::size_t>(n) * n);
-  // The real part of sum_k s_k e^{ikx} with independent complex normal s_k of variance 2 p_k per point has
-  // variance sum p_k, and differences of neighbours along x have sum p_k |e^{ikx} - 1|^2 = sum p_k 4
-  // sin^2(kx/2).
+  // The real part of sum_k s_k e^{ikx} with independent complex normal s_k
+  // of variance 2 p_k per point has variance sum p_k, and differences of
+  // neighbours along x have sum p_k |e^{ikx} - 1|^2 = sum p_k 4 sin^2(kx/2).
   double difference_variance = 0;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {

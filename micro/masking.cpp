@@ -91,7 +91,8 @@ std::vector<Masking> measure_masking(const Simulation& s, const std::vector<doub
         Tracer tracer(surface);
         Random random(s.seed, index, Stream::masking);
         std::vector<Counts> counts;
-        for (const double theta : thetas) counts.push_back(look(tracer, direction(theta, 0), s.rays, random));
+        for (const double theta : thetas)
+          counts.push_back(look(tracer, direction(radians(theta), {}), s.rays, random));
         return counts;
       },
       [&](const std::vector<Counts>& counts) {

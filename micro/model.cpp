@@ -9,7 +9,7 @@ Material model(std::string_view form, const std::vector<std::pair<std::string_vi
   const auto found = find_form(form);
   if (!found) throw std::invalid_argument("no form " + std::string(form));
   Material material = make_material(*found, {"fr"});
-  const FormInfo& table = info(*found);
+  const ReflectanceInfo& table = info(*found);
   Term& term = material.terms.front();
   for (const auto& [name, number] : parameters) {
     if (const int k = table.weight_index(name); k >= 0) term.weights[0][k] = number;
@@ -26,7 +26,7 @@ double value(const Material& material, const Vec& wi, const Vec& wo) {
 
 double cell_mean(const Material& material, const Incidence& from, const Cell& cell) {
   constexpr int kPoints = 8;
-  const Vec wi = direction(from.theta, from.phi);
+  const Vec wi = direction(radians(from.theta), radians(from.phi));
   double sum = 0;
   for (int j = 0; j < kPoints; ++j) {
     for (int i = 0; i < kPoints; ++i) {

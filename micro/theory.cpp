@@ -90,9 +90,9 @@ std::vector<TheoryRow> compare_reciprocity(const TheoryOptions& options) {
     s.surfaces = 16 * options.effort;
     s.rays = 1 << 14;
     const Cells cells(15 * kPi / 180);
-    const Cell& a = cells[cells.find(direction(0.38, 0))];
+    const Cell& a = cells[cells.find(direction(radians(0.38), {}))];
     for (const double phi : {0.0, kPi / 2, kPi}) {
-      const Cell& b = cells[cells.find(direction(1.18, phi))];
+      const Cell& b = cells[cells.find(direction(radians(1.18), radians(phi)))];
       const Exchange e = measure_exchange(s, a, b);
       const Estimate forward{e.forward.mean, std::hypot(e.forward.standard_error, e.backward.standard_error)};
       const std::string quantity =

@@ -1,5 +1,5 @@
-// Theory against simulation: what the forms and their derivations say about surfaces, and what rays find on
-// them.
+// Theory against simulation: what the forms and their
+// derivations say about surfaces, and what rays find on them.
 #pragma once
 
 #include <cmath>

@@ -65,7 +65,7 @@ TheoryRow albedo_row(const std::string& surface, const Scatter& scatter, const M
 
 CellAgreement agreement(const Scatter& scatter, const Cells& cells, const Material& form) {
   CellAgreement a;
-  const Vec wi = direction(scatter.incidence.theta, 0);
+  const Vec wi = direction(radians(scatter.incidence.theta), {});
   for (int c = 0; c < cells.size(); ++c) {
     const Estimate& f = scatter.f[0][c];
     const double solid = cells[c].projected_solid_angle();
@@ -171,9 +171,9 @@ std::vector<TheoryRow> compare_lambert_grooves(const TheoryOptions& options, dou
   std::vector<TheoryRow> rows;
   double full_difference = 0, qualitative_difference = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const Vec wi = direction(from[i].theta, 0);
+    const Vec wi = direction(radians(from[i].theta), {});
     for (std::size_t v = 0; v < views.size(); ++v) {
-      const Vec wo = direction(views[v].theta, views[v].phi);
+      const Vec wo = direction(radians(views[v].theta), radians(views[v].phi));
       const Radiance& f = measured[i][v];
       const double f_full = value(full, wi, wo), f_qualitative = value(qualitative, wi, wo);
       const double share = 1 / (static_cast<double>(from.size()) * views.size() * f.total.mean);

@@ -140,8 +140,8 @@ double Tracer::clearance(const Facet& facet) const {
 }
 
 void Tracer::raise(Vec& point, const Facet& facet) const {
-  // Rounding may put the point under the neighbouring facet of a concave edge: the surface's own height
-  // decides.
+  // Rounding may put the point under the neighbouring facet
+  // of a concave edge: the surface's own height decides.
   const Facet here = surface_.facet_at(point.x, point.y);
   point.z = std::max(facet.height(point.x, point.y) + clearance(facet),
                      here.height(point.x, point.y) + clearance(here));

@@ -27,8 +27,8 @@ struct Comparison {
   bool labels = true;
 };
 
-// split: A, a line, B; flip: B; difference: false colours, with the scale and the measures where labelled;
-// otherwise A.
+// split: A, a line, B; flip: B; difference: false colours,
+// with the scale and the measures where labelled; otherwise A.
 BytePicture arranged(const Comparison& comparison, Display display);
 // A, B and the difference in one row.
 BytePicture beside(const Comparison& comparison);

@@ -10,27 +10,18 @@
 
 namespace {
 
-// One function that picks the form; `form` is a specialisation constant, so the driver keeps one case.
-std::string dispatch(const std::string& function) {
-  std::string text = "vec3 " + function +
-                     "(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2) {\n  switch "
-                     "(form) {\n";
-  int index = 0;
-  brdf::for_each_form([&](auto form) {
-    const brdf::FormInfo& info = brdf::info(brdf::AnyForm(form));
-    text += "    case " + std::to_string(index++) + ": return " + function + "_" + std::string(info.name) +
-            "(wi, wo";
-    for (std::size_t k = 0; k < info.shape.size(); ++k) text += ", shape[" + std::to_string(k) + "]";
-    for (std::size_t k = 0; k < info.weights.size(); ++k) text += ", w" + std::to_string(k);
-    text += ");\n";
-  });
-  return text + "  }\n  return vec3(0.0);\n}\n";
+// A form's number in the shaders is its place in the catalogue,
+// a specialisation constant, so that the driver keeps one case.
+std::vector<brdf::NumberedReflectance> numbered() {
+  std::vector<brdf::NumberedReflectance> list;
+  for (const brdf::Reflectance& form : brdf::catalogue()) list.push_back({int(list.size()), form});
+  return list;
 }
 
 std::string forms(const brdf::GlslOptions& options = {}) {
   std::string text = brdf::glsl_kernels(options);
-  brdf::for_each_form([&](auto form) { text += brdf::glsl_form(brdf::AnyForm(form), options); });
-  return text + dispatch("brdf_eval_cos");
+  for (const brdf::Reflectance& form : brdf::catalogue()) text += form->glsl(options);
+  return text + brdf::glsl_dispatch("brdf_eval_cos", numbered());
 }
 
 // The compute shader of the probe (render/probe.h): evaluates one form on many configurations.
@@ -42,7 +33,7 @@ layout(std430, binding = 0) readonly buffer Configurations { vec4 configuration[
 layout(std430, binding = 1) writeonly buffer Results { vec4 result[]; };
 layout(push_constant) uniform Push { uint count; };
 )" + forms(options) +
-         dispatch("brdf_eval") + R"(
+         brdf::glsl_dispatch("brdf_eval", numbered()) + R"(
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= count) return;

@@ -14,15 +14,6 @@ constexpr std::array kFrameBindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
                                     Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
 constexpr std::array<Binding, 1> kMapBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
 
-const AnyForm& form_at(int index) {
-  static const std::vector<AnyForm> all = [] {
-    std::vector<AnyForm> list;
-    for_each_form([&](auto form) { list.emplace_back(form); });
-    return list;
-  }();
-  return all[std::size_t(index)];
-}
-
 GpuLight gpu_light(const Light& light) {
   const glm::vec3 irradiance = light.color * light.intensity;
   if (light.point) return {glm::vec4(light.vector, 1), glm::vec4(irradiance, 1)};
@@ -70,8 +61,8 @@ GpuItem gpu_item(const Item& item, const TextureSet& textures) {
     out.shape_roles[i] = int(item.shape_roles[k]);
     if (k < 3) out.weight_roles[i] = int(item.weight_roles[k]);
     if (textures[k]) out.weight_roles.w |= 1 << i;
-    if (item.form < 0 || k >= info(form_at(item.form)).shape.size()) continue;
-    const ParameterInfo& p = info(form_at(item.form)).shape[k];
+    if (item.form < 0 || k >= info(catalogue()[std::size_t(item.form)]).shape.size()) continue;
+    const ParameterInfo& p = info(catalogue()[std::size_t(item.form)]).shape[k];
     // A logarithmic parameter that starts at 0 (an exponent) is stored from 1 upwards.
     const double low = p.log_scale ? std::log2(p.min > 0 ? p.min : 1.0) : p.min;
     out.shape_low[i] = float(low);

@@ -1,5 +1,5 @@
-// The scene on the device: meshes, textures, camera, lights and items, with the descriptor sets that name
-// them.
+// The scene on the device: meshes, textures, camera, lights
+// and items, with the descriptor sets that name them.
 #pragma once
 
 #include <map>

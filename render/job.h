@@ -49,17 +49,17 @@ struct JobReport {
 
 // What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
-// Renders and writes the output, if one is named. Throws InputError or EnvironmentError; nothing is written
-// then.
+// Renders and writes the output, if one is named. Throws
+// InputError or EnvironmentError; nothing is written then.
 JobReport run(const Job& job);
 // Writes the lobe plot of the job's materials (A, and B where it is a material) as PNG.
 void write_lobes(const Job& job);
 
-// Writes maps as PNG into a folder, which is made: "rusty_metal" (albedo, normal, roughness, metallic) or
-// "tiles" (albedo).
+// Writes maps as PNG into a folder, which is made: "rusty_metal"
+// (albedo, normal, roughness, metallic) or "tiles" (albedo).
 void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder);
-// Writes the lookup article's tables as PNG into a folder: every factor, and the product with the article's
-// slip.
+// Writes the lookup article's tables as PNG into a folder:
+// every factor, and the product with the article's slip.
 void write_lookup_pictures(const std::filesystem::path& folder);
 
 }  // namespace brdf::render

@@ -39,10 +39,10 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
   const std::size_t channels = material.channels.size();
   std::vector<LobeCurve> curves(channels);
   std::vector<double> f(channels);
-  const Vec3<double> wi = direction(theta_i_degrees * kPi / 180, 0);
+  const Vec3<double> wi = direction(degrees(theta_i_degrees), {});
   for (int k = 0; k < kLobePoints; ++k) {
     const double theta = (k - kSteepest) * kPi / 180;
-    eval(material, wi, direction(std::abs(theta), theta > 0 ? kPi : 0), f);
+    eval(material, wi, direction(radians(std::abs(theta)), radians(theta > 0 ? kPi : 0)), f);
     for (std::size_t c = 0; c < channels; ++c) curves[c].values.push_back(float(f[c]));
   }
   for (std::size_t c = 0; c < channels; ++c) {

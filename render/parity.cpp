@@ -12,7 +12,7 @@ constexpr double kNarrow = 0.05;
 
 // Sets what makes the lobe as wide as alpha; false where the form has no such parameter.
 bool narrow(Term& term) {
-  const FormInfo& form = info(term.form);
+  const ReflectanceInfo& form = info(term.form);
   bool changed = false;
   for (std::size_t k = 0; k < form.shape.size(); ++k) {
     const std::string_view name = form.shape[k].name;
@@ -38,10 +38,10 @@ bool passes(const ParityRow& row) {
          row.difference.coverage_mismatch <= kMostCoverageMismatch;
 }
 
-std::vector<ParityRow> parity(Device& device, const std::vector<AnyForm>& forms, int size,
+std::vector<ParityRow> parity(Device& device, const std::vector<Reflectance>& forms, int size,
                               const std::function<void(const ParityRow&)>& report) {
   std::vector<ParityRow> rows;
-  for (const AnyForm& form : forms) {
+  for (const Reflectance& form : forms) {
     Material material = make_material(form);
     for (const char* parameters : {"defaults", "alpha=0.05"}) {
       if (parameters[0] == 'a' && !narrow(material.terms[0])) continue;

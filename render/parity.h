@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 #include "render/picture.h"
 #include "render/vulkan/device.h"
 
@@ -25,7 +25,7 @@ bool passes(const ParityRow& row);
 
 // Every form at its table's defaults and, where it has a width, at alpha 0.05 (roughness sqrt(0.05), exponent
 // 2/alpha^2 - 2); 16 and 32 bits each. `report` is called after each row.
-std::vector<ParityRow> parity(Device& device, const std::vector<AnyForm>& forms, int size = 512,
+std::vector<ParityRow> parity(Device& device, const std::vector<Reflectance>& forms, int size = 512,
                               const std::function<void(const ParityRow&)>& report = {});
 
 }  // namespace brdf::render

@@ -50,8 +50,8 @@ class DeferredPass {
   DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer);
   void record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
                        std::size_t layer);
-  // Every form of the layer over the part of the picture that its objects cover. Layers after the first are
-  // added.
+  // Every form of the layer over the part of the picture that
+  // its objects cover. Layers after the first are added.
   void record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                        std::size_t layer, Image& color);
 

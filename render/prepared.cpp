@@ -9,20 +9,9 @@
 namespace brdf::render {
 namespace {
 
-constexpr std::size_t kMostWeights = 3, kMostShapes = 3;
-static_assert(
-    [] {
-      bool fits = true;
-      for_each_form([&](auto form) {
-        using F = decltype(form);
-        fits = fits && F::template Weights<double>::fields().size() <= kMostWeights &&
-               F::template Shape<double>::fields().size() <= kMostShapes;
-      });
-      return fits;
-    }(),
-    "the G-buffer has room for three weights per channel and three shape parameters");
+constexpr std::size_t kMostWeights = 3, kMostShapes = 3;  // what the targets have room for
 
-void set_roles(Item& item, const FormInfo& form, const TextureSet& textures) {
+void set_roles(Item& item, const ReflectanceInfo& form, const TextureSet& textures) {
   const bool albedo = bool(textures[0]), roughness = bool(textures[2]), metallic = bool(textures[3]);
   const bool has_f0 = form.weight_index("f0") >= 0;
   for (std::size_t k = 0; k < form.weights.size(); ++k) {
@@ -39,9 +28,9 @@ void set_roles(Item& item, const FormInfo& form, const TextureSet& textures) {
 // `channel` -1: all channels with the shared shape; otherwise that channel alone, the others' weights zero.
 Item make_item(const Term& term, std::size_t channels, int channel, const TextureSet& textures) {
   Item item;
-  item.form = int(term.form.index());
-  item.cos_turn = float(std::cos(term.tangent_phi));
-  item.sin_turn = float(std::sin(term.tangent_phi));
+  item.form = catalogue_index(term.form);
+  item.cos_turn = float(std::cos(term.tangent_phi.radians()));
+  item.sin_turn = float(std::sin(term.tangent_phi.radians()));
   const auto shape = term.shape_of(channel < 0 ? 0 : std::size_t(channel));
   for (std::size_t k = 0; k < shape.size(); ++k) item.shape[k] = float(shape[k]);
   for (int c = 0; c < 3; ++c) {
@@ -61,11 +50,18 @@ std::vector<Item> items_of(const Object& object, const TextureSet& textures) {
                      " channels; the renderer takes 1 or 3");
   }
   for (const Term& term : object.material.terms) {
+    const ReflectanceInfo& form = info(term.form);
+    if (form.weights.size() > kMostWeights || form.shape.size() > kMostShapes) {
+      throw InputError("material " + object.material_name +
+                       ": the renderer has room for three weights per channel and "
+                       "three shape parameters, " +
+                       std::string(form.name) + " has more");
+    }
     if (term.shape.size() <= 1) {
       items.push_back(make_item(term, channels, -1, textures));
       continue;
     }
-    if (!info(term.form).fittable) {
+    if (!info(term.form).fittable()) {
       throw InputError("material " + object.material_name + ": shapes per channel of " +
                        std::string(info(term.form).name) + ", which mixes channels, cannot be rendered");
     }

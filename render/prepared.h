@@ -21,7 +21,7 @@ struct Item {
   glm::vec3 origin{0};
   float extent = 1;  // no vertex is farther from the origin
   int form =
-      -1;  // index in AnyForm; -1: only hides what is behind it (an object with fewer terms than layers)
+      -1;  // index in Reflectance; -1: only hides what is behind it (an object with fewer terms than layers)
   float cos_turn = 1, sin_turn = 0;    // of tangent_phi
   std::array<glm::vec3, 3> weights{};  // in the order of the form's table
   std::array<float, 4> shape{};

@@ -66,8 +66,8 @@ class Probe {
     write_buffer(device, set_, 1, kStorage, output_.get());
   }
 
-  Owned<VkPipeline> pipeline(const AnyForm& form) const {
-    const auto index = std::int32_t(form.index());
+  Owned<VkPipeline> pipeline(const Reflectance& form) const {
+    const auto index = std::int32_t(catalogue_index(form));
     const VkSpecializationMapEntry entry{0, 0, sizeof index};
     const VkSpecializationInfo constants{1, &entry, sizeof index, &index};
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
@@ -145,7 +145,7 @@ void compare(ProbeRow& row, const ProbeValues& device, const ProbeValues& librar
   }
 }
 
-ProbeRow probe_form(Probe& probe, const AnyForm& form, const ProbeOptions& options) {
+ProbeRow probe_form(Probe& probe, const Reflectance& form, const ProbeOptions& options) {
   ProbeRow row{.form = std::string(info(form).name)};
   const double start = now();
   const Owned<VkPipeline> pipeline = probe.pipeline(form);
@@ -168,28 +168,20 @@ ProbeRow probe_form(Probe& probe, const AnyForm& form, const ProbeOptions& optio
 
 }  // namespace
 
-ProbeValues library_values(const AnyForm& form, const ProbeConfiguration& c) {
-  return std::visit(
-      [&]<class F>(F f) {
-        using Weights = typename F::template Weights<float>;
-        const auto shape = from_values<typename F::template Shape<float>>(std::span<const float>(c.shape));
-        const auto weights_of = [&](std::size_t channel) {
-          const std::array<float, 3> values{c.weights[0][channel], c.weights[1][channel],
-                                            c.weights[2][channel]};
-          return from_values<Weights>(std::span<const float>(values));
-        };
-        const Geometry<float> g =
-            geometry(Vec3<float>{c.wi[0], c.wi[1], c.wi[2]}, Vec3<float>{c.wo[0], c.wo[1], c.wo[2]});
-        const Weights first = weights_of(0);
-        ProbeValues values;
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-          const Weights w = weights_of(channel);
-          values[channel] = eval(f, w, first, shape, g);
-          values[3 + channel] = eval_cos(f, w, first, shape, g);
-        }
-        return values;
-      },
-      form);
+ProbeValues library_values(const Reflectance& form, const ProbeConfiguration& c) {
+  const Vec3<float> wi{c.wi[0], c.wi[1], c.wi[2]}, wo{c.wo[0], c.wo[1], c.wo[2]};
+  const auto weights_of = [&](std::size_t channel) {
+    return std::array{c.weights[0][channel], c.weights[1][channel], c.weights[2][channel]};
+  };
+  const std::array first = weights_of(0);
+  ProbeValues values;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const std::array own = weights_of(channel);
+    const ParameterValues<float> p{own, first, c.shape, channel};
+    form->eval(p, one_pair(wi, wo), &values[channel]);
+    form->eval_cos(p, one_pair(wi, wo), &values[3 + channel]);
+  }
+  return values;
 }
 
 bool is_software(const Device& device) {
@@ -207,7 +199,7 @@ struct ShaderBatch::State {
   Owned<VkPipeline> pipeline;
 };
 
-ShaderBatch::ShaderBatch(Device& device, const AnyForm& form,
+ShaderBatch::ShaderBatch(Device& device, const Reflectance& form,
                          std::span<const ProbeConfiguration> configurations)
     : state_(new State{Probe(device, shader_code::probe()), {}}), count_(configurations.size()) {
   if (count_ > kMost)
@@ -227,11 +219,11 @@ std::vector<ProbeValues> ShaderBatch::values() const {
   return values;
 }
 
-std::vector<ProbeRow> probe(Device& device, std::span<const AnyForm> forms, const ProbeOptions& options,
+std::vector<ProbeRow> probe(Device& device, std::span<const Reflectance> forms, const ProbeOptions& options,
                             const std::function<void(const ProbeRow&)>& report) {
   Probe machine(device, options.shader.empty() ? shader_code::probe() : options.shader);
   std::vector<ProbeRow> rows;
-  for (const AnyForm& form : forms) {
+  for (const Reflectance& form : forms) {
     rows.push_back(probe_form(machine, form, options));
     if (report) report(rows.back());
   }

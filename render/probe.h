@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 #include "render/vulkan/pipeline.h"
 
 namespace brdf::render {
@@ -24,15 +24,15 @@ struct ProbeConfiguration {
 
 // f_r and f_r cos_i of the three channels.
 using ProbeValues = std::array<float, 6>;
-ProbeValues library_values(const AnyForm& form, const ProbeConfiguration& configuration);
+ProbeValues library_values(const Reflectance& form, const ProbeConfiguration& configuration);
 
 // Random configurations over all of the form's parameters, a fifth of them grazing, half of them near the
 // mirror direction; reproducible from the seed.
-std::vector<ProbeConfiguration> random_configurations(const AnyForm& form, std::size_t count,
+std::vector<ProbeConfiguration> random_configurations(const Reflectance& form, std::size_t count,
                                                       std::uint64_t seed);
 // Every pair of awkward directions (normal, exact grazing, subnormal components, below the horizon, wi = wo,
 // wi = -wo, ...) with the parameters at the corners of their tables.
-std::vector<ProbeConfiguration> extreme_configurations(const AnyForm& form);
+std::vector<ProbeConfiguration> extreme_configurations(const Reflectance& form);
 
 struct ProbeOptions {
   std::uint64_t random = std::uint64_t(1) << 20;  // configurations per form, beside the extremes
@@ -63,7 +63,7 @@ class ShaderBatch {
  public:
   static constexpr std::size_t kMost = std::size_t(1) << 16;
   // Throws InputError for more than kMost configurations.
-  ShaderBatch(Device& device, const AnyForm& form, std::span<const ProbeConfiguration> configurations);
+  ShaderBatch(Device& device, const Reflectance& form, std::span<const ProbeConfiguration> configurations);
   ~ShaderBatch();
   void run();                               // evaluates all of them and waits
   std::vector<ProbeValues> values() const;  // of the last run, in the configurations' order
@@ -74,7 +74,8 @@ class ShaderBatch {
   std::size_t count_;
 };
 
-std::vector<ProbeRow> probe(Device& device, std::span<const AnyForm> forms, const ProbeOptions& options = {},
+std::vector<ProbeRow> probe(Device& device, std::span<const Reflectance> forms,
+                            const ProbeOptions& options = {},
                             const std::function<void(const ProbeRow&)>& report = {});
 
 }  // namespace brdf::render

@@ -31,13 +31,13 @@ void set_directions(Random& random, ProbeConfiguration& c) {
   const double theta_i =
       grazing ? kPi / 2 - below * log_uniform(random, 1e-8, 1e-2) : uniform(random, 0, kPi / 2);
   const double phi_i = uniform(random, 0, 2 * kPi);
-  c.wi = rounded(direction(theta_i, phi_i));
+  c.wi = rounded(direction(radians(theta_i), radians(phi_i)));
   if (random() % 2 == 0) {  // near the mirror direction, at every distance
     const double distance = log_uniform(random, 1e-6, 1);
-    c.wo = rounded(direction(theta_i + uniform(random, -distance, distance),
-                             phi_i + kPi + uniform(random, -distance, distance)));
+    c.wo = rounded(direction(radians(theta_i + uniform(random, -distance, distance)),
+                             radians(phi_i + kPi + uniform(random, -distance, distance))));
   } else {
-    c.wo = rounded(direction(uniform(random, 0, kPi / 2), uniform(random, 0, 2 * kPi)));
+    c.wo = rounded(direction(radians(uniform(random, 0, kPi / 2)), radians(uniform(random, 0, 2 * kPi))));
   }
   if (random() % 2 == 0) std::swap(c.wi, c.wo);
 }
@@ -49,16 +49,17 @@ std::vector<std::array<float, 4>> extreme_directions() {
       {0, 0, -1},        {1, 0, -0.0f},      {1, subnormal, 0}, {subnormal, 0, 1}, {subnormal, -subnormal, 1},
       {1, 0, subnormal}, {1, 0, -subnormal}, {-1, tiny, tiny},  {tiny, 1, tiny}};
   for (double theta : {1e-4, 0.7, 1.5, 1.5707, 1.5707962, 1.5708, 2.0})
-    for (double phi : {0.0, 0.8, kPi, 0.8 + kPi}) w.push_back(rounded(direction(theta, phi)));
+    for (double phi : {0.0, 0.8, kPi, 0.8 + kPi})
+      w.push_back(rounded(direction(radians(theta), radians(phi))));
   return w;
 }
 
 }  // namespace
 
-std::vector<ProbeConfiguration> random_configurations(const AnyForm& form, std::size_t count,
+std::vector<ProbeConfiguration> random_configurations(const Reflectance& form, std::size_t count,
                                                       std::uint64_t seed) {
-  Random random(seed * 1000003 + form.index());
-  const FormInfo& about = info(form);
+  Random random(seed * 1000003 + std::uint64_t(catalogue_index(form)));
+  const ReflectanceInfo& about = info(form);
   std::vector<ProbeConfiguration> configurations(count);
   for (ProbeConfiguration& c : configurations) {
     set_directions(random, c);
@@ -70,8 +71,8 @@ std::vector<ProbeConfiguration> random_configurations(const AnyForm& form, std::
   return configurations;
 }
 
-std::vector<ProbeConfiguration> extreme_configurations(const AnyForm& form) {
-  const FormInfo& about = info(form);
+std::vector<ProbeConfiguration> extreme_configurations(const Reflectance& form) {
+  const ReflectanceInfo& about = info(form);
   std::size_t corners = 1;
   for (std::size_t k = 0; k < about.shape.size(); ++k) corners *= 3;
   std::vector<ProbeConfiguration> configurations;

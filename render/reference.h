@@ -9,8 +9,8 @@
 
 namespace brdf::render {
 
-// Value of f_r cos_i per channel for a pair of directions in the surface's frame; replaces an object's
-// material.
+// Value of f_r cos_i per channel for a pair of directions
+// in the surface's frame; replaces an object's material.
 using Measured = std::function<glm::vec3(const glm::vec3& wi, const glm::vec3& wo)>;
 
 struct ReferenceOptions {

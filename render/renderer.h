@@ -35,8 +35,8 @@ class Renderer {
   const Image& color() const { return color_; }
   // Reads the lighting back: RGB, and A = 1 where there is a surface.
   std::vector<float> read_color();
-  // Reads a target of the first layer back, after draw(). Throws InputError where the scene is drawn without
-  // targets.
+  // Reads a target of the first layer back, after draw().
+  // Throws InputError where the scene is drawn without targets.
   std::vector<float> read_target(int target);
   Image& target(int k) { return gbuffer_->targets[std::size_t(k)]; }
   const PreparedScene& scene() const { return scene_; }

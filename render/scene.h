@@ -73,8 +73,8 @@ Scene parse_scene(const std::string& text, const std::string& name, const std::f
 // The scene as a file's text, readable again.
 std::string scene_text(const Scene& scene);
 
-// A row of spheres, one per material, under one light and a little ambient: what `brdf render MATERIAL...`
-// shows.
+// A row of spheres, one per material, under one light and
+// a little ambient: what `brdf render MATERIAL...` shows.
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials);
 
 // Rotation and scale of an object, and the same for normals.

@@ -31,8 +31,8 @@ void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const gl
   }
 }
 
-// Weights of the corners where the ray from the camera meets the triangle's plane (Moeller and Trumbore
-// 1997).
+// Weights of the corners where the ray from the camera
+// meets the triangle's plane (Moeller and Trumbore 1997).
 std::array<float, 3> barycentric(const PreparedScene& scene, const Item& item,
                                  const std::array<glm::vec3, 3>& corners, const glm::vec3& ray) {
   std::array<glm::dvec3, 3> p;
@@ -44,21 +44,6 @@ std::array<float, 3> barycentric(const PreparedScene& scene, const Item& item,
   const double scale = 1 / glm::dot(e1, across);
   const double u = glm::dot(s, across) * scale, v = glm::dot(d, q) * scale;
   return {float(1 - u - v), float(u), float(v)};
-}
-
-template <Form F>
-glm::vec3 eval_form(F form, const Surface& s, const Geometry<float>& g) {
-  using Weights = typename F::template Weights<float>;
-  using Shape = typename F::template Shape<float>;
-  const Shape shape = from_values<Shape>(std::span<const float>(s.shape));
-  std::array<Weights, 3> weights;
-  for (int c = 0; c < 3; ++c) {
-    const std::array values{s.weights[0][c], s.weights[1][c], s.weights[2][c]};
-    weights[std::size_t(c)] = from_values<Weights>(std::span<const float>(values));
-  }
-  glm::vec3 out;
-  for (int c = 0; c < 3; ++c) out[c] = eval_cos(form, weights[std::size_t(c)], weights[0], shape, g);
-  return out;
 }
 
 }  // namespace
@@ -94,12 +79,16 @@ Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t t
 }
 
 glm::vec3 eval_cos_at(int form, const Surface& s, const glm::vec3& wi, const glm::vec3& wo) {
-  const Geometry<float> g = geometry(Vec3<float>{wi.x, wi.y, wi.z}, Vec3<float>{wo.x, wo.y, wo.z});
-  glm::vec3 out(0);
-  int index = 0;
-  for_each_form([&](auto f) {
-    if (index++ == form) out = eval_form(f, s, g);
-  });
+  const Vec3<float> i{wi.x, wi.y, wi.z}, o{wo.x, wo.y, wo.z};
+  const auto weights = [&](int channel) {
+    return std::array{s.weights[0][channel], s.weights[1][channel], s.weights[2][channel]};
+  };
+  const std::array first = weights(0);
+  glm::vec3 out;
+  for (int c = 0; c < 3; ++c) {
+    const std::array own = weights(c);
+    catalogue()[std::size_t(form)]->eval_cos({own, first, s.shape, std::size_t(c)}, one_pair(i, o), &out[c]);
+  }
   return out;
 }
 

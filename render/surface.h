@@ -22,7 +22,7 @@ inline glm::vec3 to_local(const glm::vec3& w, const Surface& s) {
   return {glm::dot(w, s.tangent), glm::dot(w, s.bitangent), glm::dot(w, s.normal)};
 }
 
-// f_r cos_i of a form (by its index in AnyForm) with the surface's parameters, in float.
+// f_r cos_i of a form (by its index in Reflectance) with the surface's parameters, in float.
 glm::vec3 eval_cos_at(int form, const Surface& s, const glm::vec3& wi, const glm::vec3& wo);
 
 }  // namespace brdf::render

@@ -9,8 +9,8 @@
 //   alpha_x, alpha_y     max(r^2, 1e-3)
 //   exponent             2/alpha^2 - 2, at most 1e4    (the cosine lobe as wide as a slope distribution of
 //   width alpha) sigma                r^2 roughness, metallic  r, m
-// A parameter is driven only where its map exists: weights by albedo or metallic, shapes by roughness or
-// metallic.
+// A parameter is driven only where its map exists: weights
+// by albedo or metallic, shapes by roughness or metallic.
 #pragma once
 
 #include <string_view>

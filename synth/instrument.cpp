@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brdf/aperture.h"
+#include "brdf/math.h"
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/provenance.h"
@@ -46,8 +47,8 @@ void read_out(const Material& material, const Instrument& instrument, const Prog
   // Two cones multiply: 50 x 50 nodes together, 288 for one alone.
   const bool both = instrument.aperture > 0 && instrument.source_aperture > 0;
   const int rings = both ? kSynthRingsOfTwo : kSynthRings;
-  const auto source = aperture_nodes(instrument.source_aperture * (kPi / 180), rings);
-  const auto detector = aperture_nodes(instrument.aperture * (kPi / 180), rings);
+  const auto source = aperture_nodes(degrees(instrument.source_aperture), rings);
+  const auto detector = aperture_nodes(degrees(instrument.aperture), rings);
   const bool is_point = source.size() == 1 && detector.size() == 1;
   const io::UnitDirections d = io::unit_directions(table);
   std::vector<double> value(channels), centre(channels);
@@ -151,17 +152,6 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
 }
 
 }  // namespace
-
-bool is_anisotropic(const Material& material) {
-  return std::any_of(material.terms.begin(), material.terms.end(), [](const Term& term) {
-    const FormInfo& table = info(term.form);
-    if (!table.anisotropic()) return false;
-    const auto x = static_cast<std::size_t>(table.shape_index("alpha_x"));
-    const auto y = static_cast<std::size_t>(table.shape_index("alpha_y"));
-    return std::any_of(term.shape.begin(), term.shape.end(),
-                       [&](const auto& set) { return set[x] != set[y]; });
-  });
-}
 
 io::SampleTable measure(const Material& material, const Instrument& instrument, const Progress& progress) {
   check(instrument);

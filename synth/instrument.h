@@ -27,14 +27,11 @@ struct Instrument {
 // Called now and then with the number of directions done and the number of all.
 using Progress = std::function<void(int done, int total)>;
 
-// Measures the material. The table's metadata records the truth and every setting, its warnings what a user
-// should know (a lobe narrower than the aperture, readings saturated). The same arguments give the same table
-// on every machine: own random numbers, own sines, values rounded to 12 digits. Throws InputError on settings
-// out of range.
+// Measures the material. The table's metadata records the truth and every setting, its
+// warnings what a user should know (a lobe narrower than the aperture, readings
+// saturated). The same arguments give the same table on every machine: own random numbers,
+// own sines, values rounded to 12 digits. Throws InputError on settings out of range.
 io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const Progress& progress = {});
-
-// True where the material looks different from different azimuths: some term has two widths.
-bool is_anisotropic(const Material& material);
 
 }  // namespace brdf::synth

@@ -1,3 +1,4 @@
+#include "brdf/forms.h"
 #include "trade/approximations/albedo.h"
 
 #include <cmath>
@@ -15,7 +16,7 @@ struct AlbedoPair {
 AlbedoPair integrated(double cosine, double alpha, const AlbedoOptions& options) {
   const double shape[] = {std::max(alpha, 1e-4), std::max(alpha, 1e-4)};
   const double theta = std::acos(std::min(1.0, std::max(cosine, 1e-6)));
-  const auto lobes = lobe_albedos(cook_torrance{}, shape, theta, 0, options);
+  const auto lobes = lobe_albedos(cook_torrance{}, shape, radians(theta), {}, options);
   return {lobes[1].value, lobes[2].value};
 }
 Kernel exact_albedo(double tolerance) {

@@ -1,4 +1,5 @@
 #include "trade/ball.h"
+#include "brdf/forms.h"
 
 namespace brdf::trade {
 

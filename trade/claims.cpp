@@ -1,4 +1,5 @@
 #include "trade/claims.h"
+#include "brdf/forms.h"
 
 #include <cmath>
 #include <map>
@@ -20,12 +21,11 @@ std::string number(double x) {
 
 double value(const Material& m, double theta_i, double theta_o, double phi) {
   double f = 0;
-  const double d = kPi / 180;
-  eval(m, direction(theta_i * d, 0), direction(theta_o * d, phi * d), std::span(&f, 1));
+  eval(m, direction(degrees(theta_i), {}), direction(degrees(theta_o), degrees(phi)), std::span(&f, 1));
   return f;
 }
 
-Material lobe_only(const AnyForm& form, const char* parameter, double shape) {
+Material lobe_only(const Reflectance& form, const char* parameter, double shape) {
   Material m = make_material(form, {"fr"});
   const int kd = info(form).weight_index("kd"), ks = info(form).weight_index("ks");
   if (kd >= 0) m.terms[0].weights[0][std::size_t(kd)] = 0;
@@ -80,13 +80,13 @@ void judge_lobes(Judge& judge) {
               });
 }
 
-// Width of the listing's lobe at 90 % of its value in the mirror direction, across over along the plane of
-// incidence.
+// Width of the listing's lobe at 90 % of its value in the
+// mirror direction, across over along the plane of incidence.
 double ward_aspect() {
   Material m = make_material(ward_as_coded{}, {"fr"});
   if (const int k = info(ward_as_coded{}).shape_index("metallic"); k >= 0)
     m.terms[0].shape[0][std::size_t(k)] = 1;
-  const Vec3<double> wi = direction(kPi / 3, 0), mirror{-wi.x, -wi.y, wi.z};
+  const Vec3<double> wi = direction(degrees(60), {}), mirror{-wi.x, -wi.y, wi.z};
   const Vec3<double> along{-wi.z, 0, -wi.x}, across{0, 1, 0};
   const auto f = [&](const Vec3<double>& wo) {
     double value = 0;
@@ -114,7 +114,7 @@ void judge_families(Judge& judge, const Ledger& ledger) {
                 Material m = make_material(oren_nayar{}, {"fr"});
                 m.terms[0].weights[0] = {1};
                 m.terms[0].shape[0] = {0.198533};
-                const double e = directional_albedo(m.terms[0], 0, kPi / 2, 0).value;
+                const double e = directional_albedo(m.terms[0], 0, degrees(90), {}).value;
                 return Said{e > 1 + 1e-6 ? "does not hold" : "holds",
                             "albedo " + number(e) + " at rho 1, sigma 0.1985 rad, grazing light"};
               });

@@ -93,7 +93,7 @@ double as_float(double x) {
 }
 
 bool direction_row(double theta_i, double theta_o, double phi, double p, double q, Row<double>& row) {
-  const Vec3<double> wi = direction(theta_i * kDegree, 0), wo = direction(theta_o * kDegree, phi * kDegree);
+  const Vec3<double> wi = direction(degrees(theta_i), {}), wo = direction(degrees(theta_o), degrees(phi));
   row = {wi.x, wi.y, wi.z, wo.x, wo.y, wo.z, p, q};
   return wi.z > 0 && wo.z > 0;
 }
@@ -103,8 +103,8 @@ Domain lobe_domain(Axis alpha, Axis parameter, double widths, double most_theta_
       {{"slope of h/alpha", 0, widths}, {"theta_d", 0, most_theta_d}, {"phi_d", 0, 180}, alpha, parameter},
       [](std::span<const double> at, Row<double>& row) {
         const double theta_h = std::atan(at[0] * at[3]), theta_d = at[1] * kDegree;
-        const Vec3<double> h = direction(theta_h, 0);
-        const Vec3<double> d = direction(theta_d, at[2] * kDegree);
+        const Vec3<double> h = direction(radians(theta_h), {});
+        const Vec3<double> d = direction(radians(theta_d), degrees(at[2]));
         // d turned so that +z becomes h (about the y axis).
         const Vec3<double> wi{d.x * h.z + d.z * h.x, d.y, d.z * h.z - d.x * h.x};
         const double along_h = 2 * dot(wi, h);

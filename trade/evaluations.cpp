@@ -2,7 +2,7 @@
 
 #include <list>
 
-#include "brdf/batch.h"
+#include "brdf/forms.h"
 #include "render/probe.h"
 
 namespace brdf::trade {
@@ -28,7 +28,7 @@ class Way {
 
 class PairByPair : public Way {
  public:
-  PairByPair(const AnyForm& form, const Columns<double>& in, std::size_t count)
+  PairByPair(const Reflectance& form, const Columns<double>& in, std::size_t count)
       : material_(make_material(form, {"fr"})), directions_(count), out_(count) {
     for (std::size_t k = 0; k < count; ++k) {
       const auto at = [&](std::size_t c) { return in[c][k % in[c].size()]; };
@@ -51,8 +51,8 @@ class PairByPair : public Way {
 template <class T>
 class Batch : public Way {
  public:
-  Batch(const AnyForm& form, const Columns<double>& in, std::size_t count)
-      : kernels_(batch_kernels<T>(form)),
+  Batch(const Reflectance& form, const Columns<double>& in, std::size_t count)
+      : form_(form),
         weights_(defaults<T>(info(form).weights)),
         shape_(defaults<T>(info(form).shape)),
         slab_(6, count),
@@ -62,23 +62,23 @@ class Batch : public Way {
   }
   void run() override {
     const auto at = [this](std::size_t c) { return slab_.column(c); };
-    kernels_.eval(weights_, weights_, shape_, {at(0), at(1), at(2), at(3), at(4), at(5), count_},
-                  slab_.output());
+    form_->eval(ParameterValues<T>{weights_, weights_, shape_},
+                Directions<T>{at(0), at(1), at(2), at(3), at(4), at(5), count_}, slab_.output());
     timing::keep(*slab_.output());
   }
   std::vector<double> values() const override { return {slab_.output(), slab_.output() + count_}; }
 
  private:
-  const BatchKernels<T>& kernels_;
+  Reflectance form_;
   std::vector<T> weights_, shape_;
   Slab<T> slab_;
   std::size_t count_;
 };
 
-std::vector<render::ProbeConfiguration> configurations(const AnyForm& form, const Columns<double>& in,
+std::vector<render::ProbeConfiguration> configurations(const Reflectance& form, const Columns<double>& in,
                                                        std::size_t count) {
   render::ProbeConfiguration c;
-  const FormInfo& about = info(form);
+  const ReflectanceInfo& about = info(form);
   for (std::size_t k = 0; k < about.shape.size(); ++k) c.shape[k] = float(about.shape[k].initial);
   for (std::size_t k = 0; k < about.weights.size(); ++k) c.weights[k].fill(float(about.weights[k].initial));
   std::vector<render::ProbeConfiguration> all;
@@ -94,7 +94,7 @@ std::vector<render::ProbeConfiguration> configurations(const AnyForm& form, cons
 
 class Shader : public Way {
  public:
-  Shader(render::Device& device, const AnyForm& form, const Columns<double>& in, std::size_t count)
+  Shader(render::Device& device, const Reflectance& form, const Columns<double>& in, std::size_t count)
       : batch_(device, form, configurations(form, in, count)) {}
   void run() override { batch_.run(); }
   std::vector<double> values() const override {
@@ -159,10 +159,10 @@ std::vector<double> values_at(const Material& material, const Columns<double>& i
   return out;
 }
 
-EvaluationTimes evaluation_times(const std::vector<AnyForm>& forms, int rounds) {
+EvaluationTimes evaluation_times(const std::vector<Reflectance>& forms, int rounds) {
   const Points points = sample(pairs_domain(0, 80), kBatch);
   std::list<Batch<float>> batches;
-  for (const AnyForm& form : forms) batches.emplace_back(form, points.columns, kBatch);
+  for (const Reflectance& form : forms) batches.emplace_back(form, points.columns, kBatch);
   std::vector<std::function<void()>> calls;
   for (Batch<float>& batch : batches) calls.push_back([&batch] { batch.run(); });
   timing::Options options = timed_on(nullptr, rounds);
@@ -171,7 +171,7 @@ EvaluationTimes evaluation_times(const std::vector<AnyForm>& forms, int rounds) 
 }
 
 std::vector<LedgerRow> batch_rows(const EvaluationOptions& options) {
-  const AnyForm form = cook_torrance{};
+  const Reflectance form = cook_torrance{};
   struct Kind {
     const char* name;
     MakeWay make;
@@ -222,15 +222,14 @@ std::vector<LedgerRow> batch_rows(const EvaluationOptions& options) {
 }
 
 std::vector<LedgerRow> shader_rows(const EvaluationOptions& options) {
-  std::vector<AnyForm> forms{cook_torrance{}};
-  for_each_form([&](auto form) {
-    if (form.name == form.family && AnyForm(form).index() != forms[0].index()) forms.push_back(form);
-  });
+  std::vector<Reflectance> forms{cook_torrance{}};
+  for (const Reflectance& form : catalogue())
+    if (info(form).canonical && form != forms[0]) forms.push_back(form);
   const Domain domain = pairs_domain(0, 80);
   const Points points = sample(domain, kShaderBatch);
   std::vector<std::unique_ptr<Way>> ways;
   std::vector<std::function<void()>> calls;
-  for (const AnyForm& form : forms) {
+  for (const Reflectance& form : forms) {
     ways.push_back(std::make_unique<Shader>(*options.device, form, points.columns, kShaderBatch));
     calls.push_back([way = ways.back().get()] { way->run(); });
   }
@@ -244,7 +243,7 @@ std::vector<LedgerRow> shader_rows(const EvaluationOptions& options) {
     row.choice = info(forms[k]).name;
     row.exact = "cook_torrance";
     set_cost(row, timings[k], double(kShaderBatch));
-    const AnyForm form = forms[k];
+    const Reflectance form = forms[k];
     set_errors(
         row,
         [&](const Columns<double>& in, std::size_t n) {

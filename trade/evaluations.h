@@ -8,13 +8,13 @@
 
 namespace brdf::trade {
 
-// Time of a batch of `count` evaluations in float, one channel, at the tables' defaults; interleaved over the
-// forms given.
+// Time of a batch of `count` evaluations in float, one channel,
+// at the tables' defaults; interleaved over the forms given.
 struct EvaluationTimes {
   std::vector<timing::Timing> timings;
   double count = 0;
 };
-EvaluationTimes evaluation_times(const std::vector<AnyForm>& forms, int rounds);
+EvaluationTimes evaluation_times(const std::vector<Reflectance>& forms, int rounds);
 
 // f_r of one channel at every point.
 std::vector<double> values_at(const Material& material, const Columns<double>& in, std::size_t count);

@@ -1,4 +1,5 @@
 #include "trade/fits.h"
+#include "brdf/forms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,29 +57,26 @@ io::SampleTable sample_material(const Material& material, std::size_t rows, doub
   return table;
 }
 
-Material fitted(const AnyForm& form, const io::SampleTable& table, bool anisotropic) {
+Material fitted(const Reflectance& form, const io::SampleTable& table, bool anisotropic) {
   return fit::fit(table, {{form}}, relative_metric(anisotropic)).ranking.front().material;
 }
 
-std::vector<AnyForm> fittable_forms() {
-  std::vector<AnyForm> forms;
+std::vector<Reflectance> fittable_forms() {
+  std::vector<Reflectance> forms;
   for (const auto& model : fit::every_model()) forms.push_back(model.front());
   return forms;
 }
 
-std::string families_question(const AnyForm& family) {
+std::string families_question(const Reflectance& family) {
   return "families for a material of " + std::string(info(family).name);
 }
 
-std::vector<LedgerRow> family_rows(const AnyForm& family, const EvaluationTimes& times,
+std::vector<LedgerRow> family_rows(const Reflectance& family, const EvaluationTimes& times,
                                    const FitRowsOptions& options) {
-  const std::vector<AnyForm> forms = fittable_forms();
+  const std::vector<Reflectance> forms = fittable_forms();
   const Domain domain = pairs_domain(0, 80), grazing = pairs_domain(80, 89.5);
   const Points points = sample(domain, options.quick ? 2048 : 8192), extreme = sample(grazing, 2048);
-  const auto own =
-      std::size_t(std::find_if(forms.begin(), forms.end(),
-                               [&](const AnyForm& form) { return form.index() == family.index(); }) -
-                  forms.begin());
+  const auto own = std::size_t(std::find(forms.begin(), forms.end(), family) - forms.begin());
   const Material truth = make_material(family, {"fr"});
   const io::SampleTable table = sample_material(truth, options.quick ? 1000 : 4000, 0);
   const std::vector<double> reference = values_at(truth, points.columns, points.count()),
@@ -143,7 +141,7 @@ std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options) {
   std::vector<std::function<void()>> calls;
   for (Case& c : cases)
     calls.push_back([&c] {
-      c.result = fit::fit(c.table, {{AnyForm(cook_torrance{})}}, c.options).ranking.front().material;
+      c.result = fit::fit(c.table, {{Reflectance(cook_torrance{})}}, c.options).ranking.front().material;
     });
   timing::Options clock;
   clock.clock = timing::Clock::thread;

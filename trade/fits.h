@@ -12,21 +12,21 @@ namespace brdf::trade {
 io::SampleTable sample_material(const Material& material, std::size_t rows, double noise,
                                 double most_theta = 80);
 
-// The form fitted to the table (cosine-weighted differences: what a picture shows), table order of
-// parameters.
-Material fitted(const AnyForm& form, const io::SampleTable& table, bool anisotropic = false);
+// The form fitted to the table (cosine-weighted differences:
+// what a picture shows), table order of parameters.
+Material fitted(const Reflectance& form, const io::SampleTable& table, bool anisotropic = false);
 
 struct FitRowsOptions {
   bool quick = false;
   const PicturePoints* picture = nullptr;
 };
 // Every fittable form fitted to a material of a canonical one: "families for a material of NAME".
-std::vector<LedgerRow> family_rows(const AnyForm& family, const EvaluationTimes& times,
+std::vector<LedgerRow> family_rows(const Reflectance& family, const EvaluationTimes& times,
                                    const FitRowsOptions& options);
 std::vector<LedgerRow> sample_count_rows(const FitRowsOptions& options);
 
 // The forms that are fitted, as evaluation_times() takes them.
-std::vector<AnyForm> fittable_forms();
-std::string families_question(const AnyForm& family);
+std::vector<Reflectance> fittable_forms();
+std::string families_question(const Reflectance& family);
 
 }  // namespace brdf::trade

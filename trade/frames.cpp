@@ -1,4 +1,5 @@
 #include "trade/frames.h"
+#include "brdf/forms.h"
 
 #include <cmath>
 

@@ -50,12 +50,12 @@ std::vector<HeldOut> compare_held_out(const std::filesystem::path& scenes,
     progress(double(rows.size()) / double(std::size(kCases)), std::string(c.scene) + ", " + c.material);
     const render::Scene scene = render::load_scene(scenes / (std::string(c.scene) + ".json"));
     const Material truth = io::read_material(materials / (std::string(c.material) + ".json"));
-    const Reflectance reference = reflectance_of(truth);
-    const AnyForm form = *find_form(c.form);
-    const Reflectance by_scene =
-        reflectance_of(fit_to_picture(form, scene_samples(view_of(scene), reference, 6000), false));
-    const Reflectance by_hemisphere =
-        reflectance_of(fit_to_picture(form, hemisphere_samples(reference, 6000), false));
+    const RgbFunction reference = rgb_function(truth);
+    const Reflectance form = *find_form(c.form);
+    const RgbFunction by_scene =
+        rgb_function(fit_to_picture(form, scene_samples(view_of(scene), reference, 6000), false));
+    const RgbFunction by_hemisphere =
+        rgb_function(fit_to_picture(form, hemisphere_samples(reference, 6000), false));
     HeldOut row{c.scene, c.material, c.form};
     const struct {
       float camera, light, closer;

@@ -1,7 +1,8 @@
 #include <cmath>
 
+#include "brdf/forms.h"
 #include "brdf/integrals.h"
-#include "integrals/gauss_legendre.h"
+#include "brdf/quadrature.h"
 #include "trade/approximations/albedo.h"
 #include "trade/picture.h"
 #include "trade/questions.h"
@@ -14,15 +15,15 @@ Domain angles(double least, double most, double least_alpha, double most_alpha) 
   return {{{"theta", least, most}, {"alpha", least_alpha, most_alpha, true}}, {}, "f0 1"};
 }
 
-// E at F = 1 for any masking: half vectors by the inverse of D's distribution, Gauss-Legendre in both
-// numbers.
+// E at F = 1 for any masking: half vectors by the inverse
+// of D's distribution, Gauss-Legendre in both numbers.
 template <class V>
 struct masked_albedo {
   V v;
   double operator()(const Row<double>& x) const {
-    const integrals::GaussRule& rule = integrals::gauss_legendre(64);
+    const quadrature::GaussRule& rule = quadrature::gauss_legendre(64);
     const double theta = x[0] * kPi / 180, alpha = x[1];
-    const Vec3<double> wo = direction(theta, 0);
+    const Vec3<double> wo = direction(radians(theta), {});
     double sum = 0;
     for (std::size_t m = 0; m < rule.node.size(); ++m) {
       const double u = rule.node[m], cos_h2 = (1 - u) / (1 + (alpha * alpha - 1) * u);
@@ -76,7 +77,7 @@ using Integrator = std::function<double(const Row<double>&)>;
 Integrator by_rule(const AlbedoOptions& options) {
   return [options](const Row<double>& x) {
     const double shape[] = {x[1], x[1]};
-    return lobe_albedos(cook_torrance{}, shape, x[0] * kPi / 180, 0, options)[1].value;
+    return lobe_albedos(cook_torrance{}, shape, degrees(x[0]), {}, options)[1].value;
   };
 }
 
@@ -84,7 +85,7 @@ Integrator by_rule(const AlbedoOptions& options) {
 template <class Visit>
 double integrate_lobe(const Row<double>& x, Visit visit) {
   const Roughness<double> alpha{x[1], x[1]};
-  const Vec3<double> wo = direction(x[0] * kPi / 180, 0);
+  const Vec3<double> wo = direction(degrees(x[0]), {});
   double sum = 0;
   visit([&](double cosine, double phi, double weight) {
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -120,7 +121,7 @@ Integrator midpoint(int steps) {
 }
 Integrator product_gauss(int order) {
   return [order](const Row<double>& x) {
-    const integrals::GaussRule& rule = integrals::gauss_legendre(order);
+    const quadrature::GaussRule& rule = quadrature::gauss_legendre(order);
     return integrate_lobe(x, [&](auto add) {
       for (std::size_t m = 0; m < rule.node.size(); ++m)
         for (std::size_t n = 0; n < rule.node.size(); ++n)

@@ -1,3 +1,4 @@
+#include "brdf/forms.h"
 #include "trade/approximations/lobes.h"
 
 #include "trade/picture.h"

@@ -1,3 +1,4 @@
+#include "brdf/forms.h"
 #include "trade/picture.h"
 #include "trade/questions.h"
 

@@ -1,4 +1,5 @@
 #include "brdf/forms.h"
+#include "brdf/reflectance.h"
 #include "trade/approximations/libm.h"
 #include "trade/approximations/lobes.h"
 #include "trade/picture.h"
@@ -189,8 +190,8 @@ Pictures pictures_of(double width) {
   return {shown_by_form<F, Own>::at(width), shown_by_form<F, Libm>::at(width)};
 }
 
-// The reference sees the inputs as each choice sees them: rounded to float first, so that only the function's
-// own error counts.
+// The reference sees the inputs as each choice sees them: rounded
+// to float first, so that only the function's own error counts.
 template <class Function>
 Question elementary_question(const char* name, Domain domain, Domain extreme, const Pictures& pictures) {
   for (Domain* d : {&domain, &extreme})

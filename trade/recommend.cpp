@@ -1,4 +1,5 @@
 #include "trade/recommend.h"
+#include "brdf/forms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,15 +24,15 @@ bool looks_like_json(const std::filesystem::path& path) {
   return file.get(c) && c == '{';
 }
 
-Reflectance read_reference(const std::filesystem::path& path) {
-  if (looks_like_json(path)) return reflectance_of(io::read_material(path));
-  return reflectance_of(io::read_samples(path));
+RgbFunction read_reference(const std::filesystem::path& path) {
+  if (looks_like_json(path)) return rgb_function(io::read_material(path));
+  return rgb_function(io::read_samples(path));
 }
 
 // ns per evaluation by form and by variant.
 class Costs {
  public:
-  Costs(const std::filesystem::path& file, const std::vector<AnyForm>& forms) {
+  Costs(const std::filesystem::path& file, const std::vector<Reflectance>& forms) {
     Ledger measured;
     if (file.empty()) {
       const EvaluationTimes times = evaluation_times(forms, 41);
@@ -68,7 +69,7 @@ class Costs {
 };
 
 // mean |f - g| cos_i / mean g cos_i over both hemispheres up to 85 degrees.
-double brdf_error(const Reflectance& model, const Reflectance& reference) {
+double brdf_error(const RgbFunction& model, const RgbFunction& reference) {
   static const Points points = sample(direction_domain({"-", 0, 0}, {"-", 0, 0}, 85), 4096);
   double difference = 0, total = 0;
   for (std::size_t k = 0; k < points.count(); ++k) {
@@ -83,14 +84,14 @@ double brdf_error(const Reflectance& model, const Reflectance& reference) {
   return total > 0 ? difference / total : 0;
 }
 
-Candidate form_candidate(const AnyForm& form, const io::SampleTable& table, bool anisotropic,
+Candidate form_candidate(const Reflectance& form, const io::SampleTable& table, bool anisotropic,
                          const Costs& costs) {
   Candidate c;
   c.form = info(form).name;
   c.anisotropic = anisotropic;
   c.cost_ns = costs.of_form(c.form);
   c.material = fit_to_picture(form, table, anisotropic);
-  c.reflectance = reflectance_of(c.material);
+  c.reflectance = rgb_function(c.material);
   return c;
 }
 
@@ -111,7 +112,7 @@ Candidate variant_candidate(const std::string& name, const io::SampleTable& tabl
 }
 
 // Renders the model's picture beside the reference's, and keeps both.
-double rendered(Recommendation& r, Candidate& c, const SceneView& view, const Reflectance& reference) {
+double rendered(Recommendation& r, Candidate& c, const SceneView& view, const RgbFunction& reference) {
   RenderedPair pair = render_both(view, c.reflectance, reference);
   r.picture = std::move(pair.model);
   r.reference_picture = std::move(pair.reference);
@@ -121,7 +122,7 @@ double rendered(Recommendation& r, Candidate& c, const SceneView& view, const Re
 
 // The cheapest that meets the tolerance, by the pixels' directions and then by two pictures.
 void choose(Recommendation& r, const RecommendOptions& options, const SceneView& view,
-            const Reflectance& reference) {
+            const RgbFunction& reference) {
   for (std::size_t k = 0; k < r.candidates.size(); ++k)
     if (judged(r.candidates[k], options.judge) < judged(r.candidates[r.best], options.judge)) r.best = k;
   for (std::size_t k = 0; k < r.candidates.size() && !r.chosen; ++k) {
@@ -149,12 +150,12 @@ Recommendation recommend(const RecommendOptions& options) {
   r.metric = options.judge == Judge::image ? "image" : "brdf";
   r.costs_from = options.ledger.empty() ? "measured now" : options.ledger.filename().string();
   options.progress(0, "reference and scene");
-  const Reflectance reference = read_reference(options.reference);
+  const RgbFunction reference = read_reference(options.reference);
   const SceneView view = view_of(render::load_scene(options.scene));
   if (view.points.empty()) throw InputError(options.scene.string() + ": no pixel shows a lit surface");
   r.coverage = coverage_of(view);
   const io::SampleTable table = scene_samples(view, reference, kFitRows);
-  const std::vector<AnyForm> forms = fittable_forms();
+  const std::vector<Reflectance> forms = fittable_forms();
   const Costs costs(options.ledger, forms);
   for (std::size_t k = 0; k < forms.size(); ++k) {
     options.progress(0.05 + 0.7 * double(k) / double(forms.size()), std::string(info(forms[k]).name));

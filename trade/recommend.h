@@ -31,7 +31,7 @@ struct Candidate {
   double brdf_error = 0;                 // mean |df| cos_i / mean f cos_i over the hemispheres
   std::string reason;                    // why it was chosen or not
   Material material;                     // of a form; for a variant its parent with the variant's parameters
-  Reflectance reflectance;
+  RgbFunction reflectance;
   std::string label() const;
 };
 

@@ -1,4 +1,5 @@
 #include "trade/scene_fit.h"
+#include "brdf/forms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,11 @@ Vec3<double> vec(const glm::vec3& v) {
 glm::vec3 vec(const std::array<double, 3>& v) {
   return {float(v[0]), float(v[1]), float(v[2])};
 }
-double degrees(double radians) {
+double in_degrees(double radians) {
   return radians * 180 / kPi;
 }
 double polar(double cosine) {
-  return degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  return in_degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
 
 struct Azimuths {
@@ -34,12 +35,12 @@ Azimuths azimuths_of(const std::vector<double>& phi) {
   const double mean = 0.5 * std::atan2(s, c);
   double spread = 0;
   for (double p : phi) spread = std::max(spread, std::abs(std::remainder(p - mean, kPi)));
-  return {degrees(mean), degrees(spread)};
+  return {in_degrees(mean), in_degrees(spread)};
 }
 
 }  // namespace
 
-Reflectance reflectance_of(const Material& material) {
+RgbFunction rgb_function(const Material& material) {
   if (material.channels.size() != 1 && material.channels.size() != 3)
     throw InputError("a scene shows materials of 1 or 3 channels, this one has " +
                      std::to_string(material.channels.size()));
@@ -51,7 +52,7 @@ Reflectance reflectance_of(const Material& material) {
   };
 }
 
-Reflectance reflectance_of(const io::SampleTable& table) {
+RgbFunction rgb_function(const io::SampleTable& table) {
   const render::Measured measured = render::interpolate(table);
   return [measured](const Vec3<double>& wi, const Vec3<double>& wo) {
     const glm::vec3 f =
@@ -71,7 +72,7 @@ SceneView view_of(render::Scene scene) {
   return view;
 }
 
-io::SampleTable scene_samples(const SceneView& view, const Reflectance& reference, std::size_t rows) {
+io::SampleTable scene_samples(const SceneView& view, const RgbFunction& reference, std::size_t rows) {
   io::SampleTable table;
   table.channels = {"r", "g", "b"};
   table.values.resize(3);
@@ -84,9 +85,9 @@ io::SampleTable scene_samples(const SceneView& view, const Reflectance& referenc
     const double irradiance = double(p.irradiance.x + p.irradiance.y + p.irradiance.z) / 3;
     if (!(irradiance > 0)) continue;
     table.theta_i.push_back(polar(wi.z));
-    table.phi_i.push_back(degrees(std::atan2(wi.y, wi.x)));
+    table.phi_i.push_back(in_degrees(std::atan2(wi.y, wi.x)));
     table.theta_o.push_back(polar(wo.z));
-    table.phi_o.push_back(degrees(std::atan2(wo.y, wo.x)));
+    table.phi_o.push_back(in_degrees(std::atan2(wo.y, wo.x)));
     for (std::size_t c = 0; c < 3; ++c) {
       table.values[c].push_back(f[c]);
       table.sigma[c].push_back(1 / irradiance);
@@ -95,7 +96,7 @@ io::SampleTable scene_samples(const SceneView& view, const Reflectance& referenc
   return table;
 }
 
-io::SampleTable hemisphere_samples(const Reflectance& reference, std::size_t rows) {
+io::SampleTable hemisphere_samples(const RgbFunction& reference, std::size_t rows) {
   io::SampleTable table;
   table.channels = {"r", "g", "b"};
   table.values.resize(3);
@@ -104,9 +105,9 @@ io::SampleTable hemisphere_samples(const Reflectance& reference, std::size_t row
   const Points points = sample(
       {{{"cos_i", least, 1}, {"cos_o", least, 1}, {"phi_i", -180, 180}, {"phi_o", -180, 180}}, {}, ""}, rows);
   for (const std::vector<double>& at : points.at) {
-    const double theta_i = polar(at[0]), theta_o = polar(at[1]), radian = kPi / 180;
+    const double theta_i = polar(at[0]), theta_o = polar(at[1]);
     const auto f =
-        reference(direction(theta_i * radian, at[2] * radian), direction(theta_o * radian, at[3] * radian));
+        reference(direction(degrees(theta_i), degrees(at[2])), direction(degrees(theta_o), degrees(at[3])));
     table.theta_i.push_back(theta_i);
     table.phi_i.push_back(at[2]);
     table.theta_o.push_back(theta_o);
@@ -116,7 +117,7 @@ io::SampleTable hemisphere_samples(const Reflectance& reference, std::size_t row
   return table;
 }
 
-double image_error(const SceneView& view, const Reflectance& model, const Reflectance& reference) {
+double image_error(const SceneView& view, const RgbFunction& model, const RgbFunction& reference) {
   double difference = 0, total = 0;
   for (std::size_t k = 0; k < view.points.size();) {
     std::array<double, 3> d{}, l{};
@@ -139,8 +140,8 @@ double image_error(const SceneView& view, const Reflectance& model, const Reflec
   return total > 0 ? difference / total : 0;
 }
 
-RenderedPair render_both(const SceneView& view, const Reflectance& model, const Reflectance& reference) {
-  const auto picture = [&](const Reflectance& f) {
+RenderedPair render_both(const SceneView& view, const RgbFunction& model, const RgbFunction& reference) {
+  const auto picture = [&](const RgbFunction& f) {
     const render::Measured measured = [&f](const glm::vec3& wi, const glm::vec3& wo) {
       if (wi.z <= 0 || wo.z <= 0) return glm::vec3(0);
       return vec(f(vec(wi), vec(wo))) * wi.z;
@@ -164,7 +165,7 @@ RenderedPair render_both(const SceneView& view, const Reflectance& model, const 
   return pair;
 }
 
-Material fit_to_picture(const AnyForm& form, const io::SampleTable& table, bool anisotropic) {
+Material fit_to_picture(const Reflectance& form, const io::SampleTable& table, bool anisotropic) {
   fit::FitOptions options;
   options.metric = fit::Metric::kCosineL2;
   options.max_theta = 90;

@@ -9,10 +9,10 @@
 namespace brdf::trade {
 
 // f_r per channel (three) in 1/sr for unit directions in the surface's frame.
-using Reflectance = std::function<std::array<double, 3>(const Vec3<double>& wi, const Vec3<double>& wo)>;
+using RgbFunction = std::function<std::array<double, 3>(const Vec3<double>& wi, const Vec3<double>& wo)>;
 
-Reflectance reflectance_of(const Material& material);
-Reflectance reflectance_of(const io::SampleTable& table);  // interpolated
+RgbFunction rgb_function(const Material& material);
+RgbFunction rgb_function(const io::SampleTable& table);  // interpolated
 
 // The scene's lit points, the surface frames free of any material's own tangent.
 struct SceneView {
@@ -21,26 +21,26 @@ struct SceneView {
 };
 SceneView view_of(render::Scene scene);
 
-// The lit points as samples of the reference, at most about `rows` of them, weighted as they shine: sigma is
-// 1/irradiance.
-io::SampleTable scene_samples(const SceneView& view, const Reflectance& reference, std::size_t rows);
+// The lit points as samples of the reference, at most about
+// `rows` of them, weighted as they shine: sigma is 1/irradiance.
+io::SampleTable scene_samples(const SceneView& view, const RgbFunction& reference, std::size_t rows);
 
 // Samples of the reference over both hemispheres, every direction alike (the additive recurrence in equal
 // solid angles), up to 85 degrees.
-io::SampleTable hemisphere_samples(const Reflectance& reference, std::size_t rows);
+io::SampleTable hemisphere_samples(const RgbFunction& reference, std::size_t rows);
 
 // mean |dL| / mean L over the lit pixels, L averaged over the channels' absolute differences.
-double image_error(const SceneView& view, const Reflectance& model, const Reflectance& reference);
+double image_error(const SceneView& view, const RgbFunction& model, const RgbFunction& reference);
 
 // The same, from pictures of both rendered by the reference renderer.
 struct RenderedPair {
   render::Picture model, reference;
   double image_error = 0;
 };
-RenderedPair render_both(const SceneView& view, const Reflectance& model, const Reflectance& reference);
+RenderedPair render_both(const SceneView& view, const RgbFunction& model, const RgbFunction& reference);
 
 // Fit with the residual of a picture, (f - g) cos_i; the best minimum of the form.
-Material fit_to_picture(const AnyForm& form, const io::SampleTable& table, bool anisotropic);
+Material fit_to_picture(const Reflectance& form, const io::SampleTable& table, bool anisotropic);
 
 // How the lit pixels' directions are distributed, in degrees.
 struct Coverage {

@@ -45,8 +45,8 @@ struct Options {
   std::function<void()> between = [] {};  // called after each round (progress)
 };
 
-// Keeps the calling thread on the processor it runs on, where the system allows it: no cold caches within a
-// round.
+// Keeps the calling thread on the processor it runs on,
+// where the system allows it: no cold caches within a round.
 class Pinned {
  public:
 #ifdef __linux__

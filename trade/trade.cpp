@@ -82,7 +82,7 @@ std::vector<Job> evaluation_jobs(Shared& shared) {
       {"batches", "one by one or in batches", 1, [options] { return batch_rows(options()); }},
       {"batches", "a family in the shader", 2,
        [options] { return options().device ? shader_rows(options()) : std::vector<LedgerRow>{}; }}};
-  for (const AnyForm& form : fittable_forms())
+  for (const Reflectance& form : fittable_forms())
     if (info(form).canonical)
       jobs.push_back({"families", families_question(form), 2,
                       [&shared, fits, form] { return family_rows(form, shared.times(), fits); }});

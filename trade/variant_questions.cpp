@@ -1,3 +1,4 @@
+#include "brdf/forms.h"
 #include "trade/variants.h"
 
 #include <cmath>
@@ -8,8 +9,8 @@
 namespace brdf::trade {
 namespace {
 
-// kd/pi + D V (a + b (1 - cos_d)^5), column 6 alpha, column 7 f0 (a = ks f0, b = ks (1 - f0)); kd 0.3, ks
-// 0.5.
+// kd/pi + D V (a + b (1 - cos_d)^5), column 6 alpha, column
+// 7 f0 (a = ks f0, b = ks (1 - f0)); kd 0.3, ks 0.5.
 template <class V, bool fresnel>
 struct whole_model {
   V v;
@@ -68,8 +69,8 @@ const Variant& find_variant(const std::string& name) {
   return kVariants[0];
 }
 
-// Normal equations of one channel, and the best weights that are not negative: every subset of lobes is
-// solved.
+// Normal equations of one channel, and the best weights
+// that are not negative: every subset of lobes is solved.
 struct Normal {
   double a[3][3] = {}, b[3] = {}, c = 0;
   void add(const std::array<double, 3>& lobe, double g, double w2) {

@@ -18,7 +18,7 @@ struct FittedVariant {
   std::string name;
   double alpha = 0.3;
   std::array<std::array<double, 3>, 3> weights{};  // [channel][lobe]: 1/pi, D V, D V s
-  Reflectance reflectance;
+  RgbFunction reflectance;
 };
 // Least squares of E (f - g) cos_i over the table's rows, weights not negative, alpha by golden section.
 FittedVariant fit_variant(const std::string& name, const io::SampleTable& table);

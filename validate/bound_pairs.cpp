@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 
 #include "brdf/integrals.h"
 #include "validate/integral_cases.h"
@@ -38,20 +37,19 @@ double polar_angle(Random& random) {
   return kind < 0.5 ? random.uniform(0, kPi / 2) : (90 - random.log_uniform(0.1, 10)) * kPi / 180;
 }
 
-Case random_case(const AnyForm& form, Random& random) {
-  const FormInfo& f = info(form);
+Case random_case(const Reflectance& form, Random& random) {
+  const ReflectanceInfo& f = info(form);
   Term term = make_term(form, 1);
   for (std::size_t k = 0; k < f.shape.size(); ++k) {
     const bool end = random.uniform() < 0.15;
     const double x = random.uniform();
     term.shape[0][k] = parameter_value(f.shape[k], end ? std::round(x) : x, f.shape[k].max);
   }
-  if (f.anisotropic()) {
-    double& x = term.shape[0][std::size_t(f.shape_index("alpha_x"))];
-    double& y = term.shape[0][std::size_t(f.shape_index("alpha_y"))];
+  if (const auto [along, across] = f.axes(); across >= 0) {
+    double &x = term.shape[0][std::size_t(along)], &y = term.shape[0][std::size_t(across)];
     const double kind = random.uniform();
     if (kind < 0.25) y = x;
-    if (kind > 0.75) {  // as materials have them
+    if (kind > 0.75 && f.shape_index(Role::width) == along) {  // as materials have them
       x = random.log_uniform(0.02, 0.8);
       y = random.log_uniform(0.02, 0.8);
     }
@@ -71,7 +69,8 @@ std::array<AlbedoResult, kWays.size()> integrate(const Case& c) {
     options.tolerance = kWays[k].tolerance;
     options.fixed = c.fixed;
     options.max_evaluations = 1'000'000;
-    results[k] = directional_albedo(c.integral.term, 0, c.integral.theta, c.integral.phi, options);
+    results[k] =
+        directional_albedo(c.integral.term, 0, radians(c.integral.theta), radians(c.integral.phi), options);
   }
   return results;
 }
@@ -104,27 +103,26 @@ std::vector<IntegratorRow> check_bounds(std::uint64_t seed, std::size_t pairs,
                                         const std::function<void(const IntegratorRow&)>& progress) {
   std::vector<IntegratorRow> rows;
   // A tenth more than needed: results that did not converge make no pairs.
-  const std::size_t cases = (pairs * 11 / 10 + kFormCount * kPairsPerCase - 1) / (kFormCount * kPairsPerCase);
-  for_each_form([&](auto form) {
-    IntegratorRow total{"bounds_" + std::string(form.name), 1e-6, 0, 0, 0, 0, 0, {}};
-    std::mutex mutex;
+  const std::size_t share = catalogue().size() * kPairsPerCase, cases = (pairs * 11 / 10 + share - 1) / share;
+  for (const Reflectance& form : catalogue()) {
+    IntegratorRow total{"bounds_" + std::string(info(form).name), 1e-6, 0, 0, 0, 0, 0, {}};
+    std::vector<IntegratorRow> parts(cases);
     parallel_for(cases, [&](std::size_t k) {
       Random random(1'000'003 * seed + 1000 * rows.size() + k);
-      IntegratorRow one{};
-      compare(random_case(form, random), one);
-      const std::lock_guard lock(mutex);
+      compare(random_case(form, random), parts[k]);
+    });
+    for (const IntegratorRow& one : parts) {
       total.cases += one.cases;
       total.wrong += one.wrong;
       total.unconverged += one.unconverged;
       total.mean_evaluations += one.mean_evaluations / double(cases * kWays.size());
-      if (one.worst > total.worst) {
-        total.worst = one.worst;
-        total.worst_case = one.worst_case;
-      }
-    });
+      if (one.worst <= total.worst) continue;
+      total.worst = one.worst;
+      total.worst_case = one.worst_case;
+    }
     rows.push_back(std::move(total));
     if (progress) progress(rows.back());
-  });
+  }
   return rows;
 }
 

@@ -29,8 +29,8 @@ Finding check_reciprocity(const Subject& subject, const CheckOptions& options);
 Finding check_energy(const Subject& subject, const CheckOptions& options);
 // The albedo agrees with closed forms of the literature, where there are some.
 Finding check_albedo(const Subject& subject, const CheckOptions& options);
-// Isotropic forms do not see a quarter turn of the sample; anisotropic ones are symmetric about their
-// tangent.
+// Isotropic forms do not see a quarter turn of the sample;
+// anisotropic ones are symmetric about their tangent.
 Finding check_isotropy(const Subject& subject, const CheckOptions& options);
 // f cos_i fades out as the light sets, instead of jumping to 0 at the horizon.
 Finding check_continuity(const Subject& subject, const CheckOptions& options);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/dual.h"
 #include "validate/checks.h"
 #include "validate/pair_search.h"
 
@@ -11,43 +10,35 @@ namespace {
 
 constexpr double kBound = 1e-5;
 
-// Value with the parameters x: the shape's, then the weights.
-template <class F, class T>
-T value_of(F form, const std::vector<T>& x, const Geometry<double>& g) {
-  using Shape = typename F::template Shape<T>;
-  using Weights = typename F::template Weights<T>;
-  const std::span<const T> all(x);
-  const auto shape = from_values<Shape>(all.first(parameter_count<Shape>));
-  const auto weights = from_values<Weights>(all.subspan(parameter_count<Shape>));
-  return eval(form, weights, weights, shape, g);
-}
-
-// Largest error of the form's derivatives there, relative to the derivative and to f over the parameter's
-// size.
-template <class F>
-double worst_error(F form, const Term& term, const Geometry<double>& g) {
-  constexpr int kCount = int(parameter_count<typename F::template Shape<double>> +
-                             parameter_count<typename F::template Weights<double>>);
-  using D = Dual<double, kCount>;
-  std::vector<double> x(term.shape[0].begin(), term.shape[0].end());
+// Largest error of the derivatives there, relative to the derivative and to f over the parameter's size.
+double worst_error(const Term& term, const Pair& pair) {
+  const std::size_t shapes = term.shape[0].size();
+  std::vector<double> x = term.shape[0];
   x.insert(x.end(), term.weights[0].begin(), term.weights[0].end());
-  std::vector<D> dual;
-  for (std::size_t k = 0; k < x.size(); ++k) dual.push_back(D::variable(x[k], k));
-  const D f = value_of(form, dual, g);
+  const auto values = [&](const std::vector<double>& at) {
+    const std::span<const double> all(at), weights = all.subspan(shapes);
+    return ParameterValues<double>{weights, weights, all.first(shapes)};
+  };
+  const Directions<double> directions = one_pair(pair.wi, pair.wo);
+  std::vector<double> f(1 + x.size());
+  term.form->gradient(values(x), directions, {f.data(), 1});
   double worst = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const auto central = [&](double h) {
       std::vector<double> up = x, down = x;
       up[k] += h;
       down[k] -= h;
-      return (value_of(form, up, g) - value_of(form, down, g)) / (2 * h);
+      double above, below;
+      term.form->eval(values(up), directions, &above);
+      term.form->eval(values(down), directions, &below);
+      return (above - below) / (2 * h);
     };
     const double size = std::max(std::abs(x[k]), 1e-3), h = 2e-4 * size;
     const double coarse = central(h), fine = central(h / 2), best = (4 * fine - coarse) / 3;
-    const double scale = std::max(std::abs(f.v[k]), 1e-3 * std::abs(f.a) / size);
+    const double scale = std::max(std::abs(f[1 + k]), 1e-3 * std::abs(f[0]) / size);
     // Where the differences themselves have not settled nothing can be said.
     if (scale < 1e-12 || !std::isfinite(best) || std::abs(fine - coarse) > 1e-3 * scale) continue;
-    worst = std::max(worst, std::abs(f.v[k] - best) / scale);
+    worst = std::max(worst, std::abs(f[1 + k] - best) / scale);
   }
   return worst;
 }
@@ -70,9 +61,7 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
     for (std::size_t d = subject.dimensions(); d < subject.dimensions() + 2; ++d) x[d] *= 0.3;
     const Material m = subject.at(x);
     const Pair pair = pair_of(subject, x);
-    const double error =
-        std::visit([&](auto form) { return worst_error(form, m.terms[0], geometry(pair.wi, pair.wo)); },
-                   m.terms[0].form);
+    const double error = worst_error(m.terms[0], pair);
     if (error < finding.value) continue;
     finding.value = error;
     finding.witness = pair_witness(subject, m, pair);

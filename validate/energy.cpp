@@ -30,45 +30,37 @@ struct Albedo {
 
 // Largest albedo over the weights that a form may have. Albedo is linear in each weight, so the worst weights
 // are corners of their domain.
-Albedo over_weights(const AnyForm& form, std::span<const double> shape, double theta, double phi,
+Albedo over_weights(const Reflectance& form, std::span<const double> shape, double theta, double phi,
                     const AlbedoOptions& options) {
   Albedo worst;
-  const auto lobes = lobe_albedos(form, shape, theta, phi, options);
-  const FormInfo& f = info(form);
-  std::visit(
-      [&](auto g) {
-        using F = decltype(g);
-        if constexpr (LinearForm<F>) {
-          using Weights = typename F::template Weights<double>;
-          const int kd = f.weight_index("kd"), ks = f.weight_index("ks");
-          for (std::size_t corner = 0; corner < std::size_t{1} << f.weights.size(); ++corner) {
-            std::vector<double> w;
-            for (std::size_t k = 0; k < f.weights.size(); ++k)
-              w.push_back(corner >> k & 1 ? std::min(f.weights[k].max, 1.0) : f.weights[k].min);
-            if (kd >= 0 && ks >= 0 && w[std::size_t(kd)] + w[std::size_t(ks)] > 1) continue;
-            const auto linear = from_values<Weights>(std::span<const double>(w)).linear();
-            double value = 0, bound = 0;
-            for (std::size_t k = 0; k < linear.size(); ++k) {
-              value += linear[k] * lobes[k].value;
-              if (linear[k] != 0) bound += std::abs(linear[k]) * lobes[k].error_bound;
-            }
-            if (value > worst.value) {
-              worst.value = value;
-              worst.bound = bound;
-              worst.weights = w;
-            }
-          }
-          worst.converged = worst.bound <= options.tolerance * std::abs(worst.value);
-          worst.evaluations = lobes.front().evaluations;
-        }
-      },
-      form);
+  const auto lobes = lobe_albedos(form, shape, radians(theta), radians(phi), options);
+  const ReflectanceInfo& f = info(form);
+  const int kd = f.weight_index(Role::diffuse), ks = f.weight_index(Role::specular);
+  for (std::size_t corner = 0; corner < std::size_t{1} << f.weights.size(); ++corner) {
+    std::vector<double> w;
+    for (std::size_t k = 0; k < f.weights.size(); ++k)
+      w.push_back(corner >> k & 1 ? std::min(f.weights[k].max, 1.0) : f.weights[k].min);
+    if (kd >= 0 && ks >= 0 && w[std::size_t(kd)] + w[std::size_t(ks)] > 1) continue;
+    const std::vector<double> linear = linear_weights(f, w);
+    double value = 0, bound = 0;
+    for (std::size_t k = 0; k < linear.size(); ++k) {
+      value += linear[k] * lobes[k].value;
+      if (linear[k] != 0) bound += std::abs(linear[k]) * lobes[k].error_bound;
+    }
+    if (value > worst.value) {
+      worst.value = value;
+      worst.bound = bound;
+      worst.weights = w;
+    }
+  }
+  worst.converged = worst.bound <= options.tolerance * std::abs(worst.value);
+  worst.evaluations = lobes.front().evaluations;
   return worst;
 }
 
 Albedo over_channels(const Material& m, double theta, double phi, const AlbedoOptions& options) {
   Albedo worst;
-  const auto results = directional_albedo(m, theta, phi, options);
+  const auto results = directional_albedo(m, radians(theta), radians(phi), options);
   for (std::size_t c = 0; c < results.size(); ++c)
     if (results[c].value > worst.value)
       worst = {results[c].value, results[c].error_bound, results[c].converged, c, {}, results[c].evaluations};
@@ -80,8 +72,7 @@ class EnergySearch {
  public:
   EnergySearch(const Subject& subject, const CheckOptions& options, bool tied)
       : subject_(subject), options_(options), tied_(tied) {
-    linear_ =
-        subject.of_form() && std::visit([](auto f) { return LinearForm<decltype(f)>; }, *subject.of_form());
+    linear_ = subject.of_form() && info(*subject.of_form()).fittable();
     parameters_ = (linear_ ? subject.shape_dimensions() : subject.dimensions()) - (tied ? 1 : 0);
     turns_ = subject.anisotropic() && !tied;
   }
@@ -102,8 +93,8 @@ class EnergySearch {
   }
 
  private:
-  // All corners: the extremes of the parameters, at the normal and at the largest angle, and points near
-  // there.
+  // All corners: the extremes of the parameters, at the
+  // normal and at the largest angle, and points near there.
   std::vector<std::vector<double>> corners(std::size_t dimensions) const {
     std::vector<std::vector<double>> points;
     for (std::size_t c = 0; c < std::size_t{1} << std::min<std::size_t>(dimensions, 6); ++c) {

@@ -3,6 +3,8 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <numeric>
 
+#include "brdf/forms.h"
+
 namespace brdf::validate {
 
 namespace {
@@ -32,11 +34,13 @@ std::vector<Exact> evaluate(F form, std::span<const std::vector<Exact>> weight_s
 
 }  // namespace
 
-std::vector<Exact> exact_eval(const AnyForm& form, std::span<const std::vector<Exact>> weights,
+std::vector<Exact> exact_eval(const Reflectance& form, std::span<const std::vector<Exact>> weights,
                               std::span<const Exact> shape, const Vec3<Exact>& wi, const Vec3<Exact>& wo,
                               double min_cosine) {
   const Geometry<Exact> g = geometry(wi, wo, min_cosine);
-  return std::visit([&](auto f) { return evaluate(f, weights, shape, g); }, form);
+  std::vector<Exact> values;
+  with_form(catalogue_index(form), [&](auto f) { values = evaluate(f, weights, shape, g); });
+  return values;
 }
 
 }  // namespace brdf::validate

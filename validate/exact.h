@@ -8,7 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/geometry.h"
+#include "brdf/reflectance.h"
 
 namespace brdf::validate {
 
@@ -24,7 +25,7 @@ Vec3<Exact> exact_direction(const Vec3<T>& w) {
 
 // f_r of one channel in 1/sr for each set of weights, parameters in table order; cosines below `min_cosine`
 // are evaluated there (it is the one of the scalar under test).
-std::vector<Exact> exact_eval(const AnyForm& form, std::span<const std::vector<Exact>> weights,
+std::vector<Exact> exact_eval(const Reflectance& form, std::span<const std::vector<Exact>> weights,
                               std::span<const Exact> shape, const Vec3<Exact>& wi, const Vec3<Exact>& wo,
                               double min_cosine);
 

@@ -53,14 +53,15 @@ std::vector<std::vector<double>> extreme_weights(std::span<const ParameterInfo> 
 
 }  // namespace
 
-ParameterGrid extreme_parameters(const AnyForm& form) {
-  const FormInfo& f = info(form);
+ParameterGrid extreme_parameters(const Reflectance& form) {
+  const ReflectanceInfo& f = info(form);
   return {extreme_weights(f.weights), extreme_shapes(f.shape)};
 }
 
 std::vector<Vec3<double>> extreme_lights() {
-  std::vector<Vec3<double>> lights{{0, 0, 1}, direction(60 * kDegree, 0)};
-  for (double theta : {20.0, 60.0, 85.0, 89.9, 89.99}) lights.push_back(direction(theta * kDegree, 0.3));
+  std::vector<Vec3<double>> lights{{0, 0, 1}, direction(degrees(60), {})};
+  for (double theta : {20.0, 60.0, 85.0, 89.9, 89.99})
+    lights.push_back(direction(degrees(theta), radians(0.3)));
   lights.push_back({std::cos(0.3), std::sin(0.3), 0});
   return lights;
 }
@@ -80,7 +81,7 @@ std::vector<Vec3<double>> extreme_views(const Vec3<double>& wi, double width_x, 
   views.push_back({0, 0, 1});
   for (double theta : {45.0, 75.0, 89.9, 89.99, 90.0})
     for (double away : {0.35, 1.4, 2.0, kPi - 0.02}) {
-      const Vec3<double> w = direction(theta * kDegree, 0.3 + away);
+      const Vec3<double> w = direction(degrees(theta), radians(0.3 + away));
       views.push_back({w.x, w.y, theta == 90 ? 0 : w.z});
     }
   views.push_back(wi);
@@ -88,7 +89,7 @@ std::vector<Vec3<double>> extreme_views(const Vec3<double>& wi, double width_x, 
   return views;
 }
 
-LobeWidth lobe_width(const FormInfo& form, const std::vector<double>& shape) {
+LobeWidth lobe_width(const ReflectanceInfo& form, const std::vector<double>& shape) {
   if (const int x = form.shape_index("alpha_x"); x >= 0)
     return {shape[std::size_t(x)], shape[std::size_t(form.shape_index("alpha_y"))]};
   if (const int n = form.shape_index("exponent"); n >= 0) {

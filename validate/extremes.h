@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 
 namespace brdf::validate {
 
@@ -15,7 +15,7 @@ struct ParameterGrid {
 // The ends of every range, the default, and the values at which formulas are known to break: alpha 1e-4,
 // 1:1000 anisotropy, exponent 1e6, eta next to 1, f0 0 and 1. Weights without the diffuse term, which would
 // hide the lobe's error, and with it.
-ParameterGrid extreme_parameters(const AnyForm& form);
+ParameterGrid extreme_parameters(const Reflectance& form);
 
 // Light directions: the normal, ordinary angles, 89.9 and 89.99 degrees, exact grazing.
 std::vector<Vec3<double>> extreme_lights();
@@ -29,7 +29,7 @@ std::vector<Vec3<double>> extreme_views(const Vec3<double>& wi, double width_x, 
 struct LobeWidth {
   double x, y;
 };
-LobeWidth lobe_width(const FormInfo& form, const std::vector<double>& shape);
+LobeWidth lobe_width(const ReflectanceInfo& form, const std::vector<double>& shape);
 
 // The representable vector within a few ulps of w (a thousand where only one component is free) whose length
 // is 1 to a hundredth of an ulp. A stored direction is otherwise off by half an ulp in length, and taking it

@@ -17,7 +17,7 @@ constexpr double kTruthError = 1e-12;  // of the truth itself: rounding of its s
 AlbedoResult truth_of(const IntegralCase& c) {
   AlbedoOptions options;
   options.order = kTruthOrder;
-  return directional_albedo(c.term, 0, c.theta, c.phi, options);
+  return directional_albedo(c.term, 0, radians(c.theta), radians(c.phi), options);
 }
 
 // Counts the results that are farther from the truth than they may be.
@@ -58,7 +58,8 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
       parallel_for(cases.size(), [&](std::size_t k) {
         AlbedoOptions options;
         options.tolerance = tolerance;
-        results[k] = directional_albedo(cases[k].term, 0, cases[k].theta, cases[k].phi, options);
+        results[k] =
+            directional_albedo(cases[k].term, 0, radians(cases[k].theta), radians(cases[k].phi), options);
       });
       report(compare(sets[s], tolerance, cases, truth, results));
     }
@@ -73,7 +74,7 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
       for (const Rule rule : {Rule::slope, Rule::adaptive}) {
         if (rule == Rule::slope && !equal) continue;  // it gave the truth
         options.rule = rule;
-        second[k] = directional_albedo(few[k].term, 0, few[k].theta, few[k].phi, options);
+        second[k] = directional_albedo(few[k].term, 0, radians(few[k].theta), radians(few[k].phi), options);
         if (second[k].converged) break;
       }
     });

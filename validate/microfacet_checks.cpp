@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/forms.h"
 #include "brdf/microfacet.h"
-#include "integrals/gauss_legendre.h"
+#include "brdf/quadrature.h"
+#include "brdf/reflectance.h"
 #include "io/text.h"
 #include "validate/checks.h"
 #include "validate/search.h"
@@ -69,7 +69,7 @@ struct Viewer {
 // q = A s^2 + 2 B s t + C t^2 is the scaled tangent's square; then s has the width 1/sqrt(A - B^2/C).
 template <class Visit>
 void over_slopes(const Widths& a, const Viewer& viewer, double far, int n, Visit&& visit) {
-  const auto& rule = integrals::gauss_legendre(n);
+  const auto& rule = quadrature::gauss_legendre(n);
   const double c = std::cos(viewer.phi), s0 = std::sin(viewer.phi);
   const double A = square(c / a.alpha_x) + square(s0 / a.alpha_y);
   const double B = c * s0 * (1 / square(a.alpha_y) - 1 / square(a.alpha_x));
@@ -78,7 +78,7 @@ void over_slopes(const Widths& a, const Viewer& viewer, double far, int n, Visit
   const auto row = [&](double s, double weight) {
     const double centre = -B * s / C, ridge = std::sqrt((1 + along * s * s) / C);
     for (const double sign : {-1.0, 1.0})
-      integrals::graded_panel(rule, far * ridge, ridge, false, [&](double d, double w) {
+      quadrature::graded_panel(rule, far * ridge, ridge, false, [&](double d, double w) {
         const double t = centre + sign * d;
         visit(Vec3<double>{s * c - t * s0, s * s0 + t * c, 1}, w * weight);
       });
@@ -93,10 +93,10 @@ void over_slopes(const Widths& a, const Viewer& viewer, double far, int n, Visit
     const double half = (ends[k + 1] - ends[k]) / 2;
     if (!(half > 0)) continue;
     const auto scale = [&](double at) { return std::hypot(width, at); };
-    integrals::graded_panel(rule, half, scale(ends[k]), false,
-                            [&](double d, double w) { row(ends[k] + d, w); });
-    integrals::graded_panel(rule, half, scale(ends[k + 1]), false,
-                            [&](double d, double w) { row(ends[k + 1] - d, w); });
+    quadrature::graded_panel(rule, half, scale(ends[k]), false,
+                             [&](double d, double w) { row(ends[k] + d, w); });
+    quadrature::graded_panel(rule, half, scale(ends[k + 1]), false,
+                             [&](double d, double w) { row(ends[k + 1] - d, w); });
   }
 }
 
@@ -134,7 +134,7 @@ Integral normalisation_of(const Widths& a, const Viewer& viewer) {
 // The visible area over the viewer's cosine.
 template <class D, class G1>
 Integral visible_of(const Widths& a, const Viewer& viewer) {
-  const Vec3<double> o = direction(viewer.theta, viewer.phi);
+  const Vec3<double> o = direction(radians(viewer.theta), radians(viewer.phi));
   const D density{a};
   const G1 g1(a, o);
   return escalate([&](int n, long& evaluations) {
@@ -185,7 +185,7 @@ struct Worst {
 
 // The largest deviation from 1, over the widths and (where the quantity depends on it) the viewer.
 Worst search(const Subject& subject, Quantity quantity, bool over_viewers, const CheckOptions& options) {
-  const FormInfo& f = info(*subject.of_form());
+  const ReflectanceInfo& f = info(*subject.of_form());
   const std::size_t ix = std::size_t(f.shape_index("alpha_x")), iy = std::size_t(f.shape_index("alpha_y"));
   Worst worst;
   const auto widths_at = [&](std::span<const double> x) {

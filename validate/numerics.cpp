@@ -18,16 +18,15 @@ std::vector<To> convert(const std::vector<From>& values) {
 }
 
 template <class T>
-T evaluate(const AnyForm& form, const std::vector<T>& weights, const std::vector<T>& shape,
-           const Geometry<T>& g, bool cosine) {
-  return std::visit(
-      [&](auto f) {
-        using F = decltype(f);
-        const auto w = from_values<typename F::template Weights<T>>(std::span<const T>(weights));
-        const auto s = from_values<typename F::template Shape<T>>(std::span<const T>(shape));
-        return cosine ? eval_cos(f, w, w, s, g) : eval(f, w, w, s, g);
-      },
-      form);
+T evaluate(const Reflectance& form, const std::vector<T>& weights, const std::vector<T>& shape,
+           const Vec3<T>& wi, const Vec3<T>& wo, bool cosine) {
+  const ParameterValues<T> p{weights, weights, shape};
+  T f;
+  if (cosine)
+    form->eval_cos(p, one_pair(wi, wo), &f);
+  else
+    form->eval(p, one_pair(wi, wo), &f);
+  return f;
 }
 
 // "kd=0 ks=1": as few digits as give the same T.
@@ -45,10 +44,10 @@ void append(std::string& text, std::span<const ParameterInfo> table, const std::
 template <class T>
 class Measurement {
  public:
-  Measurement(const AnyForm& form, const char* scalar) : form_(form), info_(info(form)) {
+  Measurement(const Reflectance& form, const char* scalar) : form_(form), info_(info(form)) {
     row_.form = info_.name;
     row_.scalar = scalar;
-    for (const Violation& v : info_.violations) signed_ |= v.check == "non_negative";
+    signed_ = info_.violates("non_negative");
   }
 
   NumericsRow run() {
@@ -88,10 +87,9 @@ class Measurement {
   }
 
   void measure_value(const Vec3<T>& wi, const View& view, std::size_t set, const Exact& peak) {
-    const Geometry<T> g = geometry(wi, view.wo);
-    const T f = evaluate(form_, weights_[set], shape_, g, false);
+    const T f = evaluate(form_, weights_[set], shape_, wi, view.wo, false);
     count(f);
-    count(evaluate(form_, weights_[set], shape_, g, true));
+    count(evaluate(form_, weights_[set], shape_, wi, view.wo, true));
     const Exact truth = view.exact[set];
     const Exact size = abs(truth);
     if (!std::isfinite(f) || size < Exact(kTail) * peak) return;
@@ -140,11 +138,11 @@ class Measurement {
   Exact scale_of(const Vec3<T>& wi, const View& view, std::size_t set, const Exact& peak) const {
     const Exact size = abs(view.exact[set]);
     if (signed_) return size + exact_weights_[set][0] / Exact(kPi);
-    if (const int f0 = info_.weight_index("f0"); f0 >= 0 && weights_[set][std::size_t(f0)] == 0)
+    if (const int f0 = info_.weight_index(Role::f0); f0 >= 0 && weights_[set][std::size_t(f0)] == 0)
       return abs(view.exact[0]);  // the first set has f0 = 1
     const double mirror = double(wi.z) * double(view.wo.z) - double(wi.x) * double(view.wo.x) -
                           double(wi.y) * double(view.wo.y);
-    return info_.family == "phong" && mirror < 0.5 ? peak : size;
+    return info_.kink == Kink::mirror_edge && mirror < 0.5 ? peak : size;
   }
 
   NumericsRow::Where where(const Vec3<T>& wi, const Vec3<T>& wo, const std::vector<T>& weights) const {
@@ -154,8 +152,8 @@ class Measurement {
     return {parameters, {wi.x, wi.y, wi.z}, {wo.x, wo.y, wo.z}};
   }
 
-  AnyForm form_;
-  const FormInfo& info_;
+  Reflectance form_;
+  const ReflectanceInfo& info_;
   bool signed_ = false;
   std::vector<std::vector<T>> weights_;
   std::vector<std::vector<Exact>> exact_weights_;
@@ -165,7 +163,7 @@ class Measurement {
 
 }  // namespace
 
-std::vector<NumericsRow> measure_numerics(const AnyForm& form) {
+std::vector<NumericsRow> measure_numerics(const Reflectance& form) {
   return {Measurement<float>(form, "float").run(), Measurement<double>(form, "double").run()};
 }
 
@@ -175,8 +173,7 @@ NumericsBudget numerics_budget(const std::string& scalar) {
 
 bool meets_budget(const NumericsRow& row) {
   const NumericsBudget budget = numerics_budget(row.scalar);
-  bool declared = false;
-  for (const Violation& v : info(*find_form(row.form)).violations) declared |= v.check == "non_negative";
+  const bool declared = info(*find_form(row.form)).violates("non_negative");
   return row.max_error <= budget.max_error && row.faint_error <= budget.faint_error &&
          row.tail_error <= budget.tail_error && row.nan == 0 && row.inf == 0 &&
          (row.negative == 0 || declared);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 
 namespace brdf::validate {
 
@@ -33,7 +33,7 @@ struct NumericsRow {
 };
 
 // One row per scalar, float first.
-std::vector<NumericsRow> measure_numerics(const AnyForm& form);
+std::vector<NumericsRow> measure_numerics(const Reflectance& form);
 
 // What every form promises (the largest error is a row's own fact, asserted on both sides in the tests).
 struct NumericsBudget {
@@ -46,7 +46,7 @@ bool meets_budget(const NumericsRow& row);
 
 // Prints the rows of these forms, as a table while they are measured (half a second a form)
 // or as {"rows": [...], "provenance": ...}. True where all meet their budgets.
-bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out,
+bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostream& out,
                      const std::function<void(int done, int total)>& progress);
 
 }  // namespace brdf::validate

@@ -48,7 +48,7 @@ std::string line_of(const NumericsRow& row) {
 
 }  // namespace
 
-bool report_numerics(const std::vector<AnyForm>& forms, bool json, std::ostream& out,
+bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostream& out,
                      const std::function<void(int done, int total)>& progress) {
   std::vector<std::vector<NumericsRow>> rows(forms.size());
   io::Json all = io::Json::array();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "brdf/geometry.h"
 #include "validate/checks.h"
 #include "validate/pair_search.h"
 
@@ -137,7 +138,8 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
         if (anisotropic) {
           double worst = 0;
           for (const Term& term : m.terms) {
-            const double c = std::cos(2 * term.tangent_phi), s = std::sin(2 * term.tangent_phi);
+            const double c = std::cos(2 * term.tangent_phi.radians()),
+                         s = std::sin(2 * term.tangent_phi.radians());
             const auto reflected = [&](const Vec3<double>& w) -> Vec3<double> {
               return {c * w.x + s * w.y, s * w.x - c * w.y, w.z};
             };
@@ -161,7 +163,7 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
     finding.statement = "anisotropic: symmetric about the tangent";
   else
     finding.statement = "anisotropic: symmetric about the tangent at " +
-                        in_words(subject.own().terms.front().tangent_phi * 180 / kPi) + " degrees";
+                        in_words(subject.own().terms.front().tangent_phi.degrees()) + " degrees";
   return finding;
 }
 

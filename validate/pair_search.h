@@ -16,8 +16,8 @@ struct Pair {
 // Cosines 10^(-6 a) and 10^(-6 b), the azimuth between them turn_o half turns.
 Pair pair_at(double a, double b, double turn_o, double turn_i);
 
-// Coordinates: the subject's, then two cosines and the azimuth between, then the azimuth of wi if
-// anisotropic.
+// Coordinates: the subject's, then two cosines and the
+// azimuth between, then the azimuth of wi if anisotropic.
 std::size_t pair_dimensions(const Subject& subject);
 Pair pair_of(const Subject& subject, std::span<const double> point);
 

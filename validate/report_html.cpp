@@ -15,7 +15,7 @@ constexpr double kRadians = kPi / 180;
 Material shown(const Subject& subject) {
   Material m = subject.own();
   if (!subject.of_form()) return m;
-  const FormInfo& f = info(*subject.of_form());
+  const ReflectanceInfo& f = info(*subject.of_form());
   for (std::size_t k = 0; k < f.weights.size(); ++k)
     if (f.weights[k].name == "rho" || f.weights[k].name == "albedo") m.terms[0].weights[0][k] = 1;
   return m;
@@ -49,7 +49,7 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   for (const double theta : angles) {
     AlbedoOptions options;
     options.tolerance = 1e-5;
-    const auto results = directional_albedo(m, theta * kRadians, phi * kRadians, options);
+    const auto results = directional_albedo(m, degrees(theta), degrees(phi), options);
     for (std::size_t c = 0; c < results.size(); ++c) {
       const AlbedoResult& r = results[c];
       io::Series& s = plot.series[c];
@@ -82,7 +82,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
   for (const double theta_i : {0.0, 30.0, 60.0}) {
     io::Series lobe{"light at " + io::to_text(theta_i) + " degrees", {}, {}, io::Series::Style::line};
     for (double theta = -89; theta <= 89; theta += 0.5) {
-      const Vec3<double> wi = direction(theta_i * kRadians, kPi), wo = direction(theta * kRadians, 0);
+      const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
       eval(m, wi, wo, f);
       const double r = *std::max_element(f.begin(), f.end()) * wo.z;
       lobe.x.push_back(r * std::sin(theta * kRadians));
@@ -108,7 +108,7 @@ void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const Repo
   });
   if (found == content.findings.end()) return;
   Material worst = subject.own();
-  const FormInfo& f = info(*subject.of_form());
+  const ReflectanceInfo& f = info(*subject.of_form());
   for (const auto& [name, value] : found->witness->parameters) {
     const int weight = f.weight_index(name), shape = f.shape_index(name);
     if (weight >= 0) worst.terms[0].weights[0][std::size_t(weight)] = value;
@@ -123,7 +123,7 @@ void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const Repo
 // White furnace: reflected fraction of uniform light against the first shape parameter.
 void add_furnace(io::HtmlReport& report, const Subject& subject, const Material& m) {
   if (!subject.of_form() || subject.shape_dimensions() == 0) return;
-  const FormInfo& f = info(*subject.of_form());
+  const ReflectanceInfo& f = info(*subject.of_form());
   std::vector<std::size_t> tied{0};
   if (f.shape.size() > 1 && f.shape[0].name == "alpha_x") tied.push_back(1);
   io::Plot plot;
@@ -142,7 +142,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
       for (const std::size_t k : tied) full.terms[0].shape[0][k] = value;
       AlbedoOptions options;
       options.tolerance = 1e-4;
-      s.y.push_back(directional_albedo(full, theta * kRadians, 0, options)[0].value);
+      s.y.push_back(directional_albedo(full, degrees(theta), {}, options)[0].value);
     }
     plot.series.push_back(std::move(s));
   }
@@ -170,8 +170,8 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
   for (std::size_t i = 0; i < kCells; ++i)
     for (std::size_t o = 0; o < kCells; ++o)
       for (const double phi : {0.0, 40.0, 86.0, 138.0, 180.0}) {
-        const Vec3<double> wi = direction((double(i) + 0.5) * 1.5 * kRadians, 17 * kRadians);
-        const Vec3<double> wo = direction((double(o) + 0.5) * 1.5 * kRadians, (17 + phi) * kRadians);
+        const Vec3<double> wi = direction(degrees((double(i) + 0.5) * 1.5), degrees(17));
+        const Vec3<double> wo = direction(degrees((double(o) + 0.5) * 1.5), degrees(17 + phi));
         eval(m, wi, wo, f);
         eval(m, wo, wi, g);
         for (std::size_t c = 0; c < f.size(); ++c) {

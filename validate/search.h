@@ -29,10 +29,10 @@ using Objective = std::function<double(std::span<const double>)>;
 // The k-th point of the additive recurrence with the generalised golden ratio (Roberts 2018), shifted.
 std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint64_t seed);
 
-// Evaluates the cover and `extra`, then climbs from the best points by pattern search (Hooke and Jeeves
-// 1961), which needs no derivatives, stands kinks, and reaches the cube's faces exactly. NaN counts as
-// lowest. The best summits are climbed to the finest step with `exact`, where a function is cheaper to have
-// roughly.
+// Evaluates the cover and `extra`, then climbs from the best points by pattern search
+// (Hooke and Jeeves 1961), which needs no derivatives, stands kinks, and reaches the
+// cube's faces exactly. NaN counts as lowest. The best summits are climbed to the
+// finest step with `exact`, where a function is cheaper to have roughly.
 Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
               const std::vector<std::vector<double>>& extra = {}, const Objective& exact = {});
 

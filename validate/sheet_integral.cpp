@@ -20,8 +20,8 @@ struct Neighbour {
   std::size_t row;
 };
 
-// The nearest sample in each quadrant about d: a table that is dense along one line only is no better known
-// beside it.
+// The nearest sample in each quadrant about d: a table that
+// is dense along one line only is no better known beside it.
 std::vector<Neighbour> around(const std::vector<Sample>& samples, const Direction& d) {
   const double s = std::hypot(d.x, d.y);
   const Direction along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};

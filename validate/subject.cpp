@@ -15,9 +15,9 @@ double parameter_value(const ParameterInfo& p, double x, double max) {
   return std::expm1(x * std::log1p(max));  // from 0, logarithmic beyond 1
 }
 
-Subject Subject::form(const AnyForm& form) {
+Subject Subject::form(const Reflectance& form) {
   Subject s;
-  const FormInfo& f = info(form);
+  const ReflectanceInfo& f = info(form);
   s.name_ = f.name;
   s.form_ = form;
   s.material_ = make_material(form, {"fr"});
@@ -31,7 +31,7 @@ Subject Subject::material(std::string name, Material material) {
   Subject s;
   s.name_ = std::move(name);
   for (const Term& term : material.terms) {
-    const FormInfo& f = info(term.form);
+    const ReflectanceInfo& f = info(term.form);
     if (!f.anisotropic()) continue;
     for (const auto& shape : term.shape)
       s.anisotropic_ |=
@@ -48,7 +48,7 @@ std::span<const Violation> Subject::declared() const {
 Material Subject::at(std::span<const double> point) const {
   if (!form_) return material_;
   Material m = material_;
-  const FormInfo& f = info(*form_);
+  const ReflectanceInfo& f = info(*form_);
   Term& term = m.terms.front();
   std::size_t k = 0;
   for (std::size_t j = 0; j < f.shape.size(); ++j)
@@ -68,7 +68,7 @@ Material Subject::at(std::span<const double> point) const {
 std::vector<std::pair<std::string, double>> Subject::parameters(const Material& at) const {
   std::vector<std::pair<std::string, double>> named;
   if (!form_) return named;
-  const FormInfo& f = info(*form_);
+  const ReflectanceInfo& f = info(*form_);
   const Term& term = at.terms.front();
   for (std::size_t j = 0; j < f.weights.size(); ++j)
     named.emplace_back(f.weights[j].name, term.weights[0][j]);

@@ -10,16 +10,16 @@
 
 namespace brdf::validate {
 
-// Parameters are searched on the unit cube. Weights obey kd + ks <= 1 and stay at most 1, f0 and the
-// listings' parameters cover their tables; a shape's range is its table's, logarithmic where the table says
-// so.
+// Parameters are searched on the unit cube. Weights obey kd + ks <= 1 and
+// stay at most 1, f0 and the listings' parameters cover their tables; a
+// shape's range is its table's, logarithmic where the table says so.
 class Subject {
  public:
-  static Subject form(const AnyForm& form);
+  static Subject form(const Reflectance& form);
   static Subject material(std::string name, Material material);
 
   const std::string& name() const { return name_; }
-  const std::optional<AnyForm>& of_form() const { return form_; }
+  const std::optional<Reflectance>& of_form() const { return form_; }
   std::span<const Violation> declared() const;
   // Coordinates of the shape, then of the weights; both 0 for a material.
   std::size_t shape_dimensions() const { return shape_dimensions_; }
@@ -37,7 +37,7 @@ class Subject {
 
  private:
   std::string name_;
-  std::optional<AnyForm> form_;
+  std::optional<Reflectance> form_;
   Material material_;
   std::size_t shape_dimensions_ = 0, weight_dimensions_ = 0;
   bool anisotropic_ = false;

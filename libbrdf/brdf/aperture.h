@@ -1,8 +1,7 @@
 // Averages over an instrument's finite apertures.
 //
-// A detector of full angular width a reads the mean of f_r over its circular cone of solid angle
-// 2 pi (1 - cos(a/2)); so does a source. Directions of the cone below the horizon count as zero: they are
-// dark.
+// A detector of full angular width a reads the mean of f_r over its circular cone of solid angle 2 pi (1
+// - cos(a/2)); so does a source. Directions of the cone below the horizon count as zero: they are dark.
 #pragma once
 
 #include <span>
@@ -18,18 +17,18 @@ struct ApertureNode {
   double weight;
 };
 
-// Cheap enough to fit with: 24 nodes. Seen through it, the peak of a Gaussian lobe whose half width at 1/e is
-// a quarter of the cone's width (a lobe half as wide as the aperture) is right to 2e-3, at the cone's own
-// width to 1e-6.
+// Cheap enough to fit with: 24 nodes. Seen through it, the peak of a Gaussian
+// lobe whose half width at 1/e is a quarter of the cone's width (a lobe half
+// as wide as the aperture) is right to 2e-3, at the cone's own width to 1e-6.
 inline constexpr int kFitRings = 3;
 // For synthetic samples: 288 nodes.
 inline constexpr int kSynthRings = 12;
 inline constexpr int kSynthRingsOfTwo = 5;  // where source and detector both have a width
 
-// Quadrature over the cone of this full width in radians (0..pi): `rings` Gauss-Legendre points in solid
+// Quadrature over the cone of this full width (0 to 180 degrees): `rings` Gauss-Legendre points in solid
 // angle between axis and edge, at least 8 steps of azimuth on each, neighbouring rings turned by half a step.
 // Width 0 gives one node.
-std::vector<ApertureNode> aperture_nodes(double full_width, int rings = kFitRings);
+std::vector<ApertureNode> aperture_nodes(Angle full_width, int rings = kFitRings);
 
 // The node's direction when the cone's axis is `axis` (a unit vector).
 Vec3<double> aperture_direction(const Vec3<double>& axis, const ApertureNode& node);

@@ -1,39 +1,34 @@
 // What a form is, and how any form is evaluated.
 //
 // A form is an empty struct with static members:
-//   name, family         strings
+//   name, family         strings; the family's own form has its name
 //   Weights<T>, Shape<T> parameter structs with their tables; weights are per channel (base Takes<...>)
 //   violations           what it is known to violate, with the witness
-//   v_cavity = true      (optional) its masking has the kinks of V-cavities: the integrals split there
 //   and one of
-//   lobes(shape, g)               K lobes: f = sum of weights.linear()[k] * lobe[k] (a LinearForm: can be
-//                                 fitted)
-//   value(w, first, shape, g)     f of one channel; `first` are the first channel's weights, for the
-//                                 listings that mix channels
+//   lobes(shape, g)               K lobes: f = sum of weights.linear()[k] * lobe[k] (a LinearForm: can be fitted)
+//   value(w, first, shape, g)     f of one channel; `first` are the first channel's weights, for the listings that
+//                                 mix channels
 //   value_cos(w, first, shape, g) the same times cos_i
 // Functions are templates over S (shape, weights) and G (geometry); G is plain or equal to S.
+//
+// Besides, where it is known (brdf/facts.h; what is absent is treated as unknown):
+//   accuracy             an Accuracy, measured by `brdf validate --numerics`
+//   kink                 a Kink; without it integrals are bisected
+//   albedos              an array of ClosedAlbedo
+//   Facets               the distribution and masking it stands for (brdf/facets.h)
+//   Sampler              how its specular lobe is sampled (brdf/samplers.h)
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <string_view>
 #include <tuple>
 
+#include "brdf/facts.h"
 #include "brdf/geometry.h"
 #include "brdf/parameter.h"
 
 namespace brdf {
-
-// A known violation of a physical property: a fact that tests assert and the search must find again.
-struct Violation {
-  std::string_view check;      // energy | reciprocity | non_negative | ...
-  std::string_view statement;  // one line for people
-  std::string_view witness;    // parameters as `--set` takes them, separated by spaces
-  double theta;                // of the fixed direction, degrees
-  // What the check measures there. energy: the albedo with the light fixed; reciprocity: |f(wi, wo) - f(wo,
-  // wi)| over the larger of the two; non_negative: the lowest f, 1/sr.
-  double value;
-};
-using NoViolations = std::array<Violation, 0>;
 
 // The parameters of a form, as its base: struct ward : Takes<LobeWeights, Roughness>.
 template <template <class> class WeightsOf, template <class> class ShapeOf>
@@ -65,6 +60,11 @@ template <LinearForm F>
 inline constexpr std::size_t lobe_count = std::tuple_size_v<decltype(F::lobes(
     std::declval<typename F::template Shape<double>>(), std::declval<Geometry<double>>()))>;
 
+// The closed-form albedo of what reflects all light.
+inline double whole_albedo(std::span<const double>, double) {
+  return 1;
+}
+
 // The scalar type of a parameter struct.
 template <ParameterStruct P>
 using scalar_of = std::remove_cvref_t<decltype(std::declval<P>().*(P::fields()[0].member))>;
@@ -86,9 +86,9 @@ scalar_of<W> above_horizon(const W& w, const W& first, const Shape& shape, const
 }
 }  // namespace detail
 
-// f_r of one channel in 1/sr, without cosine; 0 below the horizon. Finite for every pair of unit directions
-// and every parameter of the table; cosines below kMinCosine are evaluated there. `first` are the first
-// channel's weights.
+// f_r of one channel in 1/sr, without cosine; 0 below the horizon. Finite for
+// every pair of unit directions and every parameter of the table; cosines below
+// kMinCosine are evaluated there. `first` are the first channel's weights.
 template <Form F, ParameterStruct W, ParameterStruct Shape, class G>
 scalar_of<W> eval(F, const W& w, const W& first, const Shape& shape, const Geometry<G>& g) {
   return select(g.lowest < G(0), scalar_of<W>(0), detail::above_horizon<F>(w, first, shape, g));

@@ -42,20 +42,20 @@ struct AlbedoResult {
   Rule rule = Rule::automatic;
 };
 
-// Integral of f_r cos over one direction with the other at (theta, phi) in radians, 0 <= theta <= pi/2; the
-// cosine is that of the direction integrated over. At theta = pi/2 it is the limit towards grazing, as far as
+// Integral of f_r cos over one direction with the other at (theta, phi), 0 <= theta <= 90 degrees; the
+// cosine is that of the direction integrated over. At 90 degrees it is the limit towards grazing, as far as
 // kMinCosine allows. Pole-adapted rule: after Johnston and Elliott 2005 (sinh maps); see docs/validation.md.
-AlbedoResult directional_albedo(const Term& term, std::size_t channel, double theta, double phi,
+AlbedoResult directional_albedo(const Term& term, std::size_t channel, Angle theta, Angle phi,
                                 const AlbedoOptions& options = {});
 
 // All channels of a sum of terms; channels that share a shape are integrated together.
-std::vector<AlbedoResult> directional_albedo(const Material& material, double theta, double phi,
+std::vector<AlbedoResult> directional_albedo(const Material& material, Angle theta, Angle phi,
                                              const AlbedoOptions& options = {});
 
 // The lobes of a form that is linear in its weights: one integral per lobe, f = sum of weight times lobe.
 // Empty for other forms.
-std::vector<AlbedoResult> lobe_albedos(const AnyForm& form, std::span<const double> shape, double theta,
-                                       double phi, const AlbedoOptions& options = {});
+std::vector<AlbedoResult> lobe_albedos(const Reflectance& form, std::span<const double> shape, Angle theta,
+                                       Angle phi, const AlbedoOptions& options = {});
 
 // Reflected fraction of uniform illumination: the mean of the directional albedo over projected solid angle.
 AlbedoResult average_albedo(const Term& term, std::size_t channel, const AlbedoOptions& options = {});

@@ -1,8 +1,8 @@
 // Elementary functions as branchless polynomials, one template per function for both precisions.
 //
-// They vectorise, give the same bits on every compiler, and the float ones are traced into GLSL, so that
-// shader and library agree bit for bit. Coefficients: tools/kernel_coefficients.py. Use them through
-// brdf/math.h.
+// They vectorise, give the same bits on every compiler, and the float ones
+// are traced into GLSL, so that shader and library agree bit for bit.
+// Coefficients: tools/kernel_coefficients.py. Use them through brdf/math.h.
 #pragma once
 
 #include <array>

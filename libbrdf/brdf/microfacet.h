@@ -1,8 +1,8 @@
 // The factors D, V, F of microfacet forms, in the numerically stable forms.
 //
-// D and V are carried as fractions, so that a form divides once. V = G / (4 cos_i cos_o). All work in the
-// local frame with the unnormalised half vector: going through 1 - (n.h)^2 would cost 3.5e-8/alpha^2 in
-// float.
+// D and V are carried as fractions, so that a form divides once. V = G /
+// (4 cos_i cos_o). All work in the local frame with the unnormalised half
+// vector: going through 1 - (n.h)^2 would cost 3.5e-8/alpha^2 in float.
 #pragma once
 
 #include "brdf/geometry.h"

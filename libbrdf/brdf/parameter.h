@@ -1,6 +1,6 @@
-// Parameter tables. The table beside a struct of parameters is the only place that knows their names, ranges
-// and meaning: command-line flags, JSON keys, solver bounds, sliders, shader arguments and the documentation
-// come from it.
+// Parameter tables. The table beside a struct of parameters is the only place that knows their names, ranges,
+// roles and meaning: command-line flags, JSON keys, solver bounds, sliders, shader arguments and the
+// documentation come from it.
 #pragma once
 
 #include <array>
@@ -11,6 +11,25 @@
 
 namespace brdf {
 
+// What a parameter does, whatever it is called; says nothing of weight or shape.
+enum class Role {
+  diffuse,          // reflectance of light without direction
+  specular,         // weight of the lobe
+  f0,               // Fresnel reflectance along the normal
+  width,            // of the slope distribution along the tangent
+  width_across,     // the same across the tangent
+  exponent,         // of a cosine, along the tangent
+  exponent_across,  // the same across the tangent
+  slope,            // standard deviation of the facets' slope angle
+  index,            // of refraction, real part
+  extinction,       // its imaginary part
+  other
+};
+
+// The texture map that holds a parameter as it stands, beside what its role says
+// (render/scene/texture_rule.h).
+enum class Map { none, roughness, metallic };
+
 struct ParameterInfo {
   std::string_view name;
   double min, max, initial;
@@ -18,6 +37,8 @@ struct ParameterInfo {
   std::string_view unit;  // "" where dimensionless
   bool log_scale;         // searched and shown on a logarithmic scale
   std::string_view doc;
+  Role role = Role::other;
+  Map map = Map::none;
 };
 
 template <class P, class T>
@@ -37,8 +58,8 @@ concept ParameterStruct = requires {
 template <class P>
 inline constexpr std::size_t parameter_count = P::fields().size();
 
-// True where the table lists each member once, with a sensible range: asserted for every form at compile
-// time.
+// True where the table lists each member once, with a
+// sensible range: asserted for every form at compile time.
 template <class P, class T>
 consteval bool table_is_sound() {
   constexpr auto fields = P::fields();
@@ -66,15 +87,14 @@ constexpr std::array<T, parameter_count<P>> to_values(const P& p) {
 
 // The struct from its values in table order.
 template <class P, class T>
-P from_values(std::span<const T> values) {
+constexpr P from_values(std::span<const T> values) {
   P p{};
   std::size_t k = 0;
   for (const auto& field : P::fields()) p.*(field.member) = values[k++];
   return p;
 }
 
-// --- The parameter sets that forms share
-// ------------------------------------------------------------------------
+// --- The parameter sets that forms share ------------------------------------------------------------------
 
 inline constexpr double kWeightMax = 1000;  // uncalibrated measurements may need far more than 1
 
@@ -83,28 +103,31 @@ struct NoShape {
   static constexpr std::array<Field<NoShape, T>, 0> fields() { return {}; }
 };
 
+// linear() gives the weights of a form's lobes; from_linear() is its inverse.
 template <class T>
 struct DiffuseWeights {
   T rho;
   static constexpr auto fields() {
-    return std::array{Field{&DiffuseWeights::rho,
-                            ParameterInfo{"rho", 0, kWeightMax, 0.5, 1, "", false, "diffuse reflectance"}}};
+    return std::array{Field{&DiffuseWeights::rho, ParameterInfo{"rho", 0, kWeightMax, 0.5, 1, "", false,
+                                                                "diffuse reflectance", Role::diffuse}}};
   }
-  std::array<T, 1> linear() const { return {rho}; }
-  static DiffuseWeights from_linear(const std::array<T, 1>& w) { return {w[0]}; }
+  constexpr std::array<T, 1> linear() const { return {rho}; }
+  static constexpr DiffuseWeights from_linear(const std::array<T, 1>& w) { return {w[0]}; }
 };
+
+inline constexpr ParameterInfo kDiffuseInfo{
+    "kd", 0, kWeightMax, 0.5, 1, "", false, "weight of the diffuse term", Role::diffuse};
+inline constexpr ParameterInfo kSpecularInfo{
+    "ks", 0, kWeightMax, 0.5, 1, "", false, "weight of the specular lobe", Role::specular};
 
 template <class T>
 struct LobeWeights {
   T kd, ks;
   static constexpr auto fields() {
-    return std::array{Field{&LobeWeights::kd, ParameterInfo{"kd", 0, kWeightMax, 0.5, 1, "", false,
-                                                            "weight of the diffuse term"}},
-                      Field{&LobeWeights::ks, ParameterInfo{"ks", 0, kWeightMax, 0.5, 1, "", false,
-                                                            "weight of the specular lobe"}}};
+    return std::array{Field{&LobeWeights::kd, kDiffuseInfo}, Field{&LobeWeights::ks, kSpecularInfo}};
   }
-  std::array<T, 2> linear() const { return {kd, ks}; }
-  static LobeWeights from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }
+  constexpr std::array<T, 2> linear() const { return {kd, ks}; }
+  static constexpr LobeWeights from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }
 };
 
 // Schlick's F = f0 + (1 - f0) s split into two lobes, so that the form is linear in (kd, ks f0, ks (1 - f0)).
@@ -112,31 +135,30 @@ template <class T>
 struct SchlickWeights {
   T kd, ks, f0;
   static constexpr auto fields() {
-    return std::array{
-        Field{&SchlickWeights::kd,
-              ParameterInfo{"kd", 0, kWeightMax, 0.5, 1, "", false, "weight of the diffuse term"}},
-        Field{&SchlickWeights::ks,
-              ParameterInfo{"ks", 0, kWeightMax, 0.5, 1, "", false, "weight of the specular lobe"}},
-        Field{&SchlickWeights::f0, ParameterInfo{"f0", 0, 1, 0.04, 1, "", false,
-                                                 "Fresnel reflectance at normal incidence (of ks)"}}};
+    return std::array{Field{&SchlickWeights::kd, kDiffuseInfo}, Field{&SchlickWeights::ks, kSpecularInfo},
+                      Field{&SchlickWeights::f0,
+                            ParameterInfo{"f0", 0, 1, 0.04, 1, "", false,
+                                          "Fresnel reflectance at normal incidence (of ks)", Role::f0}}};
   }
-  std::array<T, 3> linear() const { return {kd, ks * f0, ks * (T(1) - f0)}; }
+  constexpr std::array<T, 3> linear() const { return {kd, ks * f0, ks * (T(1) - f0)}; }
   // f0 of a lobe without weight is unidentified: it gets the table's default.
-  static SchlickWeights from_linear(const std::array<T, 3>& w) {
+  static constexpr SchlickWeights from_linear(const std::array<T, 3>& w) {
     const T ks = w[1] + w[2];
     return {w[0], ks, select(T(0) < ks, w[1] / ks, T(fields()[2].info.initial))};
   }
 };
 
+inline constexpr ParameterInfo kAlongInfo{
+    "alpha_x", 1e-4, 1, 0.3, 1, "", true, "width of the slope distribution along the tangent", Role::width};
+inline constexpr ParameterInfo kAcrossInfo{
+    "alpha_y",         1e-4, 1, 0.3, 1, "", true, "width of the slope distribution across the tangent",
+    Role::width_across};
+
 template <class T>
 struct Roughness {
   T alpha_x, alpha_y;
   static constexpr auto fields() {
-    return std::array{
-        Field{&Roughness::alpha_x, ParameterInfo{"alpha_x", 1e-4, 1, 0.3, 1, "", true,
-                                                 "width of the slope distribution along the tangent"}},
-        Field{&Roughness::alpha_y, ParameterInfo{"alpha_y", 1e-4, 1, 0.3, 1, "", true,
-                                                 "width of the slope distribution across the tangent"}}};
+    return std::array{Field{&Roughness::alpha_x, kAlongInfo}, Field{&Roughness::alpha_y, kAcrossInfo}};
   }
 };
 
@@ -144,8 +166,8 @@ template <class T>
 struct Exponent {
   T exponent;
   static constexpr auto fields() {
-    return std::array{Field{&Exponent::exponent,
-                            ParameterInfo{"exponent", 0, 1e6, 20, 1e4, "", true, "power of the cosine"}}};
+    return std::array{Field{&Exponent::exponent, ParameterInfo{"exponent", 0, 1e6, 20, 1e4, "", true,
+                                                               "power of the cosine", Role::exponent}}};
   }
 };
 
@@ -153,9 +175,9 @@ template <class T>
 struct SlopeDeviation {
   T sigma;
   static constexpr auto fields() {
-    return std::array{
-        Field{&SlopeDeviation::sigma, ParameterInfo{"sigma", 0, kPi / 2, 0.3, kPi / 2, "rad", false,
-                                                    "standard deviation of the facets' slope angle"}}};
+    return std::array{Field{&SlopeDeviation::sigma,
+                            ParameterInfo{"sigma", 0, kPi / 2, 0.3, kPi / 2, "rad", false,
+                                          "standard deviation of the facets' slope angle", Role::slope}}};
   }
 };
 

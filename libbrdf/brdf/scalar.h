@@ -1,8 +1,8 @@
 // What a scalar type has to say about itself, and the few operations that every scalar shares.
 //
-// Scalars: float, double, Dual<T, N>, ceres::Jet, a 50-digit number and the tracing scalar. Forms are written
-// once for all of them: constants are converted at use, S(0.33), and a choice is select(condition, a, b),
-// never an `if`.
+// Scalars: float, double, Dual<T, N>, ceres::Jet, a 50-digit number and the
+// tracing scalar. Forms are written once for all of them: constants are converted
+// at use, S(0.33), and a choice is select(condition, a, b), never an `if`.
 #pragma once
 
 #include <concepts>

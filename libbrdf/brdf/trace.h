@@ -14,14 +14,15 @@
 #include <tuple>
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/form.h"
+#include "brdf/reflectance.h"
 
 namespace brdf {
 
 // A recorded expression graph, with equal nodes shared.
 class Trace {
  public:
-  enum class Type { kFloat, kUint, kBool };
+  enum class Type { float_type, uint_type, bool_type };
   struct Node {
     Type type;
     std::string code;  // operator, function, input text or literal
@@ -119,16 +120,64 @@ class Traced {
 // Found by its argument only if declared here too.
 Traced from_bits(TracedBits bits);
 
-struct GlslOptions {
-  bool precise = true;  // false only for the negative control of the shader's proof
-};
-
 // GLSL functions of the elementary kernels; needed once before any form.
 std::string glsl_kernels(const GlslOptions& options = {});
 
-// Two functions of one form for RGB materials, in the local frame with n = +z:
-//   vec3 brdf_eval_<form>(vec3 wi, vec3 wo, float <shape>..., vec3 <weight>...)      f_r, 1/sr
-//   vec3 brdf_eval_cos_<form>(...)                                                   f_r cos_i
-std::string glsl_form(const AnyForm& form, const GlslOptions& options = {});
+namespace detail {
+
+// A function with this signature: the statements that compute
+// the values, then `result` with %0, %1, ... replaced.
+std::string glsl_function(std::string_view signature, const std::vector<Traced>& values,
+                          std::string_view result, bool precise);
+
+// The parameter struct whose members are the shader's arguments; `component` is "" or ".r", ".g", ".b".
+template <class P>
+P inputs(const std::string& component) {
+  P p{};
+  for (const auto& field : P::fields())
+    p.*(field.member) = Traced::input(std::string(field.info.name) + component);
+  return p;
+}
+
+template <Form F>
+std::string glsl_of(F form, bool cosine, bool precise) {
+  using Weights = typename F::template Weights<Traced>;
+  using Shape = typename F::template Shape<Traced>;
+  Trace trace;
+  const Trace::Scope scope(trace);
+  const auto vector = [](const std::string& v) {
+    return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
+  };
+  const Geometry<Traced> g = geometry(vector("wi"), vector("wo"));
+  const Shape shape = inputs<Shape>("");
+  const Weights first = inputs<Weights>(".r");
+  std::vector<Traced> values;
+  for (const char* component : {".r", ".g", ".b"}) {
+    const Weights w = inputs<Weights>(component);
+    values.push_back(cosine ? eval_cos(form, w, first, shape, g) : eval(form, w, first, shape, g));
+  }
+  std::string signature =
+      std::string("vec3 brdf_eval_") + (cosine ? "cos_" : "") + std::string(F::name) + "(vec3 wi, vec3 wo";
+  for (const auto& field : Shape::fields()) signature += ", float " + std::string(field.info.name);
+  for (const auto& field : Weights::fields()) signature += ", vec3 " + std::string(field.info.name);
+  return glsl_function(signature + ")", values, "return vec3(%0, %1, %2);", precise);
+}
+
+}  // namespace detail
+
+// A form's two functions, see ReflectanceModel::glsl.
+template <Form F>
+std::string glsl_functions(F form, const GlslOptions& options = {}) {
+  return detail::glsl_of(form, false, options.precise) + detail::glsl_of(form, true, options.precise);
+}
+
+// A function that picks the reflectance by its number in a shader:
+//   vec3 <function>(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2)
+// calls <function>_<name> of the one that has it; `function` is brdf_eval or brdf_eval_cos.
+struct NumberedReflectance {
+  int number;
+  Reflectance reflectance;
+};
+std::string glsl_dispatch(std::string_view function, std::span<const NumberedReflectance> reflectances);
 
 }  // namespace brdf

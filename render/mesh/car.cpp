@@ -11,8 +11,8 @@ struct Station {
   float x, bottom, top, half_width;
 };
 
-// A closed body with rounded cross sections (a superellipse) along x: smooth enough for highlights to run
-// along it.
+// A closed body with rounded cross sections (a superellipse)
+// along x: smooth enough for highlights to run along it.
 Mesh loft(const std::vector<Station>& stations, int around, float squareness) {
   Mesh mesh;
   const auto rounded = [&](float c) { return std::copysign(std::pow(std::abs(c), 2 / squareness), c); };

@@ -46,16 +46,16 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font =
 // non-finite vertices). Normals and tangents that the file lacks are made.
 Mesh load_model(const std::filesystem::path& file);
 
-// What a scene file's "mesh" may say: sphere, sphere:N triangles, icosphere:L, plane, plane:N, car, text:...,
-// FILE.
+// What a scene file's "mesh" may say: sphere, sphere:N
+// triangles, icosphere:L, plane, plane:N, car, text:..., FILE.
 Mesh make_mesh(const std::string& specification, const std::filesystem::path& folder);
 
 // A unit vector perpendicular to `normal`, continuous but at one pole.
 glm::vec3 any_tangent(const glm::vec3& normal);
 // Tangents along u; vertices without usable texture coordinates get any_tangent.
 void make_tangents(Mesh& mesh);
-// Drops triangles without area (repeated vertices). Throws InputError on a vertex that is not finite;
-// `source` names it.
+// Drops triangles without area (repeated vertices). Throws
+// InputError on a vertex that is not finite; `source` names it.
 void clean(Mesh& mesh, const std::string& source);
 // The same triangles with one normal each, no vertex shared.
 Mesh flat_shaded(const Mesh& mesh);

@@ -136,8 +136,8 @@ Triangles tessellated(const std::vector<Contour>& contours) {
   return std::move(out.triangles);
 }
 
-// Halves the longest edge until every edge is short: neighbours halve a shared edge at the same point, so no
-// gap opens.
+// Halves the longest edge until every edge is short: neighbours
+// halve a shared edge at the same point, so no gap opens.
 void add_refined(std::array<glm::dvec2, 3> t, Triangles& out) {
   int longest = 0;
   for (int e = 1; e < 3; ++e) {

@@ -9,8 +9,8 @@ namespace brdf::render {
 class DisplayPass {
  public:
   DisplayPass(Device& device, VkRenderPass render_pass);
-  // What is shown from now on. `b` may be the same as `a`; without targets pass null. The device must be
-  // idle.
+  // What is shown from now on. `b` may be the same as `a`;
+  // without targets pass null. The device must be idle.
   void show(const Image& a, const Image& b, Renderer* targets);
   void record(VkCommandBuffer commands, const ViewState& state, VkExtent2D extent, float object_extent,
               int bits);

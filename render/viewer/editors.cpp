@@ -40,16 +40,16 @@ bool slider(const char* label, double& value, double min, double max, double ini
 
 void form_panel(Term& term) {
   std::vector<std::string> families, forms;
-  const FormInfo& now = info(term.form);
+  const ReflectanceInfo& now = info(term.form);
   std::size_t family = 0, form = 0;
-  for_each_form([&](auto f) {
+  for (const Reflectance& f : catalogue()) {
     const std::string name(info(f).family);
     if (families.empty() || families.back() != name) families.push_back(name);
     if (name == now.family) {
       if (info(f).name == now.name) form = forms.size();
       forms.emplace_back(info(f).name);
     }
-  });
+  }
   for (std::size_t k = 0; k < families.size(); ++k) {
     if (families[k] == now.family) family = k;
   }
@@ -60,7 +60,7 @@ void form_panel(Term& term) {
 }
 
 void parameter_sliders(Term& term, const std::vector<std::string>& channels) {
-  const FormInfo& form = info(term.form);
+  const ReflectanceInfo& form = info(term.form);
   for (std::size_t k = 0; k < form.weights.size(); ++k) {
     const ParameterInfo& p = form.weights[k];
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -78,8 +78,8 @@ void parameter_sliders(Term& term, const std::vector<std::string>& channels) {
     }
   }
   if (!form.anisotropic()) return;
-  double degrees = term.tangent_phi * 180 / kPi;
-  if (slider("tangent_phi", degrees, -90, 90, 0, false)) term.tangent_phi = degrees * kPi / 180;
+  double in_degrees = term.tangent_phi.degrees();
+  if (slider("tangent_phi", in_degrees, -90, 90, 0, false)) term.tangent_phi = degrees(in_degrees);
 }
 
 }  // namespace

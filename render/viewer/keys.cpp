@@ -13,10 +13,9 @@ constexpr float kStops = 0.25f;      // of exposure
 constexpr float kMostStops = 20.0f;  // as in a scene file
 
 void next_form(ViewState& state, bool by_family) {
-  std::vector<AnyForm> forms;
-  for_each_form([&](auto f) { forms.emplace_back(f); });
+  const std::span<const Reflectance> forms = catalogue();
   Term& term = state.scene.objects[state.selected].material.terms[0];
-  std::size_t k = term.form.index();
+  auto k = std::size_t(std::max(catalogue_index(term.form), 0));
   const std::string_view family = info(term.form).family;
   do k = (k + 1) % forms.size();
   while (by_family && info(forms[k]).family == family);

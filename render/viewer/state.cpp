@@ -158,8 +158,8 @@ void open_file(ViewState& state, const std::filesystem::path& file) {
   state = next;
 }
 
-void switch_form(Term& term, const AnyForm& form) {
-  const FormInfo &from = info(term.form), &to = info(form);
+void switch_form(Term& term, const Reflectance& form) {
+  const ReflectanceInfo &from = info(term.form), &to = info(form);
   Term next = make_term(form, term.weights.size());
   for (std::size_t k = 0; k < to.shape.size(); ++k) {
     const int same = from.shape_index(to.shape[k].name);
@@ -175,7 +175,7 @@ void switch_form(Term& term, const AnyForm& form) {
           std::clamp(term.weights[c][std::size_t(same)], to.weights[k].min, to.weights[k].max);
     }
   }
-  next.tangent_phi = to.anisotropic() ? term.tangent_phi : 0;
+  next.tangent_phi = to.anisotropic() ? term.tangent_phi : Angle{};
   term = next;
 }
 

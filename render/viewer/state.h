@@ -40,7 +40,7 @@ ViewState load_state(const std::filesystem::path& file);
 void open_file(ViewState& state, const std::filesystem::path& file);
 
 // The selected object's first term gets another form; parameters of the same name keep their values.
-void switch_form(Term& term, const AnyForm& form);
+void switch_form(Term& term, const Reflectance& form);
 
 // Camera movements. Angles in radians; `factor` scales the distance.
 void orbit(Camera& camera, float right, float up);

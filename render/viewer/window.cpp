@@ -199,8 +199,8 @@ void Swapchain::record(VkCommandBuffer commands, const Frame& frame,
 
 void Swapchain::frame(const std::function<void(VkCommandBuffer)>& before,
                       const std::function<void(VkCommandBuffer)>& inside) {
-  // This driver reports neither OUT_OF_DATE nor SUBOPTIMAL: sizes are compared, others' reports are heeded
-  // too.
+  // This driver reports neither OUT_OF_DATE nor SUBOPTIMAL:
+  // sizes are compared, others' reports are heeded too.
   const VkExtent2D size = window_->framebuffer_size();
   if (size.width == 0 || size.height == 0) return;  // minimised
   if (size.width != extent_.width || size.height != extent_.height) create();

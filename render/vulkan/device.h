@@ -1,5 +1,5 @@
-// The Vulkan instance and device: headless by default, with a surface when the viewer names its instance
-// extensions.
+// The Vulkan instance and device: headless by default, with
+// a surface when the viewer names its instance extensions.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct DeviceOptions {
 
 class Device {
  public:
-  // Takes the first device with Vulkan 1.3, dynamic rendering and synchronization2 (VK_DRIVER_FILES chooses
-  // the driver). Throws EnvironmentError when there is none, or when validation is wanted and the layer is
-  // not installed.
+  // Takes the first device with Vulkan 1.3, dynamic rendering and synchronization2
+  // (VK_DRIVER_FILES chooses the driver). Throws EnvironmentError when there is
+  // none, or when validation is wanted and the layer is not installed.
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
@@ -42,8 +42,8 @@ class Device {
   // Records commands, submits them and waits until they have run.
   void run(const std::function<void(VkCommandBuffer)>& record) const;
 
-  // Throws InputError when `bytes` more would exceed the memory limit; every allocation of ours goes through
-  // here.
+  // Throws InputError when `bytes` more would exceed the
+  // memory limit; every allocation of ours goes through here.
   VkDeviceMemory allocate(const VkMemoryAllocateInfo& info);
   void release(VkDeviceMemory memory, std::uint64_t bytes);
   std::uint64_t memory_used() const { return memory_used_; }

@@ -26,8 +26,8 @@ class Memory {
   VkDeviceSize size_ = 0;
 };
 
-// Host-visible, permanently mapped: geometry, parameters and read-back of a renderer whose device is usually
-// the CPU.
+// Host-visible, permanently mapped: geometry, parameters and
+// read-back of a renderer whose device is usually the CPU.
 class Buffer {
  public:
   Buffer() = default;

@@ -47,8 +47,8 @@ std::vector<Set> sets() {
   return all;
 }
 
-// Largest relative difference of any parameter (of tangent_phi: absolute, in radians), terms in the order
-// given.
+// Largest relative difference of any parameter (of tangent_phi:
+// absolute, in radians), terms in the order given.
 double largest_error(const Material& fitted, const Material& truth) {
   double worst = 0;
   const auto compare = [&](double a, double b) {
@@ -60,7 +60,7 @@ double largest_error(const Material& fitted, const Material& truth) {
       for (std::size_t k = 0; k < b.weights[c].size(); ++k) compare(a.weights.at(c).at(k), b.weights[c][k]);
       for (std::size_t k = 0; k < b.shape_of(c).size(); ++k) compare(a.shape_of(c)[k], b.shape_of(c)[k]);
     }
-    worst = std::max(worst, std::abs(std::remainder(a.tangent_phi - b.tangent_phi, kPi)));
+    worst = std::max(worst, std::abs(std::remainder((a.tangent_phi - b.tangent_phi).radians(), kPi)));
   }
   return worst;
 }

@@ -20,8 +20,8 @@ class Cli : public testing::Test {
   }
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
   bool exists(const std::string& name) { return std::filesystem::exists(folder_.path() / name); }
-  // Bad input: exit code 2, one line on stderr that holds `what`, nothing on stdout, no output file, no
-  // temporary.
+  // Bad input: exit code 2, one line on stderr that holds
+  // `what`, nothing on stdout, no output file, no temporary.
   void expect_refused(const std::string& arguments, const std::string& what) {
     const auto before = entries();
     const Outcome outcome = run(arguments);

@@ -1,6 +1,7 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
+#include "brdf/forms.h"
 #include "fit/lobes.h"
 #include "fit/minima.h"
 #include "samples.h"
@@ -17,13 +18,13 @@ double worst_against_jets(F form) {
   std::uniform_real_distribution<double> uniform;
   DirectionArrays<double> pairs(kBlock);
   for (std::size_t j = 0; j < kBlock; ++j)
-    pairs.set(j, direction(1.4 * uniform(random), 6.28 * uniform(random)),
-              direction(1.4 * uniform(random), 6.28 * uniform(random)));
+    pairs.set(j, direction(radians(1.4 * uniform(random)), radians(6.28 * uniform(random))),
+              direction(radians(1.4 * uniform(random)), radians(6.28 * uniform(random))));
   double worst = 0;
   for (int repeat = 0; repeat < 5; ++repeat) {
     const Material m = random_material(form, random, 1, false);
     LobeBlock block(form);
-    block.evaluate(m.terms[0].shape[0], 0, n == 0 ? Partial::kNone : Partial::kShape, pairs.view(), {});
+    block.evaluate(m.terms[0].shape[0], {}, n == 0 ? Partial::none : Partial::shape, pairs.view(), {});
     std::vector<Jet> values;
     for (int k = 0; k < n; ++k) values.emplace_back(m.terms[0].shape[0][std::size_t(k)], k);
     const auto shape = from_values<typename F::template Shape<Jet>>(std::span<const Jet>(values));

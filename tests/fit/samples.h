@@ -22,8 +22,8 @@ inline io::SampleTable measured(const Material& material, std::vector<std::strin
   return synth::measure(material, instrument);
 }
 
-inline std::vector<AnyForm> forms(std::initializer_list<const char*> names) {
-  std::vector<AnyForm> out;
+inline std::vector<Reflectance> forms(std::initializer_list<const char*> names) {
+  std::vector<Reflectance> out;
   for (const char* name : names) out.push_back(*find_form(name));
   return out;
 }
@@ -34,12 +34,12 @@ inline FormFit fit_one(const io::SampleTable& table, std::initializer_list<const
 }
 
 // Parameters drawn from their tables' usual ranges, alpha >= .02, ks >= .05, f0 .02 to .9.
-inline Material random_material(const AnyForm& form, std::mt19937_64& random, std::size_t channels = 1,
+inline Material random_material(const Reflectance& form, std::mt19937_64& random, std::size_t channels = 1,
                                 bool tied = true) {
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (double(random() >> 11) * 0x1p-53);
   };
-  const FormInfo& f = info(form);
+  const ReflectanceInfo& f = info(form);
   Material m = make_material(
       form, channels == 3 ? std::vector<std::string>{"r", "g", "b"} : std::vector<std::string>{"f"});
   for (std::size_t k = 0; k < f.shape.size(); ++k) {

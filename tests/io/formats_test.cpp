@@ -92,8 +92,8 @@ constexpr const char* kLensHeader =
 TEST_F(Formats, LensDesignAnglesTurnFromTheMirrorDirectionToTheNormal) {
   const SampleTable t = read(std::string(kLensHeader) + "1\t2\t3\n1\t4\t5\nDataEnd\n");
   EXPECT_EQ(t.format, "zemax");
-  // Azimuth 0 runs from the mirror direction through the normal; 70 degrees the other way is below the
-  // horizon.
+  // Azimuth 0 runs from the mirror direction through the
+  // normal; 70 degrees the other way is below the horizon.
   ASSERT_EQ(t.rows(), 4u);
   EXPECT_EQ(t.theta_o, (std::vector<double>{30, 20, 40, 40}));
   EXPECT_EQ(t.phi_o, (std::vector<double>{0, 0, 180, 0}));

@@ -1,4 +1,5 @@
 #include "io/material_json.h"
+#include "brdf/forms.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 // A material of this form with every parameter drawn from its range.
-Material random_material(const AnyForm& form, std::size_t channels, bool shared_shape,
+Material random_material(const Reflectance& form, std::size_t channels, bool shared_shape,
                          std::mt19937_64& random) {
   Material material;
   for (std::size_t c = 0; c < channels; ++c) material.channels.push_back("c" + std::to_string(c));
@@ -68,7 +69,7 @@ TEST(MaterialJson, AnyTangentInWholeDegreesOrDecimalsReadsAndWritesTheSame) {
     Json json = to_json(make_material(ward{}, {"fr"}));
     json["tangent_phi"] = degrees;
     const Material material = material_from_json(JsonPlace(json, "m")).material;
-    EXPECT_DOUBLE_EQ(material.terms[0].tangent_phi, degrees * kPi / 180);
+    EXPECT_DOUBLE_EQ(material.terms[0].tangent_phi.radians(), degrees * kPi / 180);
     EXPECT_EQ(to_json(material)["tangent_phi"].get<double>(), degrees);
   }
 }

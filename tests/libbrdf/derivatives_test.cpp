@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "brdf/dual.h"
-#include "brdf/material.h"
+#include "tests/typed.h"
 #include "validate/exact.h"
 #include "validate/extremes.h"
 
@@ -28,23 +28,16 @@ ceres::Jet<double, kMost> variable(double value, int k) {
 
 // f with its derivatives by all parameters, weights first.
 template <class S>
-S differentiated(const AnyForm& form, const std::vector<double>& weights, const std::vector<double>& shape,
-                 const Geometry<double>& g) {
+S differentiated(const Reflectance& form, const std::vector<double>& weights,
+                 const std::vector<double>& shape, const Geometry<double>& g) {
   std::vector<S> w, s;
   for (double v : weights) w.push_back(variable<S>(v, int(w.size())));
   for (double v : shape) s.push_back(variable<S>(v, int(w.size() + s.size())));
-  return std::visit(
-      [&](auto f) -> S {
-        using F = decltype(f);
-        if constexpr (LinearForm<F>) {
-          const auto weight = from_values<typename F::template Weights<S>>(std::span<const S>(w));
-          return eval(f, weight, weight, from_values<typename F::template Shape<S>>(std::span<const S>(s)),
-                      g);
-        } else {
-          throw std::logic_error("not fittable");
-        }
-      },
-      form);
+  return visit_form(form, [&](auto f) -> S {
+    using F = decltype(f);
+    const auto weight = from_values<typename F::template Weights<S>>(std::span<const S>(w));
+    return eval(f, weight, weight, from_values<typename F::template Shape<S>>(std::span<const S>(s)), g);
+  });
 }
 
 // One point of the grid: f and its exact derivatives.
@@ -58,8 +51,8 @@ Vec3<Exact> as_it_stands(const Vec3<double>& w) {
   return {Exact(w.x), Exact(w.y), Exact(w.z)};
 }
 
-Point exact_point(const AnyForm& form, const std::vector<double>& weights, const std::vector<double>& shape,
-                  const Vec3<double>& wi, const Vec3<double>& wo) {
+Point exact_point(const Reflectance& form, const std::vector<double>& weights,
+                  const std::vector<double>& shape, const Vec3<double>& wi, const Vec3<double>& wo) {
   const auto value = [&](std::size_t moved, const Exact& by) {
     std::vector<Exact> w(weights.begin(), weights.end()), s(shape.begin(), shape.end());
     if (moved < w.size())
@@ -82,12 +75,12 @@ Point exact_point(const AnyForm& form, const std::vector<double>& weights, const
 }
 
 // Views at three light directions: a few of the extreme ones.
-std::vector<Point> points(const AnyForm& form, const std::vector<double>& weights,
+std::vector<Point> points(const Reflectance& form, const std::vector<double>& weights,
                           const std::vector<double>& shape) {
   std::vector<Point> all;
   const LobeWidth width = lobe_width(info(form), shape);
   for (double theta : {20.0, 60.0, 89.99}) {
-    const Vec3<double> wi = direction(theta * kPi / 180, 0.3);
+    const Vec3<double> wi = direction(degrees(theta), radians(0.3));
     const auto views = extreme_views(wi, width.x, width.y);
     for (std::size_t k = 0; k < views.size(); k += 3) {
       // Towards wo = -wi, next to eta = 1, the exact Fresnel term is (eta - 1)^2/(2 cos_d^4): a difference
@@ -103,7 +96,7 @@ std::vector<Point> points(const AnyForm& form, const std::vector<double>& weight
 // Largest error of a derivative, relative to it plus f over the parameter (derivatives cross zero); f below
 // 1e-12 / sr counts as that.
 template <class S>
-double largest_error(const AnyForm& form, const std::vector<double>& weights,
+double largest_error(const Reflectance& form, const std::vector<double>& weights,
                      const std::vector<double>& shape, const std::vector<Point>& grid) {
   Exact peak = 0;
   for (const Point& p : grid) peak = larger(peak, p.f);
@@ -122,19 +115,18 @@ double largest_error(const AnyForm& form, const std::vector<double>& weights,
   return worst;
 }
 
-std::vector<AnyForm> fittable_forms() {
-  std::vector<AnyForm> forms;
-  for_each_form([&](auto form) {
-    if (info(form).fittable) forms.push_back(form);
-  });
+std::vector<Reflectance> fittable_forms() {
+  std::vector<Reflectance> forms;
+  for (const Reflectance& form : catalogue())
+    if (info(form).fittable()) forms.push_back(form);
   return forms;
 }
 
-class Derivatives : public ::testing::TestWithParam<AnyForm> {};
+class Derivatives : public ::testing::TestWithParam<Reflectance> {};
 
 TEST_P(Derivatives, OfDualsAndJetsAreExact) {
-  const AnyForm& form = GetParam();
-  const FormInfo& f = info(form);
+  const Reflectance& form = GetParam();
+  const ReflectanceInfo& f = info(form);
   std::vector<double> weights;
   for (const ParameterInfo& p : f.weights)
     weights.push_back(p.name == "kd" ? 0 : p.initial);  // the diffuse term would hide the lobe

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "brdf/dual.h"
+#include "brdf/forms.h"
 #include "brdf/material.h"
 
 namespace brdf {
@@ -59,7 +60,7 @@ std::vector<Vec3<T>> extreme_directions() {
   std::vector<Vec3<T>> directions;
   for (double theta : {0.0, 0.5, 1.2, 1.57, 1.5707963, kPi / 2})
     for (double phi : {0.0, 0.7, kPi, 4.0}) {
-      const Vec3<double> w = direction(theta, phi);
+      const Vec3<double> w = direction(radians(theta), radians(phi));
       directions.push_back({T(w.x), T(w.y), theta == kPi / 2 ? T(0) : T(w.z)});
     }
   return directions;
@@ -67,7 +68,7 @@ std::vector<Vec3<T>> extreme_directions() {
 
 template <class Form, class T>
 void expect_finite_at_the_extremes() {
-  const FormInfo& form = info(Form{});
+  const ReflectanceInfo& form = info(Form{});
   for_each_corner(form.shape, [&](const std::vector<double>& shape) {
     for_each_corner(form.weights, [&](const std::vector<double>& weights) {
       for (const auto& wi : extreme_directions<T>())
@@ -88,7 +89,7 @@ TYPED_TEST(EveryForm, IsFiniteAtTheExtremesInDouble) {
 
 TYPED_TEST(EveryForm, IsZeroBelowTheHorizonAndNotAbove) {
   const Material m = make_material(TypeParam{}, {"y"});
-  const Vec3<double> up = direction(0.4, 0.2), down{up.x, up.y, -1e-9}, level{1, 0, 0};
+  const Vec3<double> up = direction(radians(0.4), radians(0.2)), down{up.x, up.y, -1e-9}, level{1, 0, 0};
   double f = -1;
   eval(m, down, up, {&f, 1});
   EXPECT_EQ(f, 0.0);
@@ -102,15 +103,15 @@ TYPED_TEST(EveryForm, IsZeroBelowTheHorizonAndNotAbove) {
 
 TYPED_TEST(EveryForm, EvalCosIsEvalTimesTheCosine) {
   const Material m = make_material(TypeParam{}, {"y"});
-  const Vec3<double> wi = direction(0.7, 0.2), wo = direction(0.9, 2.8);
+  const Vec3<double> wi = direction(radians(0.7), radians(0.2)), wo = direction(radians(0.9), radians(2.8));
   double f = 0, f_cos = 0;
   eval(m, wi, wo, {&f, 1});
   eval_cos(m, wi, wo, {&f_cos, 1});
   EXPECT_NEAR(f_cos, f * wi.z, 4e-16 * f_cos);
 }
 
-// Exactly reciprocal unless declared otherwise: swapping the directions may change the last bit of a sum, no
-// more.
+// Exactly reciprocal unless declared otherwise: swapping
+// the directions may change the last bit of a sum, no more.
 TYPED_TEST(EveryForm, IsReciprocalUnlessDeclaredOtherwise) {
   bool declared = false;
   for (const Violation& v : info(TypeParam{}).violations) declared |= v.check == "reciprocity";
@@ -119,8 +120,9 @@ TYPED_TEST(EveryForm, IsReciprocalUnlessDeclaredOtherwise) {
   std::uniform_real_distribution<double> unit(0, 1);
   double worst = 0;
   for (int k = 0; k < 2000; ++k) {
-    const Vec3<double> wi = direction(std::acos(std::pow(10, -6 * unit(random))), 2 * kPi * unit(random));
-    const Vec3<double> wo = direction(std::acos(unit(random)), 2 * kPi * unit(random));
+    const Vec3<double> wi =
+        direction(radians(std::acos(std::pow(10, -6 * unit(random)))), radians(2 * kPi * unit(random)));
+    const Vec3<double> wo = direction(radians(std::acos(unit(random))), radians(2 * kPi * unit(random)));
     double there = 0, back = 0;
     eval(m, wi, wo, {&there, 1});
     eval(m, wo, wi, {&back, 1});
@@ -144,8 +146,7 @@ TEST(Catalogue, NamesAreUniqueAndFoundAgain) {
     EXPECT_EQ(info(*find_form(form.name)).name, form.name);
   });
   EXPECT_EQ(names.size(), kFormCount);
-  EXPECT_EQ(families.size(), 6u);
-  EXPECT_EQ(canonical, 6u);
+  EXPECT_EQ(canonical, families.size()) << "every family has its own form";
   EXPECT_FALSE(find_form("no_such_form").has_value());
 }
 
@@ -161,13 +162,14 @@ TEST(Weights, SchlickIsLinearAndInverts) {
 TEST(Materials, SumTheirTermsAndTurnWithTheTangent) {
   Material m = make_material(ward{}, {"y"});
   m.terms[0].shape[0] = {0.1, 0.4};
-  const Vec3<double> wi = direction(0.5, 0.3), wo = direction(0.6, 3.0);
+  const Vec3<double> wi = direction(radians(0.5), radians(0.3)), wo = direction(radians(0.6), radians(3.0));
   double plain = 0, turned = 0, twice = 0;
   eval(m, wi, wo, {&plain, 1});
-  m.terms[0].tangent_phi = 0.8;
-  eval(m, direction(0.5, 0.3 + 0.8), direction(0.6, 3.0 + 0.8), {&turned, 1});
+  m.terms[0].tangent_phi = radians(0.8);
+  eval(m, direction(radians(0.5), radians(0.3 + 0.8)), direction(radians(0.6), radians(3.0 + 0.8)),
+       {&turned, 1});
   EXPECT_NEAR(turned, plain, 1e-14 * plain);
-  m.terms[0].tangent_phi = 0;
+  m.terms[0].tangent_phi = {};
   m.terms.push_back(m.terms[0]);
   eval(m, wi, wo, {&twice, 1});
   EXPECT_EQ(twice, 2 * plain);

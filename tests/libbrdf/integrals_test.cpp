@@ -1,5 +1,6 @@
 // Directional albedos against closed forms and published values (two rules where both apply).
 #include "brdf/integrals.h"
+#include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
@@ -11,19 +12,19 @@ namespace {
 
 constexpr double kDegree = kPi / 180;
 
-Term term_of(const AnyForm& form, std::vector<double> shape, std::vector<double> weights) {
-  return {form, {std::move(shape)}, {std::move(weights)}, 0};
+Term term_of(const Reflectance& form, std::vector<double> shape, std::vector<double> weights) {
+  return {form, {std::move(shape)}, {std::move(weights)}};
 }
 Term mirror_like_ggx(double alpha_x, double alpha_y) {  // F = 1
   return term_of(cook_torrance{}, {alpha_x, alpha_y}, {0, 1, 1});
 }
 
-AlbedoResult albedo(const Term& term, double degrees, double phi = 0, double tolerance = 1e-10,
+AlbedoResult albedo(const Term& term, double theta, double phi = 0, double tolerance = 1e-10,
                     Rule rule = Rule::automatic) {
   AlbedoOptions options;
   options.tolerance = tolerance;
   options.rule = rule;
-  return directional_albedo(term, 0, degrees * kDegree, phi * kDegree, options);
+  return directional_albedo(term, 0, degrees(theta), degrees(phi), options);
 }
 
 // Within the value's printed digits (or 1e-10), and within the integral's own bound beside them.
@@ -175,17 +176,17 @@ TEST(Albedo, IsIntegratedByARuleThatKnowsTheLobe) {
 TEST(Albedo, OfAMaterialIsTheSumOfItsTerms) {
   Material material = make_material(lambert{});
   material.terms.push_back(make_term(cook_torrance{}, 3));
-  const auto whole = directional_albedo(material, 0.5, 0);
+  const auto whole = directional_albedo(material, radians(0.5), {});
   ASSERT_EQ(whole.size(), 3u);
-  const double parts = directional_albedo(material.terms[0], 0, 0.5, 0).value +
-                       directional_albedo(material.terms[1], 0, 0.5, 0).value;
+  const double parts = directional_albedo(material.terms[0], 0, radians(0.5), {}).value +
+                       directional_albedo(material.terms[1], 0, radians(0.5), {}).value;
   EXPECT_NEAR(whole[0].value, parts, 1e-12);
 }
 
 TEST(Albedo, TurnsWithTheTangent) {
   Term term = mirror_like_ggx(.05, .4);
   const double straight = albedo(term, 60, 25).value;
-  term.tangent_phi = 40 * kDegree;
+  term.tangent_phi = degrees(40);
   EXPECT_NEAR(albedo(term, 60, 65).value, straight, 1e-11);
   EXPECT_GT(std::abs(albedo(term, 60, 25).value - straight), 1e-3);
 }
@@ -194,14 +195,14 @@ TEST(Albedo, SaysWhenItDidNotConverge) {
   AlbedoOptions options;
   options.tolerance = 1e-10;
   options.max_evaluations = 2000;
-  const AlbedoResult r = directional_albedo(mirror_like_ggx(.001, .001), 0, 89.9 * kDegree, 0, options);
+  const AlbedoResult r = directional_albedo(mirror_like_ggx(.001, .001), 0, degrees(89.9), {}, options);
   EXPECT_FALSE(r.converged);
   EXPECT_GT(r.error_bound, 1e-10);
 }
 
 TEST(Albedo, BisectionOverlooksNeitherAKinkInACornerNorAGrazingPeak) {
   struct {
-    AnyForm form;
+    Reflectance form;
     double alpha_x, alpha_y, theta, phi;
   } const cases[] = {{cook_torrance_vcavity{}, 0.06824427988, 0.0158948521, 88.06148022, 171.9173179},
                      {cook_torrance_vcavity{}, 0.002896076052, 0.005656746074, 89.65571271, 213.6625411},

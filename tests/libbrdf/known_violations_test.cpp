@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "brdf/forms.h"
 #include "brdf/integrals.h"
 #include "brdf/material.h"
 #include "half_vector_quadrature.h"
@@ -15,16 +16,16 @@ namespace {
 constexpr double kDegree = kPi / 180;
 using Values = std::vector<double>;
 
-double albedo(const AnyForm& form, const Values& weights, const Values& shape, double theta,
+double albedo(const Reflectance& form, const Values& weights, const Values& shape, double theta,
               Fixed fixed = Fixed::light, double tolerance = 1e-8) {
   Term term = make_term(form, 1);
   term.weights[0] = weights;
   term.shape[0] = shape;
-  const AlbedoResult r = directional_albedo(term, 0, theta * kDegree, 0, {fixed, tolerance});
+  const AlbedoResult r = directional_albedo(term, 0, degrees(theta), {}, {fixed, tolerance});
   EXPECT_TRUE(r.converged) << info(form).name << " at " << theta;
   return r.value;
 }
-double value(const AnyForm& form, const Values& weights, const Values& shape, const Vec3<double>& wi,
+double value(const Reflectance& form, const Values& weights, const Values& shape, const Vec3<double>& wi,
              const Vec3<double>& wo) {
   Term term = make_term(form, 1);
   term.weights[0] = weights;
@@ -34,7 +35,7 @@ double value(const AnyForm& form, const Values& weights, const Values& shape, co
   return f;
 }
 // The angle from which on the albedo exceeds 1, bracketed to 0.01 degrees.
-void expect_albedo_crosses_one_at(const AnyForm& form, const Values& weights, const Values& shape,
+void expect_albedo_crosses_one_at(const Reflectance& form, const Values& weights, const Values& shape,
                                   double theta) {
   EXPECT_LT(albedo(form, weights, shape, theta - 0.01), 1) << info(form).name;
   EXPECT_GT(albedo(form, weights, shape, theta + 0.01), 1) << info(form).name;
@@ -82,7 +83,7 @@ TEST(KnownViolations, ThePowerOfPhongBreaksElsewhere) {
   std::uniform_real_distribution<float> unit(0, 1);
   float largest = 0;
   for (int k = 0; k < 10000; ++k) {  // the mirror direction of a rounded unit vector with itself
-    const Vec3<double> w = direction(1.5 * unit(random), 6 * unit(random));
+    const Vec3<double> w = direction(radians(1.5 * unit(random)), radians(6 * unit(random)));
     const Vec3<float> r{float(w.x), float(w.y), float(w.z)};
     largest = std::max(largest, std::pow(dot(r, r), 1e6f));
   }
@@ -101,7 +102,7 @@ TEST(KnownViolations, BlinnPhongN8GainsEnergyAtNormalIncidence) {
 
 TEST(KnownViolations, BlinnPhongAsAMicrofacetFormNeedsMasking) {
   const double n = 50;
-  const double e = half_vector_albedo(std::sqrt(2 / n), direction(89 * kDegree, 0),
+  const double e = half_vector_albedo(std::sqrt(2 / n), direction(degrees(89), {}),
                                       [&](const auto& wi, const auto& wo, const auto& h) {
                                         return (n + 2) / (2 * kPi) * std::pow(h.z, n) / (4 * wi.z * wo.z);
                                       });
@@ -128,7 +129,7 @@ TEST(KnownViolations, APlainPowerLosesThreeDigitsPerExponentOfTenThousand) {
 // --- Cook-Torrance ----------------------------------------------------------------------------------------
 
 TEST(KnownViolations, CookTorranceAsPrintedIsNotReciprocal) {
-  const Vec3<double> normal{0, 0, 1}, low = direction(89.5 * kDegree, 0);
+  const Vec3<double> normal{0, 0, 1}, low = direction(degrees(89.5), {});
   const double toward = value(cook_torrance_as_printed{}, {0, 1, 0}, {1, 1}, low, normal);
   const double back = value(cook_torrance_as_printed{}, {0, 1, 0}, {1, 1}, normal, low);
   EXPECT_LT(toward, 1e-9 * back);
@@ -141,7 +142,7 @@ TEST(KnownViolations, OneSidedClampsBreakReciprocity) {
     g.cos_i = std::max(g.cos_i, 1e-3);
     return quotient(d_ggx(Roughness<double>{0.3, 0.3}, g), v_smith_ggx(Roughness<double>{0.3, 0.3}, g));
   };
-  const Vec3<double> a = direction(1.0, 0), b{-std::sqrt(1 - 1e-8), 0, 1e-4};
+  const Vec3<double> a = direction(radians(1.0), {}), b{-std::sqrt(1 - 1e-8), 0, 1e-4};
   EXPECT_GT(std::abs(clamped(a, b) / clamped(b, a) - 1), 1e-3);
   EXPECT_EQ(value(cook_torrance{}, {0, 1, 1}, {0.3, 0.3}, a, b),
             value(cook_torrance{}, {0, 1, 1}, {0.3, 0.3}, b, a));
@@ -161,15 +162,18 @@ TEST(KnownViolations, SingleScatteringLosesSixtyNinePercent) {
 
 TEST(KnownViolations, CookTorrance1982ReflectsFourOverPi) {
   EXPECT_NEAR(albedo(cook_torrance_1982{}, {0, 1, 1}, {1e-4, 1e-4}, 0), 4 / kPi, 1e-6);
-  EXPECT_NEAR(
-      value(cook_torrance_1982{}, {0, 1, 1}, {0.3, 0.3}, direction(0.4, 0), direction(0.7, 2)) * kPi / 4,
-      value(cook_torrance_vcavity{}, {0, 1}, {0.3, 0.3, 1e9}, direction(0.4, 0), direction(0.7, 2)), 1e-6);
+  EXPECT_NEAR(value(cook_torrance_1982{}, {0, 1, 1}, {0.3, 0.3}, direction(radians(0.4), {}),
+                    direction(radians(0.7), radians(2))) *
+                  kPi / 4,
+              value(cook_torrance_vcavity{}, {0, 1}, {0.3, 0.3, 1e9}, direction(radians(0.4), {}),
+                    direction(radians(0.7), radians(2))),
+              1e-6);
 }
 
 TEST(KnownViolations, WithoutMaskingBeckmannGainsEnergy) {
   const Roughness<double> alpha{0.25, 0.25};
   const double e =
-      half_vector_albedo(0.25, direction(85 * kDegree, 0), [&](const auto& wi, const auto& wo, const auto&) {
+      half_vector_albedo(0.25, direction(degrees(85), {}), [&](const auto& wi, const auto& wo, const auto&) {
         const auto d = d_beckmann(alpha, geometry(wi, wo));
         return d.num / d.den / (4 * wi.z * wo.z);
       });
@@ -178,7 +182,7 @@ TEST(KnownViolations, WithoutMaskingBeckmannGainsEnergy) {
 
 double smith_g1(double alpha, double mu) {
   const Roughness<double> a{alpha, alpha};
-  const Vec3<double> w = direction(std::acos(mu), 0);
+  const Vec3<double> w = direction(radians(std::acos(mu)), {});
   return 2 * mu / (mu + stretched_length(a, w));
 }
 double schlick_g1(double k, double mu) {
@@ -199,7 +203,7 @@ TEST(KnownViolations, SchlickGgxIsNotSmithsMasking) {
 TEST(KnownViolations, SchlickGgxFailsTheWeakWhiteFurnace) {
   const double alpha = 0.25, mu = 0.3;
   const Roughness<double> a{alpha, alpha};
-  const Vec3<double> wo = direction(std::acos(mu), 0);
+  const Vec3<double> wo = direction(radians(std::acos(mu)), {});
   const double furnace = integral_over_half_vectors(alpha, [&](const Vec3<double>& h) {
     const auto d = d_ggx(a, geometry(h, h));
     return std::max(dot(wo, h), 0.0) * d.num / d.den / mu;
@@ -331,7 +335,7 @@ TEST(KnownViolations, OrenNayarAsCodedIsTooBright) {
 // --- Declarations -----------------------------------------------------------------------------------------
 
 // "kd=0 ks=1 exponent=0" as a term of one channel.
-Term witness_term(const AnyForm& form, std::string_view witness) {
+Term witness_term(const Reflectance& form, std::string_view witness) {
   Term term = make_term(form, 1);
   std::istringstream words{std::string(witness)};
   for (std::string word; words >> word;) {
@@ -353,7 +357,7 @@ TEST(KnownViolations, EveryDeclaredEnergyWitnessReproducesItsValue) {
       if (v.check != "energy") continue;
       ++witnesses;
       const Term term = witness_term(form, v.witness);
-      const AlbedoResult r = directional_albedo(term, 0, v.theta * kDegree, 0, {.tolerance = 1e-6});
+      const AlbedoResult r = directional_albedo(term, 0, degrees(v.theta), {}, {.tolerance = 1e-6});
       EXPECT_NEAR(r.value, v.value, 1e-3 * v.value) << form.name << ": " << v.witness;
       EXPECT_GT(r.value, 1) << form.name;
     }
@@ -369,11 +373,11 @@ TEST(KnownViolations, EveryDeclaredReciprocityWitnessReproducesItsValue) {
       if (v.check != "reciprocity") continue;
       ++witnesses;
       const Material m{{"y"}, {witness_term(form, v.witness)}};
-      const Vec3<double> fixed = direction(v.theta * kDegree, 0);
+      const Vec3<double> fixed = direction(degrees(v.theta), {});
       double worst = 0;
       for (double theta = 0; theta <= 89.5; theta += 0.5)
         for (double phi : {0.0, 1.0, 2.0, kPi}) {
-          const Vec3<double> other = direction(theta * kDegree, phi);
+          const Vec3<double> other = direction(degrees(theta), radians(phi));
           double there = 0, back = 0;
           eval(m, fixed, other, {&there, 1});
           eval(m, other, fixed, {&back, 1});

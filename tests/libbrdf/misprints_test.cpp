@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brdf/material.h"
+#include "brdf/microfacet.h"
 
 namespace brdf {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "brdf/forms.h"
 #include "brdf/fresnel.h"
 #include "brdf/integrals.h"
 #include "brdf/material.h"
@@ -14,12 +15,12 @@ namespace {
 
 constexpr double kDegree = kPi / 180;
 
-double albedo(const AnyForm& form, const std::vector<double>& weights, const std::vector<double>& shape,
+double albedo(const Reflectance& form, const std::vector<double>& weights, const std::vector<double>& shape,
               double theta, double phi = 0) {
   Term term = make_term(form, 1);
   term.weights[0] = weights;
   term.shape[0] = shape;
-  const AlbedoResult r = directional_albedo(term, 0, theta, phi, {.tolerance = 1e-11});
+  const AlbedoResult r = directional_albedo(term, 0, radians(theta), radians(phi), {.tolerance = 1e-11});
   EXPECT_TRUE(r.converged) << info(form).name;
   return r.value;
 }
@@ -54,7 +55,7 @@ TEST(Distributions, OfGgxHaveTheirEndValues) {
 // Integral of D (wo.h)+ over h is cos_o/G1(wo): normalisation of the visible area.
 TEST(Masking, OfSmithShowsTheProjectedArea) {
   for (double mu : {0.15, 0.5, 0.9}) {
-    const Vec3<double> wo = direction(std::acos(mu), 0.7);
+    const Vec3<double> wo = direction(radians(std::acos(mu)), radians(0.7));
     const Roughness<double> a{0.5, 0.3};
     const auto visible = [&](auto* distribution) {
       return integral_over_half_vectors(
@@ -66,7 +67,7 @@ TEST(Masking, OfSmithShowsTheProjectedArea) {
 }
 
 TEST(Masking, CorrelatedAndSeparableSmithDifferByUpToTwoLogTwoMinusOne) {
-  const Vec3<double> wo = direction(85 * kDegree, 0);
+  const Vec3<double> wo = direction(degrees(85), {});
   const Roughness<double> a{1, 1};
   const double separable = half_vector_albedo(1, wo, [&](const auto& wi, const auto&, const auto& h) {
     const auto g1 = [&](const Vec3<double>& w) { return 2 * w.z / (w.z + stretched_length(a, w)); };
@@ -229,15 +230,15 @@ TEST(AlbedoOracles, OfAProductionTablesCells) {
   }
 }
 
-// Fujii's form is the first term of the energy-preserving one: its average albedo is what the second term
-// adds to.
+// Fujii's form is the first term of the energy-preserving
+// one: its average albedo is what the second term adds to.
 TEST(AlbedoOracles, OfFujiisFormOnAverage) {
   const double a = 1 / (1 + oren_nayar_energy::kC1);
   EXPECT_NEAR(a * (1 + oren_nayar_energy::kC2), 0.832810763579, 1e-12);
 }
 
-// A teaching renderer's microfacet material: Beckmann .1 with the rational fit of separable masking, exact
-// Fresnel.
+// A teaching renderer's microfacet material: Beckmann .1
+// with the rational fit of separable masking, exact Fresnel.
 TEST(AlbedoOracles, OfATeachingRenderersMaterial) {
   const double alpha = 0.1, eta = 1.5 / 1.000277;
   const double diffuse = 0.212671 * 0.1 + 0.715160 * 0.2 + 0.072169 * 0.15;  // luminance of kd
@@ -249,7 +250,7 @@ TEST(AlbedoOracles, OfATeachingRenderersMaterial) {
       {0, 0.207084}, {45, 0.215892}, {60, 0.247774}, {80, 0.430824}, {85, 0.519005}};
   for (const auto& [theta, expected] : rows) {
     const double e =
-        diffuse + 0.8 * half_vector_albedo(alpha, direction(theta * kDegree, 0),
+        diffuse + 0.8 * half_vector_albedo(alpha, direction(degrees(theta), {}),
                                            [&](const auto& wi, const auto& wo, const auto& h) {
                                              return beckmann({alpha, alpha}, h) * g1(wi) * g1(wo) *
                                                     fresnel_dielectric(eta, dot(wo, h)) / (4 * wi.z * wo.z);

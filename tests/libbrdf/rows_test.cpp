@@ -1,5 +1,6 @@
 // The elementary functions of a row of nodes against the C library in long double, bounds on both sides.
-#include "integrals/rows.h"
+#include "libbrdf/src/integrals/rows.h"
+#include "brdf/quadrature.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ TEST(Rows, HyperbolicFunctionsAreRelativelyAccurateForTinyAndLargeArguments) {
   for (const auto& [low, high] : {std::pair{1e-12, 0.5}, std::pair{0.5, 700.0}}) {
     const std::vector<double> s = log_spaced(low, high, 20000);
     std::vector<double> sinh(s.size()), cosh(s.size());
-    sinh_cosh(s.size(), s.data(), sinh.data(), cosh.data());
+    quadrature::sinh_cosh(s.size(), s.data(), sinh.data(), cosh.data());
     const double of_sinh = errors(s, sinh, [](long double x) { return sinhl(x); }).relative;
     const double of_cosh = errors(s, cosh, [](long double x) { return coshl(x); }).relative;
     EXPECT_GT(of_sinh, 0.3);

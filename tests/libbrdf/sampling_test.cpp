@@ -1,6 +1,7 @@
-// Samplers against their densities (chi-square), the weights they promise, and albedos by Monte Carlo against
-// the quadrature.
+// Samplers against their densities (chi-square), the weights they
+// promise, and albedos by Monte Carlo against the quadrature.
 #include "brdf/sampling.h"
+#include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
@@ -19,34 +20,22 @@ constexpr double kDegree = kPi / 180;
 
 // One sampler at one set of parameters.
 struct Subject {
-  AnyForm form;
+  Reflectance form;
   std::vector<double> shape;
 };
 
 Vec3<double> draw(const Subject& subject, double u1, double u2, double u3, const Vec3<double>& wo,
                   double share) {
-  return std::visit(
-      [&](auto f) {
-        const auto s =
-            from_values<typename decltype(f)::template Shape<double>>(std::span<const double>(subject.shape));
-        return sample(f, s, u1, u2, u3, wo, share);
-      },
-      subject.form);
+  return subject.form->sample(subject.shape, u1, u2, u3, wo, share);
 }
 double density(const Subject& subject, const Vec3<double>& wi, const Vec3<double>& wo, double share) {
-  return std::visit(
-      [&](auto f) {
-        const auto s =
-            from_values<typename decltype(f)::template Shape<double>>(std::span<const double>(subject.shape));
-        return pdf(f, s, wi, wo, share);
-      },
-      subject.form);
+  return subject.form->pdf(subject.shape, wi, wo, share);
 }
 // f cos_i of the diffuse and the specular part at weight 1; F = 1.
 double value_cos(const Subject& subject, const Vec3<double>& wi, const Vec3<double>& wo, bool specular) {
   Term term = make_term(subject.form, 1);
   term.shape[0] = subject.shape;
-  const FormInfo& f = info(subject.form);
+  const ReflectanceInfo& f = info(subject.form);
   for (std::size_t k = 0; k < f.weights.size(); ++k)
     term.weights[0][k] = f.weights[k].name == "f0"   ? 1
                          : f.weights[k].name == "ks" ? double(specular)
@@ -153,7 +142,7 @@ TEST(Sampling, FollowsItsDensity) {
   int tests = 0;
   for (const Subject& subject : subjects())
     for (double theta : kViewAngles) {
-      const Vec3<double> wo = direction(theta * kDegree, 0.6);
+      const Vec3<double> wo = direction(degrees(theta), radians(0.6));
       const double p =
           chi_square_test(subject, wo, random, [&](const auto& wi) { return density(subject, wi, wo, 0.7); });
       ++tests;
@@ -165,7 +154,7 @@ TEST(Sampling, FollowsItsDensity) {
 
 TEST(Sampling, TheTestNoticesAWrongDensity) {
   std::mt19937_64 random(12);
-  const Vec3<double> wo = direction(0.6, 0.6);
+  const Vec3<double> wo = direction(radians(0.6), radians(0.6));
   const Subject used{cook_torrance{}, {0.2, 0.2}}, claimed{cook_torrance{}, {0.23, 0.23}};
   EXPECT_LT(chi_square_test(used, wo, random, [&](const auto& wi) { return density(claimed, wi, wo, 0.7); }),
             1e-4);
@@ -189,7 +178,7 @@ double largest_weight(const Subject& subject, const Vec3<double>& wo, std::mt199
 TEST(SamplingWeights, AreBounded) {
   std::mt19937_64 random(13);
   for (double theta : kViewAngles) {
-    const Vec3<double> wo = direction(theta * kDegree, 0.6);
+    const Vec3<double> wo = direction(degrees(theta), radians(0.6));
     for (double n : {4.0, 80.0}) {
       EXPECT_LE(largest_weight({phong{}, {n}}, wo, random), (n + 2) / (n + 1) * (1 + 1e-12));
       const double k = (n + 2) * (n + 4) / (8 * kPi * (std::exp2(-n / 2) + n));
@@ -203,7 +192,7 @@ TEST(SamplingWeights, AreBounded) {
     // Walter's weight of Ward's lobe: (wo.h) cos_h^3 sqrt(cos_i/cos_o), unbounded towards grazing.
     EXPECT_LE(largest_weight({ward{}, {0.2, 0.4}}, wo, random), std::sqrt(1 / wo.z) * (1 + 1e-12));
   }
-  EXPECT_GT(largest_weight({cook_torrance{}, {0.1, 0.1}}, direction(0, 0), random), 0.99);
+  EXPECT_GT(largest_weight({cook_torrance{}, {0.1, 0.1}}, direction({}, {}), random), 0.99);
 }
 
 // --- Albedo -----------------------------------------------------------------------------------------------
@@ -231,8 +220,9 @@ TEST(SamplingAlbedo, AgreesWithTheQuadratureWithinThreeSigma) {
   std::mt19937_64 random(14);
   for (const Subject& subject : subjects())
     for (double theta : {20.0, 75.0}) {
-      const Vec3<double> wo = direction(theta * kDegree, 0.6);
-      const auto lobes = lobe_albedos(subject.form, subject.shape, theta * kDegree, 0.6, {.tolerance = 1e-8});
+      const Vec3<double> wo = direction(degrees(theta), radians(0.6));
+      const auto lobes =
+          lobe_albedos(subject.form, subject.shape, degrees(theta), radians(0.6), {.tolerance = 1e-8});
       const bool specular = lobes.size() > 1;
       const Estimate estimate = albedo_by_sampling(subject, wo, specular, random);
       const double truth = lobes[specular ? 1 : 0].value;

@@ -1,5 +1,6 @@
 // The tracing scalar writes the formula down, once, as the library computes it.
 #include "brdf/trace.h"
+#include "brdf/forms.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,23 +66,24 @@ TEST(Glsl, EveryFloatOfEveryFormIsPrecise) {
     return n;
   };
   for_each_form([&](auto form) {
-    const std::string text = glsl_kernels() + glsl_form(form);
+    const std::string text = glsl_kernels() + Reflectance(form)->glsl();
     EXPECT_GT(count(text, "\n  precise float t"), 50u) << form.name;
     EXPECT_EQ(count(text, "\n  float t"), 0u) << form.name;
-    EXPECT_EQ(count(glsl_form(form, {.precise = false}), "precise"), 0u) << form.name;
+    EXPECT_EQ(count(Reflectance(form)->glsl({.precise = false}), "precise"), 0u) << form.name;
   });
 }
 
 TEST(Glsl, ArgumentsFollowTheTables) {
-  EXPECT_THAT(glsl_form(cook_torrance{}),
+  EXPECT_THAT(Reflectance(cook_torrance{})->glsl(),
               HasSubstr("vec3 brdf_eval_cos_cook_torrance(vec3 wi, vec3 wo, float alpha_x, float alpha_y, "
                         "vec3 kd, vec3 ks, vec3 f0) {\n"));
-  EXPECT_THAT(glsl_form(lambert{}), HasSubstr("vec3 brdf_eval_lambert(vec3 wi, vec3 wo, vec3 rho) {\n"));
+  EXPECT_THAT(Reflectance(lambert{})->glsl(),
+              HasSubstr("vec3 brdf_eval_lambert(vec3 wi, vec3 wo, vec3 rho) {\n"));
 }
 
 TEST(Glsl, UsesNoFunctionOfTheShadingLanguageThatRoundsFreely) {
   for_each_form([&](auto form) {
-    const std::string text = glsl_kernels() + glsl_form(form);
+    const std::string text = glsl_kernels() + Reflectance(form)->glsl();
     for (const char* name :
          {" exp(", " log(", " pow(", " inversesqrt(", " fma(", " mix(", " dot(", " normalize("})
       EXPECT_THAT(text, Not(HasSubstr(name))) << form.name;
@@ -89,7 +91,7 @@ TEST(Glsl, UsesNoFunctionOfTheShadingLanguageThatRoundsFreely) {
 }
 
 TEST(Glsl, IsTheSameTextEachTime) {
-  for_each_form([](auto form) { EXPECT_EQ(glsl_form(form), glsl_form(form)); });
+  for_each_form([](auto form) { EXPECT_EQ(Reflectance(form)->glsl(), Reflectance(form)->glsl()); });
 }
 
 }  // namespace

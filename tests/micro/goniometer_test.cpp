@@ -55,7 +55,7 @@ TEST(Goniometer, FlatLambertianSurfaceIsRhoOverPi) {
 TEST(Goniometer, FlatMirrorSendsEverythingIntoTheMirrorDirection) {
   const Cells cells(2 * kDegree);
   const Scatter scatter = measure_scatter(mirrors(1e-4, 400), {{0.71, 2.0}}, cells)[0];
-  const int mirror = cells.find(direction(0.71, 2.0 + kPi), 2.0);
+  const int mirror = cells.find(direction(radians(0.71), radians(2.0 + kPi)), 2.0);
   EXPECT_NEAR(scatter.f[0][mirror].mean, 1 / cells[mirror].projected_solid_angle(), 1e-9 / 1e-3);
   EXPECT_NEAR(scatter.account.escaped[0], 1, 1e-12);
 }
@@ -96,8 +96,8 @@ TEST(Goniometer, AccountsForEveryShareOfThePower) {
 
 TEST(Goniometer, IsReciprocal) {
   const Cells cells(15 * kDegree);
-  const Cell& a = cells[cells.find(direction(0.3, 0.2))];
-  const Cell& b = cells[cells.find(direction(1.2, 2.6))];
+  const Cell& a = cells[cells.find(direction(radians(0.3), radians(0.2)))];
+  const Cell& b = cells[cells.find(direction(radians(1.2), radians(2.6)))];
   for (const Simulation& s : {mirrors(0.5, 60000), lambert_grooves(0.6, 0.9, 60000)}) {
     const Exchange e = measure_exchange(s, a, b);
     const double error = std::hypot(e.forward.standard_error, e.backward.standard_error);

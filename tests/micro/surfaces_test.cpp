@@ -102,8 +102,8 @@ TEST(Grooves, HaveTheStatedAngles) {
   }
 }
 
-// The tracer against a march in small steps over the endless surface, which knows nothing of periods or
-// Embree.
+// The tracer against a march in small steps over the endless
+// surface, which knows nothing of periods or Embree.
 TEST(Tracer, FindsWhatAMarchFinds) {
   const Surface s = make_surface(field(0.6, 0.4, 32), 3);
   Tracer tracer(s);
@@ -111,7 +111,8 @@ TEST(Tracer, FindsWhatAMarchFinds) {
   int hits = 0, escapes = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Vec start = tracer.on_surface(s.period_x() * random.uniform(), s.period_y() * random.uniform());
-    const Vec w = direction(kPi / 2 * (0.7 + 0.35 * random.uniform()), 2 * kPi * random.uniform());
+    const Vec w =
+        direction(radians(kPi / 2 * (0.7 + 0.35 * random.uniform())), radians(2 * kPi * random.uniform()));
     const Facet at_start = s.facet_at(start.x, start.y);
     if (w.z - at_start.slope_x * w.x - at_start.slope_y * w.y < 0.02) continue;
     Vec p = start;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kDegree = kPi / 180;
 
-// V-cavities are exact for mirror grooves: the form's G and the Fresnel factor, in every cell that holds
-// power.
+// V-cavities are exact for mirror grooves: the form's G
+// and the Fresnel factor, in every cell that holds power.
 TEST(Theory, MirrorGroovesAreTheVCavityForm) {
   Simulation s;
   s.geometry = Grooves{GrooveAngles::beckmann, 0.4, 1024};
@@ -55,15 +55,16 @@ TEST(Theory, LambertianGroovesAreTheCavityIntegral) {
   const std::vector<Incidence> views{{0, 0}, {70 * kDegree, 0}, {50 * kDegree, 2}, {70 * kDegree, kPi}};
   const auto f = measure_radiance(s, {from}, views)[0];
   for (std::size_t v = 0; v < views.size(); ++v) {
-    const double exact = groove_single_reflection(30 * kDegree, direction(from.theta, from.phi),
-                                                  direction(views[v].theta, views[v].phi));
+    const double exact =
+        groove_single_reflection(30 * kDegree, direction(radians(from.theta), radians(from.phi)),
+                                 direction(radians(views[v].theta), radians(views[v].phi)));
     EXPECT_LT(f[v].total.standard_error, 0.03 * exact);
     EXPECT_LT(std::abs(f[v].total.mean - exact), 4.5 * f[v].total.standard_error) << v;
   }
 }
 
-// Smith's masking is an approximation: on a correlated surface, facets tilted away are seen less than it
-// says.
+// Smith's masking is an approximation: on a correlated
+// surface, facets tilted away are seen less than it says.
 TEST(Theory, SmithsMaskingIgnoresTheSlope) {
   Simulation s;
   s.geometry = HeightField{.alpha_x = 0.5, .alpha_y = 0.5, .size = 256};

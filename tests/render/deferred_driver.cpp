@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "brdf/forms.h"
 #include "io/error.h"
 #include "render/parity.h"
 #include "render/reference.h"
@@ -24,7 +25,7 @@ Picture drawn(Device& device, const PreparedScene& scene, const RendererOptions&
 
 TEST(Deferred, EveryFormEqualsTheReference) {
   Device device;
-  std::vector<AnyForm> forms;
+  std::vector<Reflectance> forms;
   for_each_form([&](auto form) { forms.emplace_back(form); });
   for (const ParityRow& row : parity(device, forms, 256)) {
     EXPECT_TRUE(passes(row)) << row.form << " " << row.parameters << " " << row.gbuffer_bits << " "
@@ -47,7 +48,7 @@ TEST(Deferred, SumsAndPerChannelShapesAreAddedUp) {
   const auto shape = material.terms[0].shape[0];
   material.terms[0].shape = {shape, shape, shape};
   material.terms[0].shape[1][0] = 0.1;
-  material.terms[1].tangent_phi = 0.5;
+  material.terms[1].tangent_phi = radians(0.5);
   const PreparedScene scene = prepare(sphere_scene(material));
   Device device;
   EXPECT_LT(compare(drawn(device, scene, {.gbuffer_bits = 32}), render_reference(scene)).rel_mse, 1e-11);

@@ -1,6 +1,7 @@
 // Shader and library agree bit for bit on the software driver; the negative controls do not.
 #include <gtest/gtest.h>
 
+#include "brdf/forms.h"
 #include "render/probe.h"
 #include "tests/render/contracted.h"
 
@@ -11,8 +12,8 @@ constexpr std::uint32_t kUnprecise[] =
 #include "probe_unprecise.comp.inc"
     ;
 
-std::vector<AnyForm> all_forms() {
-  std::vector<AnyForm> forms;
+std::vector<Reflectance> all_forms() {
+  std::vector<Reflectance> forms;
   for_each_form([&](auto form) { forms.emplace_back(form); });
   return forms;
 }
@@ -29,7 +30,7 @@ TEST(Probe, EveryFormHasTheLibrarysBits) {
 
 TEST(Probe, WithoutPreciseValuesDiffer) {
   Device device;
-  const std::vector<AnyForm> forms{ward{}, phong{}, blinn_phong{}, cook_torrance_beckmann{}};
+  const std::vector<Reflectance> forms{ward{}, phong{}, blinn_phong{}, cook_torrance_beckmann{}};
   for (const ProbeRow& row : probe(device, forms, {.random = 1 << 14, .shader = kUnprecise})) {
     EXPECT_GT(double(row.differing), 0.01 * 6 * double(row.count)) << row.form;
     EXPECT_FALSE(passes(row, true)) << row.form;
@@ -38,7 +39,8 @@ TEST(Probe, WithoutPreciseValuesDiffer) {
 
 TEST(Probe, ContractedLibraryDiffers) {
   if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor cannot contract";
-  for (const AnyForm& form : {AnyForm(ward{}), AnyForm(cook_torrance{}), AnyForm(oren_nayar{})}) {
+  for (const Reflectance& form :
+       {Reflectance(ward{}), Reflectance(cook_torrance{}), Reflectance(oren_nayar{})}) {
     std::size_t differing = 0;
     const auto configurations = random_configurations(form, 1 << 14, 1);
     for (const ProbeConfiguration& c : configurations)

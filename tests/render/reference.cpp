@@ -1,4 +1,5 @@
 #include "render/reference.h"
+#include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
@@ -31,9 +32,9 @@ TEST(Reference, LambertianSphereHasItsClosedForm) {
 TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
   for_each_form([&](auto form) {
     Material material = make_material(form);
-    material.terms[0].tangent_phi = 0.7;
+    material.terms[0].tangent_phi = radians(0.7);
     if (info(form).anisotropic()) {
-      material.terms[0].shape[0][std::size_t(info(form).shape_index("alpha_x"))] = 0.15;
+      material.terms[0].shape[0][std::size_t(info(form).axes().along)] = 0.15;
     }
     const PreparedScene scene = prepare(small_scene(material));
     for (const auto& [x, y] : {std::pair{20, 17}, {24, 30}, {10, 14}}) {
@@ -41,7 +42,7 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
       ASSERT_TRUE(at.hit);
       // The probe's directions are in the turned frame: an unturned material has the same values there.
       Material unturned = material;
-      unturned.terms[0].tangent_phi = 0;
+      unturned.terms[0].tangent_phi = {};
       std::vector<double> f(3);
       eval(unturned, {at.wi.x, at.wi.y, at.wi.z}, {at.wo.x, at.wo.y, at.wo.z}, f);
       for (int c = 0; c < 3; ++c) {

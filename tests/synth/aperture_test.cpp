@@ -1,4 +1,5 @@
 #include "brdf/aperture.h"
+#include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ constexpr double kDegree = kPi / 180;
 TEST(Aperture, NodesAreUnitVectorsWithinTheConeAndWeightsSumToOne) {
   for (const double width : {0.0, 0.1, 1.0, 30.0, 90.0}) {
     double sum = 0;
-    for (const ApertureNode& node : aperture_nodes(width * kDegree)) {
+    for (const ApertureNode& node : aperture_nodes(degrees(width))) {
       sum += node.weight;
       EXPECT_NEAR(dot(node.direction, node.direction), 1, 1e-15);
       EXPECT_LE(std::atan2(std::hypot(node.direction.x, node.direction.y), node.direction.z),
@@ -22,13 +23,13 @@ TEST(Aperture, NodesAreUnitVectorsWithinTheConeAndWeightsSumToOne) {
     }
     EXPECT_NEAR(sum, 1, 1e-15);
   }
-  EXPECT_EQ(aperture_nodes(0).size(), 1u);
-  EXPECT_EQ(aperture_nodes(.01, kFitRings).size(), 24u);
-  EXPECT_EQ(aperture_nodes(.01, kSynthRings).size(), 288u);
+  EXPECT_EQ(aperture_nodes({}).size(), 1u);
+  EXPECT_EQ(aperture_nodes(radians(.01), kFitRings).size(), 24u);
+  EXPECT_EQ(aperture_nodes(radians(.01), kSynthRings).size(), 288u);
 }
 
 TEST(Aperture, NodesTurnWithTheAxisAndKeepTheirDistance) {
-  const auto nodes = aperture_nodes(2 * kDegree);
+  const auto nodes = aperture_nodes(degrees(2));
   for (const Vec3<double> axis : {Vec3<double>{0, 0, 1}, {0.6, 0, 0.8}, {-0.48, 0.6, 0.64}, {1, 0, 0}}) {
     for (const ApertureNode& node : nodes) {
       const Vec3<double> w = aperture_direction(axis, node);
@@ -38,11 +39,11 @@ TEST(Aperture, NodesTurnWithTheAxisAndKeepTheirDistance) {
   }
 }
 
-// The mean over the cone of exp(-(t/s)^2), t the small angle to the axis moved by `offset`, against a fine
-// rule.
+// The mean over the cone of exp(-(t/s)^2), t the small
+// angle to the axis moved by `offset`, against a fine rule.
 double gaussian_mean(double width, double s, double offset, int rings) {
   double sum = 0;
-  for (const ApertureNode& node : aperture_nodes(width, rings)) {
+  for (const ApertureNode& node : aperture_nodes(radians(width), rings)) {
     const double x = node.direction.x - offset, y = node.direction.y;
     sum += node.weight * math::exp(-(x * x + y * y) / (s * s));
   }
@@ -66,13 +67,13 @@ TEST(Aperture, TheFittingRuleIsAsAccurateAsDocumented) {
 
 TEST(Aperture, ALambertianReadsTheSameThroughAnyApertureAwayFromTheHorizon) {
   const Material material = make_material(lambert{}, {"fr"});
-  const auto nodes = aperture_nodes(10 * kDegree);
-  const Vec3<double> wi = direction(0.3, 1), wo = direction(1.2, 4);
+  const auto nodes = aperture_nodes(degrees(10));
+  const Vec3<double> wi = direction(radians(0.3), radians(1)), wo = direction(radians(1.2), radians(4));
   double value[1];
   eval_aperture(material, wi, wo, nodes, nodes, value);
   EXPECT_NEAR(value[0], 0.5 / kPi, 1e-15);
   // Half of the cone lies below the horizon, and is dark.
-  eval_aperture(material, wi, direction(kPi / 2, 0), aperture_nodes(0), nodes, value);
+  eval_aperture(material, wi, direction(radians(kPi / 2), {}), aperture_nodes({}), nodes, value);
   EXPECT_NEAR(value[0], 0.25 / kPi, 0.05 / kPi);
 }
 

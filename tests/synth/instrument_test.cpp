@@ -1,4 +1,5 @@
 #include "synth/instrument.h"
+#include "brdf/forms.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,8 +129,8 @@ TEST(Instrument, AnApertureWiderThanTheLobeFlattensItAndWarns) {
   const auto peak = [](const io::SampleTable& t) {
     return *std::max_element(t.values[0].begin(), t.values[0].end());
   };
-  // At 30 degrees the mirror lobe of slopes alpha is a Gaussian of widths 2 alpha and 2 alpha cos(30) in
-  // angle.
+  // At 30 degrees the mirror lobe of slopes alpha is a
+  // Gaussian of widths 2 alpha and 2 alpha cos(30) in angle.
   EXPECT_NEAR(peak(blurred) / peak(sharp), 0.52, 0.05);
   EXPECT_TRUE(measure(ward_material(0.1, 0.1), instrument).warnings.empty());
 }
@@ -174,7 +175,7 @@ TEST(Grid, TurningTheSampleTurnsBothDirectionsTheOtherWay) {
   Instrument turned_sample = in_plane();
   turned_sample.grid.azimuths = {30};
   Material turned_material = ward_material(0.1, 0.3);
-  turned_material.terms[0].tangent_phi = 30 * kPi / 180;
+  turned_material.terms[0].tangent_phi = degrees(30);
   const io::SampleTable a = measure(ward_material(0.1, 0.3), turned_sample);
   const io::SampleTable b = measure(turned_material, in_plane());
   for (std::size_t k = 0; k < a.rows(); ++k) ASSERT_NEAR(a.values[0][k] / b.values[0][k], 1, 1e-10);

@@ -1,4 +1,5 @@
 #include "trade/scene_fit.h"
+#include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ TEST(SceneFit, LitPointsLieAboveBothHorizons) {
 
 TEST(SceneFit, RenderingBothGivesTheErrorOfTheDirections) {
   const SceneView view = view_of(material_ball(48));
-  const Reflectance a = reflectance_of(glossy(0.2)), b = reflectance_of(glossy(0.3));
+  const RgbFunction a = rgb_function(glossy(0.2)), b = rgb_function(glossy(0.3));
   EXPECT_EQ(image_error(view, a, a), 0);
   const double error = image_error(view, a, b);
   EXPECT_GT(error, 0.01);
@@ -42,23 +43,23 @@ TEST(SceneFit, RenderingBothGivesTheErrorOfTheDirections) {
 
 TEST(SceneFit, RecoversTheMaterialThatTheSceneShows) {
   const SceneView view = view_of(material_ball(64));
-  const io::SampleTable table = scene_samples(view, reflectance_of(glossy(0.2)), 1500);
+  const io::SampleTable table = scene_samples(view, rgb_function(glossy(0.2)), 1500);
   const Material fitted = fit_to_picture(cook_torrance{}, table, false);
   EXPECT_NEAR(fitted.terms[0].shape[0][0], 0.2, 1e-4);
-  EXPECT_LT(image_error(view, reflectance_of(fitted), reflectance_of(glossy(0.2))), 1e-3);
+  EXPECT_LT(image_error(view, rgb_function(fitted), rgb_function(glossy(0.2))), 1e-3);
 }
 
 TEST(SceneFit, AVariantWithoutFresnelFindsTheWidth) {
   const SceneView view = view_of(material_ball(64));
-  const io::SampleTable table = scene_samples(view, reflectance_of(glossy(0.2)), 1500);
+  const io::SampleTable table = scene_samples(view, rgb_function(glossy(0.2)), 1500);
   const FittedVariant fitted = fit_variant("no Fresnel", table);
   EXPECT_NEAR(fitted.alpha, 0.2, 0.02);
   EXPECT_EQ(fitted.weights[0][2], 0);
-  EXPECT_LT(image_error(view, fitted.reflectance, reflectance_of(glossy(0.2))), 0.05);
+  EXPECT_LT(image_error(view, fitted.reflectance, rgb_function(glossy(0.2))), 0.05);
 }
 
 TEST(SceneFit, ChannelsOtherThanOneOrThreeAreRefused) {
-  EXPECT_THROW(reflectance_of(make_material(lambert{}, {"a", "b"})), InputError);
+  EXPECT_THROW(rgb_function(make_material(lambert{}, {"a", "b"})), InputError);
 }
 
 std::filesystem::path data(const std::string& name) {

@@ -1,5 +1,6 @@
 // The search against facts known from elsewhere: what it finds, and that it raises no false alarm.
 #include "validate/checks.h"
+#include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(Continuity, ALobeDividedByItsCosineJumpsAtTheHorizon) {
 TEST(Isotropy, AnAnisotropicMaterialIsSymmetricAboutItsTangent) {
   Material m = make_material(cook_torrance{});
   m.terms[0].shape = {{0.1, 0.4}};
-  m.terms[0].tangent_phi = 0.4;
+  m.terms[0].tangent_phi = radians(0.4);
   const Finding f = check_isotropy(Subject::material("m.json", m), {});
   EXPECT_EQ(f.verdict, Verdict::pass) << f.value;
   EXPECT_NE(f.statement.find("22.9 degrees"), std::string::npos) << f.statement;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "brdf/forms.h"
 #include "brdf/material.h"
 
 namespace brdf::validate {
@@ -29,7 +30,7 @@ io::SampleTable clean_table(double noise = 0.03) {
       for (int phi_o = 0; phi_o <= 180; phi_o += 10) {
         if (theta_o == 0 && phi_o > 0) continue;
         std::vector<double> f(1);
-        eval(material, direction(theta_i * kPi / 180, kPi), direction(theta_o * kPi / 180, phi_o * kPi / 180),
+        eval(material, direction(degrees(theta_i), radians(kPi)), direction(degrees(theta_o), degrees(phi_o)),
              f);
         const double jitter = noise * (2 * double(random()) / double(random.max()) - 1);
         t.theta_i.push_back(theta_i);
@@ -140,7 +141,7 @@ TEST(DataSheet, ATurnedSampleShowsItsAnisotropyAndItsNoise) {
       }
     for (std::size_t k = 0; k < t.rows(); ++k) {
       std::vector<double> f(1);
-      const auto at = [](double theta, double phi) { return direction(theta * kPi / 180, phi * kPi / 180); };
+      const auto at = [](double theta, double phi) { return direction(degrees(theta), degrees(phi)); };
       eval(Material{{"fr"}, {term}}, at(t.theta_i[k], t.phi_i[k]), at(t.theta_o[k], t.phi_o[k]), f);
       t.values[0][k] = f[0] * (1 + 0.1 * (2 * double(random()) / double(random.max()) - 1));
     }

@@ -82,8 +82,8 @@ struct ggx_stable {
     return d.num / d.den;
   }
 };
-// As it is printed nearly everywhere: alpha^2/(pi ((n.h)^2 (alpha^2 - 1) + 1)^2) with a normalised half
-// vector.
+// As it is printed nearly everywhere: alpha^2/(pi ((n.h)^2
+// (alpha^2 - 1) + 1)^2) with a normalised half vector.
 struct ggx_naive {
   template <class T>
   T operator()(const Row<T>& x) const {

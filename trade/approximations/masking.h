@@ -32,8 +32,8 @@ struct schlick_ggx_half {
     return v_schlick_ggx(T(0.5) * a.alpha_x, g);
   }
 };
-// The same with k = (roughness + 1)^2/8, alpha = roughness^2 (Karis 2013, for analytic lights; the thesis's
-// listing).
+// The same with k = (roughness + 1)^2/8, alpha = roughness^2
+// (Karis 2013, for analytic lights; the thesis's listing).
 struct schlick_ggx_analytic {
   template <class T>
   Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
@@ -76,8 +76,8 @@ struct smith_beckmann {
   }
 };
 
-// Walter et al. 2007: G1 = (3.535 c + 2.181 c^2)/(1 + 2.276 c + 2.577 c^2) for c = 1/(alpha tan) < 1.6,
-// else 1.
+// Walter et al. 2007: G1 = (3.535 c + 2.181 c^2)/(1 + 2.276
+// c + 2.577 c^2) for c = 1/(alpha tan) < 1.6, else 1.
 template <class T>
 T rational_g1(const T& c) {
   const T fit = (T(3.535) * c + T(2.181) * c * c) / (T(1) + T(2.276) * c + T(2.577) * c * c);

@@ -2,28 +2,23 @@
 
 #include "brdf/form.h"
 #include "brdf/forms/listing.h"
-#include "brdf/microfacet.h"
+#include "brdf/samplers.h"
 
 namespace brdf {
 
-// (n.h)^n = exp(-n/2 log1p(tan^2)), accurate at the peak for any n and down to the half vector's horizon.
-template <class S, class G>
-S half_cosine_power(const S& n, const Geometry<G>& g) {
-  const G sine2 = square(g.h.x) + square(g.h.y), inverse = G(1) / square(g.h.z), tan2 = sine2 * inverse;
-  const auto twice = [](const G& h, const G& rest) { return (value_of(h) + value_of(h)) * value_of(rest); };
-  const auto rest = quotient_rest(value_of(sine2), twice(g.h.x, g.h_rest.x) + twice(g.h.y, g.h_rest.y),
-                                  normal_part2(g), value_of(inverse), value_of(tan2));
-  return math::exp(n * (G(-0.5) * math::log1p(tan2, rest)));
-}
-
 // Blinn 1977 with the exact normalisation: f = kd/pi + ks k (n.h)^n, k = (n+2)(n+4)/(8 pi (2^(-n/2) + n)),
-// which makes the lobe's albedo ks at normal incidence. Domain: exponent 0..1e6. Symmetry: isotropic,
-// reciprocal. Known violations: none for kd + ks <= 1; it loses energy towards grazing (ks cos^2(theta) for
-// large n).
-// Error: 3.9e-15, in float 1.5e-6.
+// which makes the lobe's albedo ks at normal incidence.
+// Domain: exponent 0..1e6.
+// Symmetry: isotropic, reciprocal.
+// Known violations: none for kd + ks <= 1; it loses energy towards grazing (ks cos^2(theta) for large n).
 struct blinn_phong : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "blinn_phong";
   static constexpr std::string_view family = "blinn_phong";
+  static constexpr Accuracy accuracy{.in_float = {1.5e-6, 3.3e-6, 7.9e-6},
+                                     .in_double = {3.9e-15, 5e-15, 1.6e-14}};
+  static constexpr Kink kink = Kink::none;
+  static constexpr std::array albedos{ClosedAlbedo{0, 0, whole_albedo, "its normalisation"}};
+  using Sampler = HalfCosine;
   static constexpr NoViolations violations{};
 
   template <class S, class G>
@@ -34,13 +29,17 @@ struct blinn_phong : Takes<LobeWeights, Exponent> {
   }
 };
 
-// With the popular approximate normalisation: f = kd/pi + ks (n+8)/(8 pi) (n.h)^n (Akenine-Moller, Haines and
-// Hoffman 2008). Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal.
+// With the popular approximate normalisation: f = kd/pi + ks
+// (n+8)/(8 pi) (n.h)^n (Akenine-Moller, Haines and Hoffman 2008).
+// Domain: exponent 0..1e6.
+// Symmetry: isotropic, reciprocal.
 // Known violations: energy at normal incidence for every n > 0, at most 1.075201 at n = 8.764.
-// Error: 3.8e-15, in float 1.4e-6.
 struct blinn_phong_n8 : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "blinn_phong_n8";
   static constexpr std::string_view family = "blinn_phong";
+  static constexpr Accuracy accuracy{.in_float = {1.4e-6, 3.3e-6, 7.8e-6},
+                                     .in_double = {3.8e-15, 5e-15, 1.6e-14}};
+  static constexpr Kink kink = Kink::none;
   static constexpr std::array violations{Violation{"energy",
                                                    "albedo above 1 at normal incidence, at most 1.0752",
                                                    "kd=0 ks=1 exponent=8.764", 0, 1.075201}};
@@ -52,12 +51,16 @@ struct blinn_phong_n8 : Takes<LobeWeights, Exponent> {
   }
 };
 
-// As the thesis prints it: f = kd + ks (n.h)^n. Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal.
+// As the thesis prints it: f = kd + ks (n.h)^n.
+// Domain: exponent 0..1e6.
+// Symmetry: isotropic, reciprocal.
 // Known violations: energy; the diffuse term lacks 1/pi and integrates to pi kd, the lobe is not normalised.
-// Error: 3.8e-15, in float 1.6e-6.
 struct blinn_phong_unnormalised : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "blinn_phong_unnormalised";
   static constexpr std::string_view family = "blinn_phong";
+  static constexpr Accuracy accuracy{.in_float = {1.6e-6, 3.3e-6, 7.8e-6},
+                                     .in_double = {3.8e-15, 4.9e-15, 1.6e-14}};
+  static constexpr Kink kink = Kink::none;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term integrates to pi kd", "kd=1 ks=0 exponent=20", 0, kPi}};
 
@@ -68,11 +71,14 @@ struct blinn_phong_unnormalised : Takes<LobeWeights, Exponent> {
 };
 
 // The thesis's listing: f cos_i = albedo/pi + (n.h)^5 F0 cos_i; the diffuse term has no cosine.
-// Symmetry: isotropic, not reciprocal. Known violations: reciprocity; energy, growing as 1/cos_i.
-// Error: 8.2e-16, in float 5.4e-7.
+// Domain: albedo and metallic 0..1.
+// Symmetry: isotropic, not reciprocal.
+// Known violations: reciprocity; energy, growing as 1/cos_i.
 struct blinn_phong_as_coded : Takes<Albedo, Metallic> {
   static constexpr std::string_view name = "blinn_phong_as_coded";
   static constexpr std::string_view family = "blinn_phong";
+  static constexpr Accuracy accuracy{.in_float = {5.4e-7, 0, 0}, .in_double = {8.2e-16, 0, 0}};
+  static constexpr Kink kink = Kink::none;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=1", 89.5, 115.001},

@@ -13,13 +13,13 @@ template <class T>
 struct Albedo {
   T albedo;
   static constexpr auto fields() {
-    return std::array{
-        Field{&Albedo::albedo, ParameterInfo{"albedo", 0, 1, 0.5, 1, "", false, "colour of the surface"}}};
+    return std::array{Field{&Albedo::albedo, ParameterInfo{"albedo", 0, 1, 0.5, 1, "", false,
+                                                           "colour of the surface", Role::diffuse}}};
   }
 };
 
-inline constexpr ParameterInfo kMetallicInfo{"metallic", 0,  1,     0,
-                                             1,          "", false, "0 for a dielectric, 1 for a metal"};
+inline constexpr ParameterInfo kMetallicInfo{
+    "metallic", 0, 1, 0, 1, "", false, "0 for a dielectric, 1 for a metal", Role::other, Map::metallic};
 
 template <class T>
 struct Metallic {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "brdf/form.h"
 #include "brdf/forms/listing.h"
 
@@ -13,14 +15,26 @@ G oren_nayar_azimuth(const Geometry<G>& g) {
   return select(G(0) < s, s / larger(g.cos_i, g.cos_o), G(0));
 }
 
-// Oren and Nayar 1994, the qualitative form (eq. 30): f = rho/pi (A + B max(0, cos dphi) sin a tan b),
-// A = 1 - 0.5 s^2/(s^2 + 0.33), B = 0.45 s^2/(s^2 + 0.09), a and b the larger and smaller polar angle, s =
-// sigma. Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy, by up to 1.5 % at
-// rho = 1 (sigma .1985, towards grazing); none for sigma >= .32613.
-// Error: 4.3e-16, in float 2.5e-7.
+// At the polar angle t; tan t (1 - sin^3 t) is rewritten for t to 90 degrees.
+inline double oren_nayar_albedo(std::span<const double> shape, double t) {
+  const double s2 = square(shape[0]), a = 1 - 0.5 * s2 / (s2 + 0.33), b = 0.45 * s2 / (s2 + 0.09);
+  const double s = std::sin(t), c = std::cos(t);
+  return a + b / kPi * (s * (t - s * c) + 2.0 / 3 * s * c * (1 + s + s * s) / (1 + s));
+}
+
+// Oren and Nayar 1994, the qualitative form (eq. 30): f = rho/pi (A + B
+// max(0, cos dphi) sin a tan b), A = 1 - 0.5 s^2/(s^2 + 0.33), B = 0.45
+// s^2/(s^2 + 0.09), a and b the larger and smaller polar angle, s = sigma.
+// Domain: sigma 0..pi/2.
+// Symmetry: isotropic, reciprocal.
+// Known violations: energy, by up to 1.5 % at rho = 1
+// (sigma .1985, towards grazing); none for sigma >= .32613.
 struct oren_nayar : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr std::string_view name = "oren_nayar";
   static constexpr std::string_view family = "oren_nayar";
+  static constexpr Accuracy accuracy{.in_float = {2.5e-7, 0, 0}, .in_double = {4.3e-16, 4e-16, 0}};
+  static constexpr Kink kink = Kink::azimuth;
+  static constexpr std::array albedos{ClosedAlbedo{0, 90, oren_nayar_albedo, "the integral of eq. 30"}};
   static constexpr std::array violations{Violation{"energy",
                                                    "albedo up to 1.0152 at rho 1, for sigma below .32613",
                                                    "rho=1 sigma=0.198533", 90, 1.015179}};
@@ -40,17 +54,20 @@ G sine(const Vec3<G>& w) {
   return math::sqrt(square(w.x) + square(w.y));
 }
 
-// Oren and Nayar 1994, eq. 27 and 28: f = rho/pi L1 + rho^2/pi L2 with a, b the larger and smaller polar
-// angle,
+// Oren and Nayar 1994, eq. 27 and 28: f = rho/pi L1 +
+// rho^2/pi L2 with a, b the larger and smaller polar angle,
 //   L1 = C1 + C2 cos(dphi) tan b + C3 (1 - |cos dphi|) tan((a+b)/2),  C1 = 1 - 0.5 s^2/(s^2 + 0.33),
 //   C2 = 0.45 s^2/(s^2 + 0.09) (sin a - [(2b/pi)^3 where cos(dphi) < 0]),
 //   C3 = 0.125 s^2/(s^2 + 0.09) (4ab/pi^2)^2,  L2 = 0.17 s^2/(s^2 + 0.13) (1 - cos(dphi) (2b/pi)^2).
-// Domain: sigma 0..pi/2. Symmetry: isotropic, reciprocal. Known violations: energy up to 1.0510 at rho 1
-// (sigma .304); L1 is negative towards double grazing for sigma > .664, so f is negative there for small rho.
-// Error: 7e-16, in float 4.4e-7.
+// Domain: sigma 0..pi/2.
+// Symmetry: isotropic, reciprocal.
+// Known violations: energy up to 1.0510 at rho 1 (sigma .304); L1 is negative towards double grazing for
+// sigma > .664, so f is negative there for small rho.
 struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr std::string_view name = "oren_nayar_full";
   static constexpr std::string_view family = "oren_nayar";
+  static constexpr Accuracy accuracy{.in_float = {4.4e-7, 1.2e-7, 0}, .in_double = {7e-16, 7e-16, 2.4e-16}};
+  static constexpr Kink kink = Kink::azimuth;
   static constexpr std::array violations{
       Violation{"energy", "albedo up to 1.0510 at rho 1 (sigma .304, towards 90 degrees)",
                 "rho=1 sigma=0.304", 89.5, 1.04704},
@@ -105,22 +122,27 @@ template <class T>
 struct UnitRoughness {
   T roughness;
   static constexpr auto fields() {
-    return std::array{Field{&UnitRoughness::roughness, ParameterInfo{"roughness", 0, 1, 0.5, 1, "", false,
-                                                                     "0 for smooth, 1 for fully rough"}}};
+    return std::array{Field{&UnitRoughness::roughness,
+                            ParameterInfo{"roughness", 0, 1, 0.5, 1, "", false,
+                                          "0 for smooth, 1 for fully rough", Role::other, Map::roughness}}};
   }
 };
 
 // Fujii's form with the energy-preserving term: Portsmouth, Kutz and Hill 2024 (EON), r = roughness,
 //   f = rho/pi A (1 + r s/t) + rho_ms/pi (1 - E_i)(1 - E_o)/(1 - E_avg),  A = 1/(1 + c1 r),
-//   c1 = 1/2 - 2/(3 pi), c2 = 2/3 - 28/(15 pi), E_avg = A (1 + c2 r), rho_ms = rho^2 E_avg/(1 - rho (1 -
-//   E_avg)),
+//   c1 = 1/2 - 2/(3 pi), c2 = 2/3 - 28/(15 pi), E_avg = A (1 + c2 r), rho_ms = rho^2 E_avg/(1 - rho (1 - E_avg)),
 // s = wi.wo - cos_i cos_o, t = max(cos_i, cos_o) where s > 0, else 1; E the exact albedo of the first term.
 // 1 - E = A r (c1 - G/pi) and 1 + s are formed without cancellation: nothing is 0/0.
-// Domain: roughness 0..1. Symmetry: isotropic, reciprocal. Albedo 1 at rho 1. Known violations: none.
-// Error: 4.5e-16, in float 2.8e-7.
+// Domain: roughness 0..1.
+// Symmetry: isotropic, reciprocal. Albedo 1 at rho 1.
+// Known violations: none.
 struct oren_nayar_energy : Takes<DiffuseWeights, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_energy";
   static constexpr std::string_view family = "oren_nayar";
+  static constexpr Accuracy accuracy{.in_float = {2.8e-7, 2.6e-7, 4.7e-8},
+                                     .in_double = {4.5e-16, 3.1e-16, 2.5e-16}};
+  static constexpr Kink kink = Kink::azimuth;
+  static constexpr std::array albedos{ClosedAlbedo{0, 90, whole_albedo, "white surfaces lose nothing"}};
   static constexpr NoViolations violations{};
 
   static constexpr double kC1 = 0.5 - 2 / (3 * kPi);
@@ -153,20 +175,23 @@ struct LinearAlbedo {
   T albedo;
   static constexpr auto fields() {
     return std::array{Field{&LinearAlbedo::albedo, ParameterInfo{"albedo", 0, kWeightMax, 0.5, 1, "", false,
-                                                                 "colour of the surface"}}};
+                                                                 "colour of the surface", Role::diffuse}}};
   }
-  std::array<T, 1> linear() const { return {albedo}; }
-  static LinearAlbedo from_linear(const std::array<T, 1>& w) { return {w[0]}; }
+  constexpr std::array<T, 1> linear() const { return {albedo}; }
+  static constexpr LinearAlbedo from_linear(const std::array<T, 1>& w) { return {w[0]}; }
 };
 
 // The thesis's listing, with s = roughness^2: f = albedo/pi (C1 + C2)(1 + roughness/2),
 // C1 = 1 - 0.5 s^2/(s^2 + 0.33), C2 = 0.45 s^2/(s^2 + 0.09) c (1/max(cos_i, cos_o) where c >= 0),
-// c = wi.wo - cos_i cos_o. Domain: roughness 0..1. Symmetry: isotropic, reciprocal.
+// c = wi.wo - cos_i cos_o.
+// Domain: roughness 0..1.
+// Symmetry: isotropic, reciprocal.
 // Known violations: energy, by the factor 1 + roughness/2: 1.15 at normal incidence (roughness .5).
-// Error: 5.6e-16, in float 3e-7.
 struct oren_nayar_as_coded : Takes<LinearAlbedo, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_as_coded";
   static constexpr std::string_view family = "oren_nayar";
+  static constexpr Accuracy accuracy{.in_float = {3e-7, 2.2e-7, 0}, .in_double = {5.6e-16, 4.1e-16, 4.6e-16}};
+  static constexpr Kink kink = Kink::azimuth;
   static constexpr std::array violations{Violation{"energy", "albedo above 1 by the factor 1 + roughness/2",
                                                    "albedo=1 roughness=0.55", 89.5, 1.21904}};
 

@@ -1,27 +1,33 @@
 #pragma once
 
+#include <cmath>
+
 #include "brdf/form.h"
 #include "brdf/forms/listing.h"
+#include "brdf/samplers.h"
 
 namespace brdf {
 
-// (r.o)^n of the mirror direction r, from |r - o|^2 = h_x^2 + h_y^2 + (cos_i - cos_o)^2, so that the peak
-// keeps its accuracy for large n; 0 where r.o <= 0.
-template <class S, class G>
-S mirror_cosine_power(const S& n, const Geometry<G>& g) {
-  const G t = G(0.5) * (square(g.h.x) + square(g.h.y) + square(g.cos_i - g.cos_o));
-  const auto lit = t < G(1);
-  const G safe = select(lit, t, G(0.5));
-  return select(lit, math::exp(n * math::log1p(-safe)), S(0));
+// Albedo of the lobe at grazing, n = shape[0].
+inline double phong_grazing_albedo(std::span<const double> shape, double) {
+  const double n = shape[0];
+  return (n + 2) * std::exp(std::lgamma((n + 1) / 2) - std::lgamma(n / 2 + 2)) / (4 * std::sqrt(kPi));
 }
 
 // Phong 1975 as modified by Lewis 1994 (Lafortune and Willems 1994): f = kd/pi + ks (n+2)/(2 pi) (r.o)^n.
-// Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal (r.o is symmetric).
+// Domain: exponent 0..1e6.
+// Symmetry: isotropic, reciprocal (r.o is symmetric).
 // Known violations: none for kd + ks <= 1; it loses energy towards grazing (ks cos(theta) for large n).
-// Error: 3e-15, in float 1.7e-6.
 struct phong : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "phong";
   static constexpr std::string_view family = "phong";
+  static constexpr Accuracy accuracy{.in_float = {1.7e-6, 2.7e-6, 7.2e-6},
+                                     .in_double = {3e-15, 6.6e-15, 1.2e-14}};
+  static constexpr Kink kink = Kink::mirror_edge;
+  static constexpr std::array albedos{
+      ClosedAlbedo{0, 0, whole_albedo, "its normalisation"},
+      ClosedAlbedo{90, 90, phong_grazing_albedo, "a ratio of gamma functions at grazing"}};
+  using Sampler = MirrorCosine;
   static constexpr NoViolations violations{};
 
   template <class S, class G>
@@ -32,12 +38,15 @@ struct phong : Takes<LobeWeights, Exponent> {
 };
 
 // As the thesis prints it: f = kd/pi + ks (r.o)^n, without normalisation of the lobe.
-// Domain: exponent 0..1e6. Symmetry: isotropic, reciprocal (r.o is symmetric).
+// Domain: exponent 0..1e6.
+// Symmetry: isotropic, reciprocal (r.o is symmetric).
 // Known violations: energy; the lobe reflects 2 pi/(n+2) at normal incidence, above 1 for n < 4.28.
-// Error: 3.1e-15, in float 1.8e-6.
 struct phong_unnormalised : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "phong_unnormalised";
   static constexpr std::string_view family = "phong";
+  static constexpr Accuracy accuracy{.in_float = {1.8e-6, 2.6e-6, 7.3e-6},
+                                     .in_double = {3.1e-15, 6.5e-15, 1.3e-14}};
+  static constexpr Kink kink = Kink::mirror_edge;
   static constexpr std::array violations{
       Violation{"energy", "lobe albedo 2 pi/(n+2) at normal incidence: above 1 for n < 4.28",
                 "kd=0 ks=1 exponent=0", 0, kPi}};
@@ -50,13 +59,16 @@ struct phong_unnormalised : Takes<LobeWeights, Exponent> {
 
 // Phong's 1975 shading as a BRDF: its lobe is not times the cosine, so f is the lobe over cos_i:
 // f = kd/pi + ks (n+1)/(2 pi) (r.o)^n / cos_i (Lewis 1994 discusses it).
-// Domain: exponent 0..1e6. Symmetry: isotropic, not reciprocal.
+// Domain: exponent 0..1e6.
+// Symmetry: isotropic, not reciprocal.
 // Known violations: reciprocity; energy with the light fixed: (n+1)/(n+2) at normal incidence, then growing
 // as 1/cos_i. (With the viewer fixed the albedo is 1 at normal incidence and 1/2 at grazing.)
-// Error: 3e-15, in float 1.8e-6.
 struct phong_classic : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "phong_classic";
   static constexpr std::string_view family = "phong";
+  static constexpr Accuracy accuracy{.in_float = {1.8e-6, 2.8e-6, 7.3e-6},
+                                     .in_double = {3e-15, 6.2e-15, 1.3e-14}};
+  static constexpr Kink kink = Kink::mirror_edge;
   static constexpr std::array violations{
       Violation{"energy", "albedo with the light fixed grows as 1/cos_i", "kd=0 ks=1 exponent=0", 89.5,
                 28.897},
@@ -71,13 +83,16 @@ struct phong_classic : Takes<LobeWeights, Exponent> {
 };
 
 // The thesis's listing: f cos_i = albedo/pi + (n.r)^15 F0 cos_i. n.r is n.l, so the "highlight" does not
-// depend on the viewer, and the diffuse term has no cosine. Symmetry: isotropic, not reciprocal. Known
-// violations: reciprocity; energy: (albedo + pi F0 cos_i^16)/cos_i with the light fixed, 2 albedo + 2 pi/17
-// F0 with the viewer fixed.
-// Error: 2.2e-16, in float 1.2e-7.
+// depend on the viewer, and the diffuse term has no cosine.
+// Domain: albedo and metallic 0..1.
+// Symmetry: isotropic, not reciprocal.
+// Known violations: reciprocity; energy: (albedo + pi F0 cos_i^16)/cos_i with the light fixed, 2 albedo + 2
+// pi/17 F0 with the viewer fixed.
 struct phong_as_coded : Takes<Albedo, Metallic> {
   static constexpr std::string_view name = "phong_as_coded";
   static constexpr std::string_view family = "phong";
+  static constexpr Accuracy accuracy{.in_float = {1.2e-7, 0, 0}, .in_double = {2.2e-16, 0, 0}};
+  static constexpr Kink kink = Kink::mirror_edge;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo (albedo + pi F0 cos_i^16)/cos_i",
                 "albedo=1 metallic=1", 89.5, 114.593},

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "../samples.h"
+#include "brdf/forms.h"
 #include "fit/minima.h"
 
 namespace brdf::fit {
@@ -122,7 +123,7 @@ struct Form {
 std::vector<std::string> fittable_forms() {
   std::vector<std::string> names;
   for_each_form([&](auto form) {
-    if (info(form).fittable) names.emplace_back(form.name);
+    if (info(form).fittable()) names.emplace_back(form.name);
   });
   return names;
 }
@@ -130,7 +131,7 @@ std::vector<std::string> fittable_forms() {
 class RandomSets : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RandomSets, AHundredComeBackToSixDigits) {
-  const AnyForm form = *find_form(GetParam());
+  const Reflectance form = *find_form(GetParam());
   std::mt19937_64 random(7);
   Tally tally;
   for (int k = 0; k < 100; ++k) {
@@ -158,8 +159,8 @@ std::vector<std::vector<std::string>> rows_of(const std::string& file) {
   return rows;
 }
 
-// Which of our forms a published set is of, and how its numbers become ours (conventions: Ngan 2005, Loew
-// 2012).
+// Which of our forms a published set is of, and how its
+// numbers become ours (conventions: Ngan 2005, Loew 2012).
 struct Mapping {
   const char* set;
   const char* form;
@@ -191,7 +192,7 @@ Material published_material(const std::vector<std::string>& row, const Mapping& 
 }
 
 bool in_range(const Material& m) {
-  const FormInfo& f = info(m.terms[0].form);
+  const ReflectanceInfo& f = info(m.terms[0].form);
   for (std::size_t k = 0; k < f.shape.size(); ++k) {
     const double v = m.terms[0].shape[0][k];
     if (f.shape[k].name.starts_with("alpha") && v < 0.02) return false;

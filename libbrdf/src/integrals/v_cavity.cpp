@@ -1,4 +1,4 @@
-#include "integrals/v_cavity.h"
+#include "libbrdf/src/integrals/v_cavity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <queue>
 
-#include "integrals/gauss_legendre.h"
-#include "integrals/integrand.h"
+#include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/integrand.h"
 
 namespace brdf::integrals {
 namespace {

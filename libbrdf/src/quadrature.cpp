@@ -1,11 +1,11 @@
-#include "integrals/gauss_legendre.h"
+#include "brdf/quadrature.h"
 
 #include <map>
 #include <mutex>
 
 #include "brdf/scalar.h"
 
-namespace brdf::integrals {
+namespace brdf::quadrature {
 namespace {
 
 GaussRule legendre(int n) {
@@ -82,4 +82,4 @@ const GaussRule& gauss_lobatto(int n) {
   return kept(rules, n, lobatto);
 }
 
-}  // namespace brdf::integrals
+}  // namespace brdf::quadrature

@@ -9,9 +9,10 @@
 #include <array>
 #include <cmath>
 
-#include "integrals/gauss_legendre.h"
-#include "integrals/integrand.h"
-#include "integrals/v_cavity.h"
+#include "brdf/geometry.h"
+#include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/integrand.h"
+#include "libbrdf/src/integrals/v_cavity.h"
 
 namespace brdf::integrals {
 namespace {

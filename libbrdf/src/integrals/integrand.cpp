@@ -1,28 +1,10 @@
-#include "integrals/integrand.h"
+#include "libbrdf/src/integrals/integrand.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace brdf::integrals {
 namespace {
-
-template <class F>
-constexpr bool has_v_cavity() {
-  if constexpr (requires { F::v_cavity; })
-    return F::v_cavity;
-  else
-    return false;
-}
-
-Kink kink_of(const AnyForm& form, double width) {
-  const FormInfo& f = info(form);
-  if (std::visit([](auto g) { return has_v_cavity<decltype(g)>(); }, form)) return Kink::v_cavity;
-  if (f.family == "oren_nayar") return Kink::azimuth;
-  if (f.name == "cook_torrance_as_coded") return Kink::unplaced;
-  // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
-  if (f.family == "phong" && width > 0.08) return Kink::mirror_edge;
-  return Kink::none;
-}
 
 // Moving direction whose half vector with the normal has this slope.
 Vec3<double> at_slope(double slope) {
@@ -33,39 +15,18 @@ Vec3<double> at_slope(double slope) {
 }  // namespace
 
 Integrand::Integrand(const Term& term, std::vector<std::size_t> channels, Fixed fixed)
-    : form_(term.form),
-      kernels_(&batch_kernels<double>(form_)),
-      channels_(std::move(channels)),
-      fixed_(fixed) {
+    : form_(term.form), channels_(std::move(channels)), fixed_(fixed) {
   const auto shape = term.shape_of(channels_.front());
   shape_.assign(shape.begin(), shape.end());
   for (const std::size_t c : channels_) weights_.push_back(term.weights[c]);
   weights_.push_back(term.weights.front());
-  columns_ = std::visit(
-      [&](auto f) -> std::size_t {
-        if constexpr (LinearForm<decltype(f)>)
-          return lobe_count<decltype(f)>;
-        else
-          return channels_.size();
-      },
-      form_);
+  columns_ = info(form_).fittable() ? info(form_).lobes.size() : channels_.size();
   look();
 }
 
-Integrand::Integrand(const AnyForm& form, std::span<const double> shape, Fixed fixed)
-    : form_(form),
-      kernels_(&batch_kernels<double>(form_)),
-      shape_(shape.begin(), shape.end()),
-      fixed_(fixed),
-      lobes_only_(true) {
-  columns_ = std::visit(
-      [](auto f) -> std::size_t {
-        if constexpr (LinearForm<decltype(f)>)
-          return lobe_count<decltype(f)>;
-        else
-          return 0;
-      },
-      form_);
+Integrand::Integrand(const Reflectance& form, std::span<const double> shape, Fixed fixed)
+    : form_(form), shape_(shape.begin(), shape.end()), fixed_(fixed), lobes_only_(true) {
+  columns_ = info(form_).lobes.size();
   if (columns_ > 0) look();
 }
 
@@ -91,8 +52,8 @@ void Integrand::find_constants() {
   std::vector<double> first(columns_), out(columns_);
   std::vector<bool> same(columns_, true);
   for (const auto& [theta_f, phi_f, theta_m, phi_m] : kPairs) {
-    const Vec3<double> m = direction(theta_m, phi_m);
-    evaluate(direction(theta_f, phi_f), 1, &m.x, &m.y, &m.z, out.data());
+    const Vec3<double> m = direction(radians(theta_m), radians(phi_m));
+    evaluate(direction(radians(theta_f), radians(phi_f)), 1, &m.x, &m.y, &m.z, out.data());
     for (std::size_t c = 0; c < columns_; ++c) {
       const double f = out[c] / m.z;
       if (theta_m == 0) first[c] = f;
@@ -133,16 +94,22 @@ bool Integrand::measured_root() const {
 
 void Integrand::look() {
   find_constants();
-  const FormInfo& f = info(form_);
-  if (f.anisotropic()) {
-    features_.width_x = shape_[std::size_t(f.shape_index("alpha_x"))];
-    features_.width_y = shape_[std::size_t(f.shape_index("alpha_y"))];
+  const ReflectanceInfo& f = info(form_);
+  const auto value = [&](int parameter) { return shape_[std::size_t(parameter)]; };
+  if (const auto [along, across] = f.axes(); across >= 0) {
+    const bool exponents = f.shape_index(Role::exponent) == along;
+    const auto width = [&](double x) { return exponents ? std::sqrt(2 / (x + 2)) : x; };
+    features_.width_x = width(value(along));
+    features_.width_y = width(value(across));
+  } else if (const int along_only = f.shape_index(Role::width); along_only >= 0) {
+    features_.width_x = features_.width_y = value(along_only);
   } else {
     features_.width_x = features_.width_y = measured_width();
   }
   features_.root_at_horizon = measured_root();
-  features_.kink = kink_of(form_, features_.width_x);
-  features_.mirror_lobe = f.family == "phong";
+  features_.mirror_lobe = f.kink == Kink::mirror_edge;
+  // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
+  features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;
   const double reach = kReach * std::max(features_.width_x, features_.width_y);
   const Vec3<double> normal{0, 0, 1};
   features_.compact = reach < 0.9 && sum_at(normal, at_slope(reach)) < 1e-24 * sum_at(normal, normal);
@@ -168,26 +135,16 @@ std::vector<double> Integrand::constant_outputs() const {
 
 // Outputs from columns: the lobes themselves, or the channels' sums of weight times lobe.
 std::vector<double> Integrand::weigh(std::vector<double> columns) const {
-  if (lobes_only_) return columns;
-  return std::visit(
-      [&](auto f) -> std::vector<double> {
-        using F = decltype(f);
-        if constexpr (LinearForm<F>) {
-          std::vector<double> values;
-          for (std::size_t c = 0; c < channels_.size(); ++c) {
-            const auto weight =
-                from_values<typename F::template Weights<double>>(std::span<const double>(weights_[c]))
-                    .linear();
-            double value = 0;
-            for (std::size_t k = 0; k < weight.size(); ++k) value += weight[k] * columns[k];
-            values.push_back(value);
-          }
-          return values;
-        } else {
-          return columns;
-        }
-      },
-      form_);
+  const std::span<const LobeWeight> lobes = info(form_).lobes;
+  if (lobes_only_ || lobes.empty()) return columns;
+  std::vector<double> values;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const std::vector<double> weight = linear_weights(info(form_), weights_[c]);
+    double value = 0;
+    for (std::size_t k = 0; k < weight.size(); ++k) value += weight[k] * columns[k];
+    values.push_back(value);
+  }
+  return values;
 }
 
 void Integrand::evaluate(const Vec3<double>& fixed, std::size_t n, const double* x, const double* y,
@@ -200,13 +157,17 @@ void Integrand::evaluate(const Vec3<double>& fixed, std::size_t n, const double*
   const double* f[] = {fixed_x.data(), fixed_y.data(), fixed_z.data()};
   const Directions<double> pairs = light_fixed ? Directions<double>{f[0], f[1], f[2], x, y, z, n}
                                                : Directions<double>{x, y, z, f[0], f[1], f[2], n};
-  if (const auto lobes = kernels_->lobes[std::size_t(Partial::kNone)]) {
-    lobes(shape_, pairs, {out, n});
+  if (info(form_).fittable()) {
+    form_->lobes(shape_, Partial::none, pairs, {out, n});
   } else {
     // f cos_i of the moving light is a form's own; of the viewer f is multiplied below.
-    const auto eval = light_fixed ? kernels_->eval : kernels_->eval_cos;
-    for (std::size_t c = 0; c < channels_.size(); ++c)
-      eval(weights_[c], weights_.back(), shape_, pairs, out + c * n);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const ParameterValues<double> values{weights_[c], weights_.back(), shape_, channels_[c]};
+      if (light_fixed)
+        form_->eval(values, pairs, out + c * n);
+      else
+        form_->eval_cos(values, pairs, out + c * n);
+    }
     if (!light_fixed) return;
   }
   for (std::size_t c = 0; c < columns_; ++c)

@@ -1,11 +1,12 @@
-#include "integrals/rows.h"
+#include "libbrdf/src/integrals/rows.h"
 
 #include <array>
 
-#include "batch/family.h"
+#include "brdf/clones.h"
 #include "brdf/kernels.h"
+#include "brdf/quadrature.h"
 
-namespace brdf::integrals {
+namespace brdf {
 namespace {
 
 // 1/n! of Taylor's series.
@@ -25,17 +26,17 @@ constexpr std::array kCos{1.0,
 
 }  // namespace
 
-void sinh_cosh(std::size_t count, const double* s, double* sinh, double* cosh) {
+void quadrature::sinh_cosh(std::size_t count, const double* s, double* sinh, double* cosh) {
   const auto body = [=](std::size_t k) {
     const double x = s[k], up = kernels::exp(x), down = 1 / up;
     const double series = x * kernels::horner(x * x, kSinh);
     sinh[k] = select(x < 0.5, series, 0.5 * (up - down));
     cosh[k] = 0.5 * (up + down);
   };
-  detail::repeat(body, count);
+  repeat(body, count);
 }
 
-void sin_cos(std::size_t count, const double* angle, double* sine, double* cosine) {
+void integrals::sin_cos(std::size_t count, const double* angle, double* sine, double* cosine) {
   // Of half the angle's distance to the nearer end; then 1 - 2 sin^2 is rounded once where it is near 1.
   const auto body = [=](std::size_t k) {
     const double x = angle[k], rest = kPi - x;
@@ -45,7 +46,7 @@ void sin_cos(std::size_t count, const double* angle, double* sine, double* cosin
     sine[k] = 2 * s * c;
     cosine[k] = select(x < rest, inner, -inner);
   };
-  detail::repeat(body, count);
+  repeat(body, count);
 }
 
-}  // namespace brdf::integrals
+}  // namespace brdf

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrals/gauss_legendre.h"
+#include "brdf/quadrature.h"
 
 namespace brdf {
 
-std::vector<ApertureNode> aperture_nodes(double full_width, int rings) {
-  if (!(full_width > 0)) return {{{0, 0, 1}, 1}};
-  const double sin_quarter = std::sin(full_width / 4);
+std::vector<ApertureNode> aperture_nodes(Angle full_width, int rings) {
+  if (!(full_width > Angle{})) return {{{0, 0, 1}, 1}};
+  const double sin_quarter = std::sin(full_width.radians() / 4);
   const double height = 2 * sin_quarter * sin_quarter;  // 1 - cos of the half angle, without cancellation
   const int steps = std::max(8, 2 * rings);
-  const integrals::GaussRule& rule = integrals::gauss_legendre(rings);
+  const quadrature::GaussRule& rule = quadrature::gauss_legendre(rings);
   std::vector<ApertureNode> nodes;
   for (std::size_t k = 0; k < rule.node.size(); ++k) {
     const double t = rule.node[k] * height;

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "integrals/gauss_legendre.h"
-#include "integrals/integrand.h"
+#include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/integrand.h"
 
 namespace brdf {
 namespace integrals {
@@ -27,8 +27,8 @@ class History {
     values_[0] = value;
     count_ = std::min(count_ + 1, values_.size());
   }
-  // Distance to the value before: of the newest (0), of the one before (1), ...; infinite where there is
-  // none.
+  // Distance to the value before: of the newest (0), of
+  // the one before (1), ...; infinite where there is none.
   double change(std::size_t k) const {
     return k + 1 < count_ ? distance(values_[k], values_[k + 1]) : HUGE_VAL;
   }
@@ -133,12 +133,12 @@ namespace {
 using integrals::FixedDirection;
 using integrals::Integrand;
 
-FixedDirection fixed_direction(double theta, double phi) {
-  return {std::max(kPi / 2 - theta, 0.0), phi};
+FixedDirection fixed_direction(Angle theta, Angle phi) {
+  return {std::max(kPi / 2 - theta.radians(), 0.0), phi.radians()};
 }
 
 // Adds the term's albedo to the results of its channels.
-void add_term(const Term& term, double theta, double phi, const AlbedoOptions& options,
+void add_term(const Term& term, Angle theta, Angle phi, const AlbedoOptions& options,
               std::vector<AlbedoResult>& results) {
   const std::size_t n = term.weights.size();
   std::vector<std::vector<std::size_t>> groups;
@@ -185,21 +185,21 @@ std::string_view rule_name(Rule rule) {
   return "automatic";
 }
 
-AlbedoResult directional_albedo(const Term& term, std::size_t channel, double theta, double phi,
+AlbedoResult directional_albedo(const Term& term, std::size_t channel, Angle theta, Angle phi,
                                 const AlbedoOptions& options) {
   const Integrand integrand(term, {channel}, options.fixed);
   return integrals::integrate(integrand, fixed_direction(theta, phi - term.tangent_phi), options).front();
 }
 
-std::vector<AlbedoResult> directional_albedo(const Material& material, double theta, double phi,
+std::vector<AlbedoResult> directional_albedo(const Material& material, Angle theta, Angle phi,
                                              const AlbedoOptions& options) {
   std::vector<AlbedoResult> results(material.channels.size(), {0, 0, 0, true, options.rule});
   for (const Term& term : material.terms) add_term(term, theta, phi, options, results);
   return results;
 }
 
-std::vector<AlbedoResult> lobe_albedos(const AnyForm& form, std::span<const double> shape, double theta,
-                                       double phi, const AlbedoOptions& options) {
+std::vector<AlbedoResult> lobe_albedos(const Reflectance& form, std::span<const double> shape, Angle theta,
+                                       Angle phi, const AlbedoOptions& options) {
   const Integrand integrand(form, shape, options.fixed);
   if (integrand.columns() == 0) return {};
   return integrals::integrate(integrand, fixed_direction(theta, phi), options);
@@ -214,7 +214,7 @@ AlbedoResult average_albedo(const Term& term, std::size_t channel, const AlbedoO
   AlbedoResult result;
   double previous = 0;
   for (const int n : {8, 12, 16, 24, 32, 48, 64}) {
-    const auto& rule = integrals::gauss_legendre(n);
+    const auto& rule = quadrature::gauss_legendre(n);
     double sum = 0, bound = 0;
     bool converged = true;
     for (std::size_t k = 0; k < rule.node.size(); ++k) {

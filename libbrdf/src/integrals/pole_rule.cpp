@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrals/gauss_legendre.h"
-#include "integrals/integrand.h"
+#include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/integrand.h"
+#include "libbrdf/src/integrals/rows.h"
 
 namespace brdf::integrals {
 namespace {

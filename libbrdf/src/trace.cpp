@@ -19,10 +19,10 @@ std::string float_literal(float x) {
 
 int add_float(float x) {
   return Trace::current().add(
-      {Trace::Type::kFloat, float_literal(x), {}, true, std::bit_cast<std::uint32_t>(x)});
+      {Trace::Type::float_type, float_literal(x), {}, true, std::bit_cast<std::uint32_t>(x)});
 }
 int add_uint(std::uint32_t x) {
-  return Trace::current().add({Trace::Type::kUint, std::to_string(x) + "u", {}, true, x});
+  return Trace::current().add({Trace::Type::uint_type, std::to_string(x) + "u", {}, true, x});
 }
 int add(Trace::Type type, std::string code, std::vector<int> operands) {
   return Trace::current().add({type, std::move(code), std::move(operands)});
@@ -39,21 +39,21 @@ Traced arithmetic(const char* op, Traced a, Traced b, Fold fold) {
     const float folded = fold(*x, *y);
     if (std::isfinite(folded)) return Traced::from_node(add_float(folded));
   }
-  return Traced::from_node(add(Trace::Type::kFloat, op, {a.node(), b.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, op, {a.node(), b.node()}));
 }
 
 // A kernel call on a constant is folded by the float kernel itself.
 Traced call(const char* function, Traced x, float (*kernel)(const float&)) {
   if (const auto c = float_constant(x)) return Traced::from_node(add_float(kernel(*c)));
-  return Traced::from_node(add(Trace::Type::kFloat, function, {x.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, function, {x.node()}));
 }
 
 TracedBits bits_op(const char* op, TracedBits a, int b) {
-  return TracedBits(add(Trace::Type::kUint, op, {a.node(), b}));
+  return TracedBits(add(Trace::Type::uint_type, op, {a.node(), b}));
 }
 
 const char* type_name(Trace::Type type) {
-  return type == Trace::Type::kFloat ? "float" : type == Trace::Type::kUint ? "uint" : "bool";
+  return type == Trace::Type::float_type ? "float" : type == Trace::Type::uint_type ? "uint" : "bool";
 }
 
 std::string expression(const Trace::Node& node, const std::vector<std::string>& names) {
@@ -90,7 +90,7 @@ std::string Trace::statements(const std::vector<int>& roots, std::string_view re
     }
     for (int operand : node.operands) self(self, operand);
     name = "t" + std::to_string(count++);
-    const bool keep = precise && node.type == Type::kFloat;
+    const bool keep = precise && node.type == Type::float_type;
     text += std::string("  ") + (keep ? "precise " : "") + type_name(node.type) + " " + name + " = " +
             expression(node, names) + ";\n";
   };
@@ -140,7 +140,7 @@ TracedBits operator>>(TracedBits a, int b) {
 
 Traced::Traced(double constant) : node_(add_float(float(constant))) {}
 Traced Traced::input(std::string_view glsl) {
-  return from_node(add(Trace::Type::kFloat, std::string(glsl), {}));
+  return from_node(add(Trace::Type::float_type, std::string(glsl), {}));
 }
 
 Traced operator+(Traced a, Traced b) {
@@ -157,22 +157,22 @@ Traced operator/(Traced a, Traced b) {
 }
 Traced operator-(Traced a) {
   if (const auto c = float_constant(a)) return Traced::from_node(add_float(-*c));
-  return Traced::from_node(add(Trace::Type::kFloat, "neg", {a.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, "neg", {a.node()}));
 }
 TracedBool operator<(Traced a, Traced b) {
-  return TracedBool(add(Trace::Type::kBool, "<", {a.node(), b.node()}));
+  return TracedBool(add(Trace::Type::bool_type, "<", {a.node(), b.node()}));
 }
 Traced select(TracedBool c, Traced yes, Traced no) {
-  return Traced::from_node(add(Trace::Type::kFloat, "?", {c.node(), yes.node(), no.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, "?", {c.node(), yes.node(), no.node()}));
 }
 Traced sqrt(Traced x) {
   return call("sqrt", x, [](const float& c) { return std::sqrt(c); });
 }
 TracedBits to_bits(Traced x) {
-  return TracedBits(add(Trace::Type::kUint, "floatBitsToUint", {x.node()}));
+  return TracedBits(add(Trace::Type::uint_type, "floatBitsToUint", {x.node()}));
 }
 Traced from_bits(TracedBits bits) {
-  return Traced::from_node(add(Trace::Type::kFloat, "uintBitsToFloat", {bits.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, "uintBitsToFloat", {bits.node()}));
 }
 Traced exp(Traced x) {
   return call("brdf_exp", x, kernels::exp<float>);
@@ -181,16 +181,16 @@ Traced log(Traced x) {
   return call("brdf_log", x, kernels::log<float>);
 }
 Traced log1p(Traced x, Traced rest) {
-  return Traced::from_node(add(Trace::Type::kFloat, "brdf_log1p", {x.node(), rest.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, "brdf_log1p", {x.node(), rest.node()}));
 }
 Traced erfcx(Traced x) {
   return call("brdf_erfcx", x, kernels::erfcx<float>);
 }
 Traced atan2(Traced y, Traced x) {
-  return Traced::from_node(add(Trace::Type::kFloat, "brdf_angle", {y.node(), x.node()}));
+  return Traced::from_node(add(Trace::Type::float_type, "brdf_angle", {y.node(), x.node()}));
 }
 
-namespace {
+namespace detail {
 
 std::string glsl_function(std::string_view signature, const std::vector<Traced>& values,
                           std::string_view result, bool precise) {
@@ -198,6 +198,10 @@ std::string glsl_function(std::string_view signature, const std::vector<Traced>&
   for (Traced v : values) roots.push_back(v.node());
   return std::string(signature) + " {\n" + Trace::current().statements(roots, result, precise) + "}\n";
 }
+
+}  // namespace detail
+
+namespace {
 
 // The GLSL function of a kernel with these arguments.
 template <class Kernel>
@@ -215,40 +219,7 @@ std::string kernel_function(const char* name, bool precise, Kernel kernel,
     else
       return kernel(input(0), input(1));
   }();
-  return glsl_function(signature + ")", {value}, "return %0;", precise);
-}
-
-// The parameter struct whose members are the shader's arguments; `component` is "" or ".r", ".g", ".b".
-template <class P>
-P inputs(const std::string& component) {
-  P p{};
-  for (const auto& field : P::fields())
-    p.*(field.member) = Traced::input(std::string(field.info.name) + component);
-  return p;
-}
-
-template <Form F>
-std::string function_of(F form, bool cosine, bool precise) {
-  using Weights = typename F::template Weights<Traced>;
-  using Shape = typename F::template Shape<Traced>;
-  Trace trace;
-  const Trace::Scope scope(trace);
-  const auto vector = [](const std::string& v) {
-    return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
-  };
-  const Geometry<Traced> g = geometry(vector("wi"), vector("wo"));
-  const Shape shape = inputs<Shape>("");
-  const Weights first = inputs<Weights>(".r");
-  std::vector<Traced> values;
-  for (const char* component : {".r", ".g", ".b"}) {
-    const Weights w = inputs<Weights>(component);
-    values.push_back(cosine ? eval_cos(form, w, first, shape, g) : eval(form, w, first, shape, g));
-  }
-  std::string signature =
-      std::string("vec3 brdf_eval_") + (cosine ? "cos_" : "") + std::string(F::name) + "(vec3 wi, vec3 wo";
-  for (const auto& field : Shape::fields()) signature += ", float " + std::string(field.info.name);
-  for (const auto& field : Weights::fields()) signature += ", vec3 " + std::string(field.info.name);
-  return glsl_function(signature + ")", values, "return vec3(%0, %1, %2);", precise);
+  return detail::glsl_function(signature + ")", {value}, "return %0;", precise);
 }
 
 }  // namespace
@@ -264,10 +235,20 @@ std::string glsl_kernels(const GlslOptions& options) {
                          {"sine", "cosine"});
 }
 
-std::string glsl_form(const AnyForm& form, const GlslOptions& options) {
-  return std::visit(
-      [&](auto f) { return function_of(f, false, options.precise) + function_of(f, true, options.precise); },
-      form);
+std::string glsl_dispatch(std::string_view function, std::span<const NumberedReflectance> reflectances) {
+  const std::string name(function);
+  std::string text = "vec3 " + name +
+                     "(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2) {\n  switch "
+                     "(form) {\n";
+  for (const auto& [number, reflectance] : reflectances) {
+    const ReflectanceInfo& info = reflectance.info();
+    text +=
+        "    case " + std::to_string(number) + ": return " + name + "_" + std::string(info.name) + "(wi, wo";
+    for (std::size_t k = 0; k < info.shape.size(); ++k) text += ", shape[" + std::to_string(k) + "]";
+    for (std::size_t k = 0; k < info.weights.size(); ++k) text += ", w" + std::to_string(k);
+    text += ");\n";
+  }
+  return text + "  }\n  return vec3(0.0);\n}\n";
 }
 
 }  // namespace brdf

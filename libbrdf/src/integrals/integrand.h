@@ -5,21 +5,22 @@
 #include <functional>
 #include <vector>
 
-#include "brdf/batch.h"
 #include "brdf/integrals.h"
+#include "brdf/quadrature.h"
 
 namespace brdf::integrals {
 
-enum class Kink {
-  none,
-  azimuth,      // where the azimuths are a right angle apart, and where the polar angles are equal
-  mirror_edge,  // where the mirror direction leaves the other's hemisphere
-  v_cavity,     // the minimum of Torrance and Sparrow's masking
-  unplaced,     // somewhere: no rule is told where
-};
+using quadrature::gauss_legendre;
+using quadrature::gauss_lobatto;
+using quadrature::GaussRule;
+using quadrature::graded_panel;
+using quadrature::kRow;
+using quadrature::sinh_cosh;
+using quadrature::unit_node;
+using quadrature::UnitNode;
 
-// Where the integrand varies fast. Widths are read from the parameters alpha_x, alpha_y; a form without them
-// is measured at normal incidence, so that a new form needs to declare nothing unless it has kinks.
+// Where the integrand varies fast. Widths are those of the parameters with that role; a form without them is
+// measured at normal incidence. Kinks are what the form says.
 struct Features {
   double width_x = 1, width_y = 1;  // of the lobe, in the half vector's slope
   bool root_at_horizon = false;     // f cos behaves as sqrt(cos) there
@@ -50,7 +51,7 @@ class Integrand {
   // Channels of a term whose shapes are equal.
   Integrand(const Term& term, std::vector<std::size_t> channels, Fixed fixed);
   // The lobes of a linear form.
-  Integrand(const AnyForm& form, std::span<const double> shape, Fixed fixed);
+  Integrand(const Reflectance& form, std::span<const double> shape, Fixed fixed);
 
   const Features& features() const { return features_; }
   std::size_t columns() const { return columns_; }  // integrals done side by side
@@ -69,8 +70,7 @@ class Integrand {
                 double* out) const;
 
  private:
-  AnyForm form_;
-  const BatchKernels<double>* kernels_;
+  Reflectance form_;
   std::vector<double> shape_;
   std::vector<std::vector<double>> weights_;  // of the channels, then of the first channel
   std::vector<std::size_t> channels_;

@@ -1,0 +1,32 @@
+// Loops compiled once per generation of the CPU, the right one chosen when the program is loaded.
+#pragma once
+
+#include <cstddef>
+
+// The one macro of the library: an attribute cannot be named otherwise. Without `flatten` what a loop calls
+// would not be inlined into the clones, which costs a factor of 8. clang refuses the two together: correct
+// there, and slow. Under the sanitizers plain code: instrumented clones take minutes to compile, and cannot
+// be resolved before their runtime starts.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
+#elif defined(__clang__)
+#define BRDF_CLONES [[gnu::flatten]]
+#else
+#define BRDF_CLONES
+#endif
+
+namespace brdf {
+
+// body(i) for i in [0, count). No two calls may touch the same place.
+template <class Body>
+BRDF_CLONES void repeat(const Body body, const std::size_t count) {
+#if defined(__clang__)
+#pragma clang loop vectorize(assume_safety)
+#else
+#pragma GCC ivdep
+#endif
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+}  // namespace brdf

@@ -1,0 +1,264 @@
+// A reflectance from a form's struct: everything the interface can ask for, from the one formula.
+//
+// Include this where a struct of your own is made one: Reflectance r = my_form{}. It compiles the batches in
+// float and double, the derivatives and the tracer for that form, which takes seconds.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "brdf/clones.h"
+#include "brdf/dual.h"
+#include "brdf/form.h"
+#include "brdf/reflectance.h"
+#include "brdf/sampling.h"
+#include "brdf/trace.h"
+
+namespace brdf {
+
+namespace detail {
+
+template <Form F, class T, bool kCosine>
+void eval_directions(const ParameterValues<T>& p, const Directions<T>& directions, T* out) {
+  using Weights = typename F::template Weights<T>;
+  using Shape = typename F::template Shape<T>;
+  const auto body = [w = from_values<Weights>(p.weights), f = from_values<Weights>(p.first),
+                     s = from_values<Shape>(p.shape), d = directions, out](std::size_t i) {
+    const Geometry<T> g = geometry(d.wi(i), d.wo(i));
+    out[i] = kCosine ? eval_cos(F{}, w, f, s, g) : eval(F{}, w, f, s, g);
+  };
+  repeat(body, directions.count);
+}
+
+// A direction that turns with the frame: its last derivative is the one with respect to tangent_phi.
+template <class T, int D>
+Vec3<Dual<T, D>> turning(const Vec3<T>& w) {
+  const auto last = [](T value, T derivative) {
+    return Dual<T, D>(value,
+                      Partials<T, D>::make([&](std::size_t k) { return k + 1 == D ? derivative : T(0); }));
+  };
+  return {last(w.x, w.y), last(w.y, -w.x), last(w.z, T(0))};
+}
+
+template <Form F, class T, Partial kPartial>
+void lobe_directions(std::span<const T> shape, const Directions<T>& directions, const LobeRows<T>& out) {
+  constexpr std::size_t P = parameter_count<typename F::template Shape<T>>;
+  constexpr int D = kPartial == Partial::none ? 0 : int(P) + (kPartial == Partial::shape_and_phi);
+  using S = Dual<T, D>;
+  using Shape = typename F::template Shape<S>;
+  std::array<S, P> variables;
+  for (std::size_t k = 0; k < P; ++k)
+    variables[k] = kPartial == Partial::none ? S(shape[k]) : S::variable(shape[k], k);
+  const auto body = [s = from_values<Shape>(std::span<const S>(variables)), d = directions,
+                     out](std::size_t i) {
+    const auto g = [&] {
+      if constexpr (kPartial == Partial::shape_and_phi)
+        return geometry(turning<T, D>(d.wi(i)), turning<T, D>(d.wo(i)));
+      else
+        return geometry(d.wi(i), d.wo(i));
+    }();
+    const auto lobes = F::lobes(s, g);
+    const bool below = smaller(d.wi_z[i], d.wo_z[i]) < T(0);
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      const auto put = [&](std::size_t row, const T& value) {
+        out.data[row * out.stride + i] = below ? T(0) : value;
+      };
+      const auto put_lobe = [&](std::size_t lobe, const S& value) {
+        put(lobe * (D + 1), value.a);
+        [&]<std::size_t... j>(std::index_sequence<j...>) {
+          (put(lobe * (D + 1) + 1 + j, value.v[j]), ...);
+        }(std::make_index_sequence<D>{});
+      };
+      (put_lobe(k, lobes[k]), ...);
+    }(std::make_index_sequence<lobe_count<F>>{});
+  };
+  repeat(body, directions.count);
+}
+
+template <Form F, class T>
+void lobes_with(std::span<const T> shape, Partial partial, const Directions<T>& d, const LobeRows<T>& out) {
+  switch (partial) {
+    case Partial::none:
+      return lobe_directions<F, T, Partial::none>(shape, d, out);
+    case Partial::shape:
+      return lobe_directions<F, T, Partial::shape>(shape, d, out);
+    case Partial::shape_and_phi:
+      return lobe_directions<F, T, Partial::shape_and_phi>(shape, d, out);
+  }
+}
+
+// What linear() does, found out by asking it: which weight each lobe takes, and times what.
+template <LinearForm F>
+consteval auto lobe_weights() {
+  using W = typename F::template Weights<double>;
+  constexpr std::size_t n = parameter_count<W>, lobes = lobe_count<F>;
+  constexpr auto at = [](std::size_t weight, double value, std::size_t f0, double fresnel) {
+    std::array<double, n> values{};
+    values[weight] = value;
+    if (f0 < n) values[f0] = fresnel;
+    return from_values<W>(std::span<const double>(values)).linear();
+  };
+  std::size_t f0 = n;
+  for (std::size_t k = 0; k < n; ++k)
+    if (W::fields()[k].info.role == Role::f0) f0 = k;
+  std::array<LobeWeight, lobes> found{};
+  std::array<int, lobes> matches{};
+  for (std::size_t k = 0; k < n; ++k) {
+    if (k == f0) continue;
+    const auto dark = at(k, 0, f0, 0.25), low = at(k, 2, f0, 0), part = at(k, 2, f0, 0.25),
+               high = at(k, 4, f0, 1);
+    for (std::size_t l = 0; l < lobes; ++l) {
+      if (dark[l] != 0) matches[l] += 2;
+      const auto is = [&](double a, double b, double c) {
+        return low[l] == a && part[l] == b && high[l] == c;
+      };
+      if (is(0, 0, 0)) continue;
+      const auto factor = is(2, 2, 4)     ? LobeWeight::Factor::one
+                          : is(0, 0.5, 4) ? LobeWeight::Factor::f0
+                                          : LobeWeight::Factor::rest;
+      matches[l] += factor != LobeWeight::Factor::rest || is(2, 1.5, 0) ? 1 : 2;
+      found[l] = {k, factor};
+    }
+  }
+  bool expressible = true;
+  for (const int m : matches) expressible = expressible && m == 1;
+  return std::pair(found, expressible);
+}
+
+template <Form F>
+struct FormFacts {
+  template <class P>
+  static constexpr auto infos() {
+    std::array<ParameterInfo, parameter_count<P>> table{};
+    std::size_t k = 0;
+    for (const auto& field : P::fields()) table[k++] = field.info;
+    return table;
+  }
+  static constexpr auto kWeights = infos<typename F::template Weights<double>>();
+  static constexpr auto kShape = infos<typename F::template Shape<double>>();
+  static constexpr auto kLobes = [] {
+    if constexpr (LinearForm<F>) {
+      constexpr auto found = lobe_weights<F>();
+      static_assert(found.second,
+                    "linear() must give each lobe one weight, or one weight times f0 or 1 - f0: nothing else "
+                    "is fitted");
+      return found.first;
+    } else {
+      return std::array<LobeWeight, 0>{};
+    }
+  }();
+
+  static constexpr ReflectanceInfo make() {
+    ReflectanceInfo r;
+    r.name = F::name;
+    r.family = F::family;
+    r.canonical = r.name == r.family;
+    r.weights = kWeights;
+    r.shape = kShape;
+    r.lobes = kLobes;
+    r.mixes_channels = !LinearForm<F>;
+    r.differentiable = r.has_glsl = true;
+    r.follows_lobe = SampledForm<F>;
+    if constexpr (requires { F::violations; }) r.violations = F::violations;
+    if constexpr (requires { F::kink; }) r.kink = F::kink;
+    if constexpr (requires { F::accuracy; }) r.accuracy = &F::accuracy;
+    if constexpr (requires { typename F::Facets; }) r.facets = &F::Facets::facts;
+    if constexpr (requires { F::albedos; }) r.albedos = F::albedos;
+    return r;
+  }
+};
+
+template <Form F>
+class FormModel final : public ReflectanceModel {
+  template <class T>
+  using Weights = typename F::template Weights<T>;
+  template <class T>
+  using Shape = typename F::template Shape<T>;
+
+ public:
+  const ReflectanceInfo& info() const override {
+    static constexpr ReflectanceInfo kInfo = FormFacts<F>::make();
+    return kInfo;
+  }
+
+  void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
+    eval_directions<F, double, false>(p, d, out);
+  }
+  void eval_cos(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
+    eval_directions<F, double, true>(p, d, out);
+  }
+  void eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
+    eval_directions<F, float, false>(p, d, out);
+  }
+  void eval_cos(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
+    eval_directions<F, float, true>(p, d, out);
+  }
+
+  void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
+             const LobeRows<double>& out) const override {
+    if constexpr (LinearForm<F>) lobes_with<F, double>(shape, partial, d, out);
+  }
+  void lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
+             const LobeRows<float>& out) const override {
+    if constexpr (LinearForm<F>) lobes_with<F, float>(shape, partial, d, out);
+  }
+
+  void gradient(const ParameterValues<double>& p, const Directions<double>& d,
+                const LobeRows<double>& out) const override {
+    constexpr std::size_t P = parameter_count<Shape<double>>, W = parameter_count<Weights<double>>;
+    using D = Dual<double, int(P + W)>;
+    std::array<D, P> shape;
+    std::array<D, W> weights, first;
+    for (std::size_t k = 0; k < P; ++k) shape[k] = D::variable(p.shape[k], k);
+    for (std::size_t k = 0; k < W; ++k) {
+      weights[k] = D::variable(p.weights[k], P + k);
+      first[k] = p.first.data() == p.weights.data() ? weights[k] : D(p.first[k]);
+    }
+    const auto s = from_values<Shape<D>>(std::span<const D>(shape));
+    const auto w = from_values<Weights<D>>(std::span<const D>(weights)),
+               f = from_values<Weights<D>>(std::span<const D>(first));
+    for (std::size_t i = 0; i < d.count; ++i) {
+      const D value = brdf::eval(F{}, w, f, s, geometry(d.wi(i), d.wo(i)));
+      out.data[i] = value.a;
+      for (std::size_t k = 0; k < P + W; ++k) out.data[(1 + k) * out.stride + i] = value.v[k];
+    }
+  }
+
+  std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override {
+    std::vector<TableWeight> out;
+    if constexpr (LinearForm<F>) {
+      constexpr std::size_t n = lobe_count<F>;
+      using D = Dual<double, int(n)>;
+      std::array<D, n> linear;
+      for (std::size_t k = 0; k < n; ++k) linear[k] = D::variable(lobe_weights[k], k);
+      const Weights<D> w = Weights<D>::from_linear(linear);
+      for (const auto& field : Weights<D>::fields()) {
+        const D& x = w.*(field.member);
+        out.push_back({x.a, {x.v.d, x.v.d + n}});
+      }
+    }
+    return out;
+  }
+
+  Vec3<double> sample(std::span<const double> shape, double u1, double u2, double u3, const Vec3<double>& wo,
+                      double share) const override {
+    return brdf::sample(F{}, from_values<Shape<double>>(shape), u1, u2, u3, wo, share);
+  }
+  double pdf(std::span<const double> shape, const Vec3<double>& wi, const Vec3<double>& wo,
+             double share) const override {
+    return brdf::pdf(F{}, from_values<Shape<double>>(shape), wi, wo, share);
+  }
+
+  std::string glsl(const GlslOptions& options) const override { return glsl_functions(F{}, options); }
+};
+
+}  // namespace detail
+
+template <class F>
+const ReflectanceModel& reflectance_of() {
+  static const detail::FormModel<F> model;
+  return model;
+}
+
+}  // namespace brdf

@@ -1,0 +1,203 @@
+// How single lobes are sampled. A form names the one that
+// follows its specular lobe: using Sampler = VisibleGgx.
+//
+// A sampler has two static templates over the shape parameters S<T> it takes:
+//   Vec3<T> sample(const S<T>&, T u1, T u2, const Vec3<T>& wo)   a direction wi, u in [0, 1)
+//   T pdf(const S<T>&, const Geometry<T>&)                       its density per solid angle of wi, 1/sr
+// Directions in the local frame, wo fixed and above the
+// horizon. A sampled wi may lie below it. T is float or double.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "brdf/cosine_lobe.h"
+#include "brdf/microfacet.h"
+
+namespace brdf {
+
+template <class T>
+Vec3<T> normalised(const Vec3<T>& v) {
+  return v * (T(1) / std::sqrt(dot(v, v)));
+}
+
+// The direction at this cosine to z and this azimuth.
+template <class T>
+Vec3<T> from_cosine(T cosine, T phi) {
+  const T sine = std::sqrt(at_least((T(1) - cosine) * (T(1) + cosine), T(0)));
+  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
+}
+
+template <class T>
+Vec3<T> mirrored(const Vec3<T>& w, const Vec3<T>& h) {
+  return h * (T(2) * dot(w, h)) - w;
+}
+
+// Density cos/pi.
+template <class T>
+Vec3<T> sample_cosine(T u1, T u2) {
+  return from_cosine(std::sqrt(T(1) - u1), T(2 * kPi) * u2);
+}
+
+// About the mirror direction of wo, density (n + 1)/(2 pi) (r.wi)^n.
+template <class T>
+Vec3<T> sample_phong(T n, T u1, T u2, const Vec3<T>& wo) {
+  const Vec3<T> local = from_cosine(std::pow(T(1) - u1, T(1) / (n + T(1))), T(2 * kPi) * u2);
+  const Vec3<T> r{-wo.x, -wo.y, wo.z};
+  const Vec3<T> any = std::abs(r.z) < T(0.9) ? Vec3<T>{T(0), T(0), T(1)} : Vec3<T>{T(1), T(0), T(0)};
+  const Vec3<T> x = normalised(cross(any, r));
+  return x * local.x + cross(r, x) * local.y + r * local.z;
+}
+template <class T>
+T pdf_phong(T n, const Geometry<T>& g) {
+  return (n + T(1)) * T(1 / (2 * kPi)) * mirror_cosine_power(n, g);
+}
+
+// Half vector with density (n + 2)/(2 pi) cos_h^(n+1).
+template <class T>
+Vec3<T> sample_half_cosine(T n, T u1, T u2) {
+  return from_cosine(std::pow(T(1) - u1, T(1) / (n + T(2))), T(2 * kPi) * u2);
+}
+template <class T>
+T pdf_half_cosine(T n, const Geometry<T>& g) {
+  const T cos_h = g.h.z / (T(2) * g.cos_d);
+  return (n + T(2)) * T(1 / (2 * kPi)) * half_cosine_power(n, g) * cos_h / (T(4) * g.cos_d);
+}
+
+// Half vector with Gaussian slopes (Walter 2005, "Notes
+// on the Ward BRDF"): density D cos_h with Beckmann's D.
+template <class T>
+Vec3<T> sample_gaussian_slopes(const Roughness<T>& a, T u1, T u2) {
+  const T radius = std::sqrt(-std::log(T(1) - u1));
+  const T phi = T(2 * kPi) * u2;
+  return normalised(Vec3<T>{a.alpha_x * radius * std::cos(phi), a.alpha_y * radius * std::sin(phi), T(1)});
+}
+template <class T>
+T pdf_gaussian_slopes(const Roughness<T>& a, const Geometry<T>& g) {
+  const Fraction<T> d = d_beckmann(a, g);
+  return d.num / d.den * g.h.z / (T(8) * square(g.cos_d));
+}
+
+// Visible normals of GGX (Heitz 2018): the disc of the stretched view direction, projected back.
+template <class T>
+Vec3<T> sample_visible_ggx(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo) {
+  const Vec3<T> v = normalised(Vec3<T>{a.alpha_x * wo.x, a.alpha_y * wo.y, wo.z});
+  const T length2 = square(v.x) + square(v.y);
+  const Vec3<T> t1 =
+      length2 > T(0) ? Vec3<T>{-v.y, v.x, T(0)} * (T(1) / std::sqrt(length2)) : Vec3<T>{T(1), T(0), T(0)};
+  const Vec3<T> t2 = cross(v, t1);
+  const T r = std::sqrt(u1), phi = T(2 * kPi) * u2;
+  const T p1 = r * std::cos(phi);
+  const T share = T(0.5) * (T(1) + v.z);
+  const T p2 = (T(1) - share) * std::sqrt(at_least(T(1) - p1 * p1, T(0))) + share * r * std::sin(phi);
+  const T p3 = std::sqrt(at_least(T(1) - p1 * p1 - p2 * p2, T(0)));
+  const Vec3<T> h = t1 * p1 + t2 * p2 + v * p3;
+  return normalised(Vec3<T>{a.alpha_x * h.x, a.alpha_y * h.y, at_least(h.z, T(1e-12))});
+}
+// G1 D/(4 cos_o): the mirrored direction's density.
+template <class T>
+T pdf_visible_ggx(const Roughness<T>& a, const Geometry<T>& g) {
+  const Fraction<T> d = d_ggx(a, g);
+  return d.num / (d.den * (T(2) * (g.cos_o + stretched_length(a, g.wo))));
+}
+
+namespace detail {
+// The slope x below which a share u of the visible Gaussian slopes lies, seen at this angle:
+// cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. Newton's method inside a bracket.
+template <class T>
+T visible_gaussian_slope(T cosine, T sine, T u) {
+  const auto mass = [&](T x) {
+    return cosine * T(0.5) * std::erfc(-x) + sine * T(0.28209479177387814) * std::exp(-x * x);
+  };
+  T low = T(-6), high = cosine < T(6) * sine ? cosine / sine : T(6);
+  const T target = u * mass(high);
+  T x = T(0.5) * (low + high);
+  for (int k = 0; k < 40; ++k) {
+    const T excess = mass(x) - target;
+    (excess > T(0) ? high : low) = x;
+    const T slope = (cosine - x * sine) * T(0.56418958354775629) * std::exp(-x * x);
+    T next = x - excess / slope;
+    if (!(next > low && next < high)) next = T(0.5) * (low + high);
+    if (std::abs(next - x) < T(4) * std::numeric_limits<T>::epsilon()) break;
+    x = next;
+  }
+  return x;
+}
+}  // namespace detail
+
+// Visible normals of Beckmann (Heitz and d'Eon 2014), the slopes inverted numerically.
+template <class T>
+Vec3<T> sample_visible_beckmann(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo) {
+  const Vec3<T> v = normalised(Vec3<T>{a.alpha_x * wo.x, a.alpha_y * wo.y, wo.z});
+  const T sine = std::sqrt(square(v.x) + square(v.y));
+  const T along = detail::visible_gaussian_slope(v.z, sine, u1);
+  const T across = detail::visible_gaussian_slope(T(1), T(0), u2);
+  const T c = sine > T(0) ? v.x / sine : T(1), s = sine > T(0) ? v.y / sine : T(0);
+  return normalised(
+      Vec3<T>{-a.alpha_x * (c * along - s * across), -a.alpha_y * (s * along + c * across), T(1)});
+}
+template <class T>
+T pdf_visible_beckmann(const Roughness<T>& a, const Geometry<T>& g) {
+  const Fraction<T> d = d_beckmann(a, g);
+  return d.num / (d.den * (T(4) * (g.cos_o + cos_lambda_beckmann(a, g.wo))));
+}
+
+// About the mirror direction of wo, in proportion to a power of the cosine to it.
+struct MirrorCosine {
+  template <class T>
+  static Vec3<T> sample(const Exponent<T>& s, T u1, T u2, const Vec3<T>& wo) {
+    return sample_phong(s.exponent, u1, u2, wo);
+  }
+  template <class T>
+  static T pdf(const Exponent<T>& s, const Geometry<T>& g) {
+    return pdf_phong(s.exponent, g);
+  }
+};
+
+// By the half vector, in proportion to a power of its cosine.
+struct HalfCosine {
+  template <class T>
+  static Vec3<T> sample(const Exponent<T>& s, T u1, T u2, const Vec3<T>& wo) {
+    return mirrored(wo, sample_half_cosine(s.exponent, u1, u2));
+  }
+  template <class T>
+  static T pdf(const Exponent<T>& s, const Geometry<T>& g) {
+    return pdf_half_cosine(s.exponent, g);
+  }
+};
+
+// By the half vector with Gaussian slopes.
+struct GaussianSlopes {
+  template <class T>
+  static Vec3<T> sample(const Roughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
+    return mirrored(wo, sample_gaussian_slopes(s, u1, u2));
+  }
+  template <class T>
+  static T pdf(const Roughness<T>& s, const Geometry<T>& g) {
+    return pdf_gaussian_slopes(s, g);
+  }
+};
+
+// By the normals that are visible from wo.
+struct VisibleGgx {
+  template <class T>
+  static Vec3<T> sample(const Roughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
+    return mirrored(wo, sample_visible_ggx(s, u1, u2, wo));
+  }
+  template <class T>
+  static T pdf(const Roughness<T>& s, const Geometry<T>& g) {
+    return pdf_visible_ggx(s, g);
+  }
+};
+struct VisibleBeckmann {
+  template <class T>
+  static Vec3<T> sample(const Roughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
+    return mirrored(wo, sample_visible_beckmann(s, u1, u2, wo));
+  }
+  template <class T>
+  static T pdf(const Roughness<T>& s, const Geometry<T>& g) {
+    return pdf_visible_beckmann(s, g);
+  }
+};
+
+}  // namespace brdf

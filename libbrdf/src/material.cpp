@@ -1,0 +1,95 @@
+#include "brdf/material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/geometry.h"
+
+namespace brdf {
+namespace {
+
+std::vector<double> defaults(std::span<const ParameterInfo> table) {
+  std::vector<double> values;
+  for (const ParameterInfo& p : table) values.push_back(p.initial);
+  return values;
+}
+
+// Calls evaluate(values, directions, out) on blocks that stay in the cache, turned into the term's tangent
+// frame where it has one.
+template <class Evaluate>
+void eval_term(const Term& term, std::size_t channel, const Directions<double>& directions, double* out,
+               Evaluate&& evaluate) {
+  const ParameterValues<double> values = term.values(channel);
+  if (term.tangent_phi == Angle{}) return evaluate(values, directions, out);
+  constexpr std::size_t kBlock = 512;
+  DirectionArrays<double> turned(std::min(kBlock, directions.count));
+  for (std::size_t first = 0; first < directions.count; first += kBlock) {
+    const Directions<double> block = directions.part(first, std::min(kBlock, directions.count - first));
+    turn_batch(block, term.tangent_phi, turned);
+    evaluate(values, turned.view().part(0, block.count), out + first);
+  }
+}
+
+// Adds every term's value for one pair to `out`.
+template <class Evaluate>
+void sum_terms(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
+               std::span<double> out, Evaluate&& evaluate) {
+  std::fill(out.begin(), out.end(), 0.0);
+  for (const Term& term : material.terms)
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      double value = 0;
+      evaluate(term, k, one_pair(wi, wo), &value);
+      out[k] += value;
+    }
+}
+
+}  // namespace
+
+Term make_term(const Reflectance& form, std::size_t channels) {
+  const ReflectanceInfo& f = info(form);
+  return {form, {defaults(f.shape)}, std::vector(channels, defaults(f.weights))};
+}
+
+Material make_material(const Reflectance& form, std::vector<std::string> channels) {
+  const std::size_t n = channels.size();
+  return {std::move(channels), {make_term(form, n)}};
+}
+
+bool is_anisotropic(const Material& material) {
+  return std::any_of(material.terms.begin(), material.terms.end(), [](const Term& term) {
+    const auto [along, across] = info(term.form).axes();
+    return across >= 0 && std::any_of(term.shape.begin(), term.shape.end(), [&](const auto& set) {
+             return set[std::size_t(along)] != set[std::size_t(across)];
+           });
+  });
+}
+
+void eval(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> out) {
+  sum_terms(material, wi, wo, out, eval_batch);
+}
+void eval_cos(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
+              std::span<double> out) {
+  sum_terms(material, wi, wo, out, eval_cos_batch);
+}
+
+void eval_batch(const Term& term, std::size_t channel, const Directions<double>& directions, double* out) {
+  eval_term(term, channel, directions, out, [&](const auto&... arguments) { term.form->eval(arguments...); });
+}
+void eval_cos_batch(const Term& term, std::size_t channel, const Directions<double>& directions,
+                    double* out) {
+  eval_term(term, channel, directions, out,
+            [&](const auto&... arguments) { term.form->eval_cos(arguments...); });
+}
+
+Vec3<double> direction(Angle theta, Angle phi) {
+  const double t = theta.radians(), p = phi.radians();
+  return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
+}
+
+void turn_batch(const Directions<double>& directions, Angle phi, DirectionArrays<double>& out) {
+  const double c = std::cos(phi.radians()), s = std::sin(phi.radians());
+  for (std::size_t i = 0; i < directions.count; ++i)
+    out.set(i, turn(directions.wi(i), c, s), turn(directions.wo(i), c, s));
+}
+
+}  // namespace brdf

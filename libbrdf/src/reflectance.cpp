@@ -1,0 +1,140 @@
+#include "brdf/reflectance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "brdf/samplers.h"
+
+namespace brdf {
+namespace {
+
+int index_of(std::span<const ParameterInfo> table, std::string_view name) {
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].name == name) return int(k);
+  return -1;
+}
+int index_of(std::span<const ParameterInfo> table, Role role) {
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].role == role) return int(k);
+  return -1;
+}
+
+// Evaluates in double and rounds, a block at a time.
+template <class Evaluate>
+void by_double(const ParameterValues<float>& p, const Directions<float>& d, float* out, Evaluate&& evaluate) {
+  constexpr std::size_t kBlock = 256;
+  const auto wide = [](std::span<const float> values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  const std::vector<double> weights = wide(p.weights), first = wide(p.first), shape = wide(p.shape);
+  const bool own = p.first.data() == p.weights.data();
+  DirectionArrays<double> block(std::min(kBlock, d.count));
+  std::array<double, kBlock> values;
+  for (std::size_t start = 0; start < d.count; start += kBlock) {
+    const Directions<float> part = d.part(start, std::min(kBlock, d.count - start));
+    for (std::size_t k = 0; k < part.count; ++k) {
+      const Vec3<float> wi = part.wi(k), wo = part.wo(k);
+      block.set(k, {wi.x, wi.y, wi.z}, {wo.x, wo.y, wo.z});
+    }
+    evaluate(ParameterValues<double>{weights, own ? weights : first, shape, p.channel},
+             block.view().part(0, part.count), values.data());
+    std::copy_n(values.begin(), part.count, out + start);
+  }
+}
+
+}  // namespace
+
+bool ReflectanceInfo::violates(std::string_view check) const {
+  return std::any_of(violations.begin(), violations.end(),
+                     [&](const Violation& v) { return v.check == check; });
+}
+
+int ReflectanceInfo::shape_index(std::string_view parameter) const {
+  return index_of(shape, parameter);
+}
+int ReflectanceInfo::weight_index(std::string_view parameter) const {
+  return index_of(weights, parameter);
+}
+int ReflectanceInfo::shape_index(Role role) const {
+  return index_of(shape, role);
+}
+int ReflectanceInfo::weight_index(Role role) const {
+  return index_of(weights, role);
+}
+
+ReflectanceInfo::Axes ReflectanceInfo::axes() const {
+  if (const int across = shape_index(Role::width_across); across >= 0)
+    return {shape_index(Role::width), across};
+  if (const int across = shape_index(Role::exponent_across); across >= 0)
+    return {shape_index(Role::exponent), across};
+  return {};
+}
+
+std::string_view ReflectanceInfo::tied_name() const {
+  const auto [along, across] = axes();
+  if (along < 0 || across < 0) return {};
+  const std::string_view a = shape[std::size_t(along)].name, b = shape[std::size_t(across)].name;
+  std::size_t common = std::size_t(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+  while (common > 0 && a[common - 1] == '_') --common;
+  return a.substr(0, common);
+}
+
+std::vector<double> linear_weights(const ReflectanceInfo& info, std::span<const double> weights) {
+  const int f0 = info.weight_index(Role::f0);
+  std::vector<double> linear;
+  for (const auto& [weight, factor] : info.lobes) {
+    const double fresnel = factor == LobeWeight::Factor::one  ? 1
+                           : factor == LobeWeight::Factor::f0 ? weights[std::size_t(f0)]
+                                                              : 1 - weights[std::size_t(f0)];
+    linear.push_back(weights[weight] * fresnel);
+  }
+  return linear;
+}
+
+void ReflectanceModel::eval_cos(const ParameterValues<double>& p, const Directions<double>& d,
+                                double* out) const {
+  eval(p, d, out);
+  for (std::size_t k = 0; k < d.count; ++k) out[k] *= std::max(d.wi_z[k], 0.0);
+}
+void ReflectanceModel::eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const {
+  by_double(p, d, out, [&](const auto&... arguments) { eval(arguments...); });
+}
+void ReflectanceModel::eval_cos(const ParameterValues<float>& p, const Directions<float>& d,
+                                float* out) const {
+  by_double(p, d, out, [&](const auto&... arguments) { eval_cos(arguments...); });
+}
+void ReflectanceModel::lobes(std::span<const double>, Partial, const Directions<double>&,
+                             const LobeRows<double>&) const {}
+void ReflectanceModel::lobes(std::span<const float>, Partial, const Directions<float>&,
+                             const LobeRows<float>&) const {}
+void ReflectanceModel::gradient(const ParameterValues<double>&, const Directions<double>&,
+                                const LobeRows<double>&) const {}
+std::vector<ReflectanceModel::TableWeight> ReflectanceModel::weights_of(std::span<const double>) const {
+  return {};
+}
+Vec3<double> ReflectanceModel::sample(std::span<const double>, double u1, double u2, double,
+                                      const Vec3<double>&, double) const {
+  return sample_cosine(u1, u2);
+}
+double ReflectanceModel::pdf(std::span<const double>, const Vec3<double>& wi, const Vec3<double>&,
+                             double) const {
+  return std::max(wi.z, 0.0) / kPi;
+}
+std::string ReflectanceModel::glsl(const GlslOptions&) const {
+  return {};
+}
+
+std::optional<Reflectance> find_form(std::string_view name) {
+  for (const Reflectance& form : catalogue())
+    if (form.info().name == name) return form;
+  return std::nullopt;
+}
+
+int catalogue_index(const Reflectance& reflectance) {
+  const auto all = catalogue();
+  const auto found = std::find(all.begin(), all.end(), reflectance);
+  return found == all.end() ? -1 : int(found - all.begin());
+}
+
+}  // namespace brdf

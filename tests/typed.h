@@ -1,0 +1,28 @@
+// For tests that need the structs of forms: a reflectance's struct, and its parameters as structs.
+#pragma once
+
+#include <optional>
+
+#include "brdf/forms.h"
+#include "brdf/material.h"
+
+namespace brdf {
+
+// f(form) with the struct of a form of the catalogue; every call must return a value of one type.
+template <class F>
+auto visit_form(const Reflectance& form, F&& f) {
+  std::optional<decltype(f(lambert{}))> result;
+  with_form(catalogue_index(form), [&](auto typed) { result = f(typed); });
+  return *result;
+}
+
+template <Form F>
+typename F::template Shape<double> typed_shape(F, const Term& term, std::size_t channel) {
+  return from_values<typename F::template Shape<double>>(term.shape_of(channel));
+}
+template <Form F>
+typename F::template Weights<double> typed_weights(F, const Term& term, std::size_t channel) {
+  return from_values<typename F::template Weights<double>>(std::span<const double>(term.weights[channel]));
+}
+
+}  // namespace brdf
