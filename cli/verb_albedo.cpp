@@ -39,8 +39,8 @@ AlbedoOptions checked(const Options& o) {
       throw InputError("--theta " + io::to_text(theta) + ": must be between 0 and 90 degrees");
   options.tolerance = o.tolerance;
   options.fixed = o.fixed == "o" ? Fixed::viewer : Fixed::light;
-  const std::optional<Rule> rule = find_rule(o.rule);
-  if (!rule) throw InputError("--rule '" + o.rule + "': must be automatic, pole, slope or adaptive");
+  const std::optional<Rule> rule = find_named<Rule>(o.rule);
+  if (!rule) throw InputError("--rule '" + o.rule + "': must be one of " + known_names<Rule>());
   options.rule = *rule;
   return options;
 }
@@ -55,7 +55,7 @@ io::Json row_json(const Row& row, const Options& o) {
   json["error_bound"] = row.result.error_bound;
   json["evaluations"] = row.result.evaluations;
   json["converged"] = row.result.converged;
-  json["rule"] = rule_name(row.result.rule);
+  json["rule"] = name_of(row.result.rule);
   return json;
 }
 
@@ -63,7 +63,7 @@ void print(const Row& row) {
   std::cout << std::setw(8) << row.theta << "  " << std::left << std::setw(10) << row.channel << std::right
             << std::setprecision(15) << std::setw(20) << row.result.value << std::setprecision(2) << "  +- "
             << std::left << std::setw(9) << row.result.error_bound << std::right << std::setw(9)
-            << row.result.evaluations << "  " << rule_name(row.result.rule)
+            << row.result.evaluations << "  " << name_of(row.result.rule)
             << (row.result.converged ? "" : "  NOT CONVERGED") << std::setprecision(6) << '\n';
 }
 

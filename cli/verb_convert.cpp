@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/verbs.h"
+#include "io/content.h"
 #include "io/error.h"
 #include "io/exr_table.h"
 #include "io/material_file.h"
@@ -15,15 +16,9 @@
 namespace brdf::cli {
 namespace {
 
-bool is_json(const std::string& path) {
-  std::ifstream in(path);
-  char first = 0;
-  return (in >> first) && first == '{';
-}
-
 // The table of a sample file; a material is evaluated at the centres of the MERL cells.
 io::SampleTable table_of(const std::string& path) {
-  if (!is_json(path)) return io::read_samples(path);
+  if (!io::is_json(path)) return io::read_samples(path);
   synth::Instrument instrument;
   instrument.grid.parts = {"merl"};
   io::SampleTable table = synth::measure(io::read_material(path), instrument);

@@ -23,14 +23,14 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
     table.values.emplace_back(table.rows());
   }
   table.sigma.resize(table.channels.size());
-  const io::UnitDirections d = io::unit_directions(table);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
   std::vector<double> values(count);
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
     if (cosine)
-      eval_cos(material, wi, wo, values);
+      eval_cos(material, d.wi(k), d.wo(k), values);
     else
-      eval(material, wi, wo, values);
+      eval(material, d.wi(k), d.wo(k), values);
     for (std::size_t c = 0; c < count; ++c) table.values[first + c][k] = values[c];
   }
 }

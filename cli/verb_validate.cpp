@@ -12,6 +12,7 @@
 #include "cli/progress.h"
 #include "cli/shader_proof.h"
 #include "cli/verbs.h"
+#include "io/content.h"
 #include "io/error.h"
 #include "io/material_file.h"
 #include "io/output.h"
@@ -38,13 +39,6 @@ std::string read_bytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path + ": cannot be opened");
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-bool is_json(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be opened");
-  file >> std::ws;
-  return file.peek() == '{';
 }
 
 std::vector<std::string> required(const Options& o) {
@@ -81,7 +75,7 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
   for (const std::string& name : o.forms)
     content.subjects.push_back(validate::Subject::form(require_form(name)));
   for (const std::string& file : o.files) {
-    if (is_json(file)) {
+    if (io::is_json(file)) {
       content.subjects.push_back(validate::Subject::material(file, io::read_material(file)));
     } else {
       content.tables.push_back(measured(file));

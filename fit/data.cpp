@@ -75,22 +75,25 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
       ++data.beyond_max_theta;
       continue;
     }
-    double wi[3], wo[3];
-    io::unit_vector(table.theta_i[k], table.phi_i[k], wi[0], wi[1], wi[2]);
-    io::unit_vector(table.theta_o[k], table.phi_o[k], wo[0], wo[1], wo[2]);
+    const Vec3<double> wi = io::unit_vector(table.theta_i[k], table.phi_i[k]),
+                       wo = io::unit_vector(table.theta_o[k], table.phi_o[k]);
     bool defined = true;
     for (std::size_t c = 0; c < channels; ++c)
-      defined = defined && in_domain(options.metric, table.values[c][k], wi[2], wo[2]);
+      defined = defined && in_domain(options.metric, table.values[c][k], wi.z, wo.z);
     if (!defined) {
       ++data.outside_domain;
       continue;
     }
-    data.wi_x.push_back(wi[0]), data.wi_y.push_back(wi[1]), data.wi_z.push_back(wi[2]);
-    data.wo_x.push_back(wo[0]), data.wo_y.push_back(wo[1]), data.wo_z.push_back(wo[2]);
+    data.wi_x.push_back(wi.x);
+    data.wi_y.push_back(wi.y);
+    data.wi_z.push_back(wi.z);
+    data.wo_x.push_back(wo.x);
+    data.wo_y.push_back(wo.y);
+    data.wo_z.push_back(wo.z);
     for (std::size_t c = 0; c < channels; ++c) data.values[c].push_back(table.values[c][k]);
     for (std::size_t c = 0; c < data.sigma.size(); ++c) data.sigma[c].push_back(table.sigma[c][k]);
     if (weighting == Weighting::kSolidAngle)
-      data.weight.push_back(std::hypot(wi[0], wi[1]) * std::hypot(wo[0], wo[1]));
+      data.weight.push_back(std::hypot(wi.x, wi.y) * std::hypot(wo.x, wo.y));
     data.row.push_back(std::uint32_t(k));
     if (data.grouped) {
       data.incidence.push_back(std::uint32_t(table.theta_i[k]));

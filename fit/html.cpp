@@ -48,14 +48,14 @@ std::string in_words(const FormFit& f) {
 }
 
 // Fitted values [channel][row] of the rows of a table.
-std::vector<std::vector<double>> fitted_values(const Material& material, const io::UnitDirections& d,
+std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
                                                std::size_t rows, double aperture) {
   std::vector out(material.channels.size(), std::vector<double>(rows));
   const std::vector<ApertureNode> detector = aperture_nodes(degrees(aperture), kFitRings);
   const std::vector<ApertureNode> source = aperture_nodes({});
   std::vector<double> f(material.channels.size());
   for (std::size_t k = 0; k < rows; ++k) {
-    const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
+    const Vec3<double> wi = d.wi(k), wo = d.wo(k);
     if (aperture > 0)
       eval_aperture(material, wi, wo, source, detector, f);
     else
@@ -116,13 +116,12 @@ constexpr std::size_t kMapCells = 45;  // of two degrees
 
 // Mean ln(fit/value) of every cell over (theta_h, theta_d),
 // row by row from theta_d 0; NaN where nothing was measured.
-std::vector<double> residual_cells(const io::SampleTable& table, const io::UnitDirections& d,
+std::vector<double> residual_cells(const io::SampleTable& table, const Directions<double>& d,
                                    const std::vector<std::vector<double>>& fitted) {
   std::vector<double> sum(kMapCells * kMapCells, 0), count(kMapCells * kMapCells, 0);
   const auto cell = [](double angle) { return std::min(std::size_t(angle * 90 / kPi), kMapCells - 1); };
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const Geometry<double> g = geometry(Vec3<double>{d.wi_x[k], d.wi_y[k], d.wi_z[k]},
-                                        Vec3<double>{d.wo_x[k], d.wo_y[k], d.wo_z[k]});
+    const Geometry<double> g = geometry(d.wi(k), d.wo(k));
     const std::size_t x = cell(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z));
     const std::size_t y = cell(std::acos(std::min(g.cos_d, 1.0)));
     for (std::size_t c = 0; c < fitted.size(); ++c)
@@ -266,7 +265,8 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
     report.paragraph("Recommended: " + simple.form + ", which is simpler and as good within the noise.");
   add_ranking(report, result);
   add_parameters(report, best);
-  const io::UnitDirections d = io::unit_directions(table);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
   const auto fitted = fitted_values(best.material, d, table.rows(), options.aperture);
   add_slices(report, table, fitted);
   add_residual_map(report, residual_cells(table, d, fitted));

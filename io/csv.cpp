@@ -195,10 +195,7 @@ class CsvReader {
       for (double& value : row_values_) value /= cosine;
       for (double& sigma : row_sigma_) sigma /= cosine;
     }
-    table_.theta_i.push_back(angles_[0]);
-    table_.phi_i.push_back(angles_[1]);
-    table_.theta_o.push_back(angles_[2]);
-    table_.phi_o.push_back(angles_[3]);
+    table_.add_directions(angles_[0], angles_[1], angles_[2], angles_[3]);
     for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
     if (has_sigma_) {
       for (const Column& c : columns_)

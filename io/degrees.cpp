@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "io/samples.h"
 
@@ -31,7 +30,7 @@ double cos_series(double x) {
 
 double sin_quadrants(double degrees, int shift) {
   const double quarter = std::nearbyint(degrees / 90.0);
-  const double x = (degrees - 90.0 * quarter) * (std::numbers::pi / 180.0);
+  const double x = (degrees - 90.0 * quarter) * (kPi / 180);
   switch ((static_cast<long long>(quarter) + shift) & 3) {
     case 0:
       return sin_series(x);
@@ -54,29 +53,23 @@ double cos_degrees(double degrees) {
   return sin_quadrants(degrees, 1);
 }
 
-void unit_vector(double theta, double phi, double& x, double& y, double& z) {
+Vec3<double> unit_vector(double theta, double phi) {
   const double sin_theta = sin_degrees(theta);
-  x = sin_theta * cos_degrees(phi);
-  y = sin_theta * sin_degrees(phi);
-  z = cos_degrees(theta);
+  return {sin_theta * cos_degrees(phi), sin_theta * sin_degrees(phi), cos_degrees(theta)};
 }
 
-void polar_degrees(double x, double y, double z, double& theta, double& phi) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
-  theta = std::atan2(std::sqrt(x * x + y * y), z) / kDegree;
-  phi = std::atan2(y, x) / kDegree;
+void polar_degrees(const Vec3<double>& w, double& theta, double& phi) {
+  theta = radians(std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z)).degrees();
+  phi = radians(std::atan2(w.y, w.x)).degrees();
   if (phi < 0) phi += 360.0;
 }
 
-UnitDirections unit_directions(const SampleTable& table) {
-  const std::size_t n = table.rows();
-  UnitDirections d;
-  for (auto* column : {&d.wi_x, &d.wi_y, &d.wi_z, &d.wo_x, &d.wo_y, &d.wo_z}) column->resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    unit_vector(table.theta_i[k], table.phi_i[k], d.wi_x[k], d.wi_y[k], d.wi_z[k]);
-    unit_vector(table.theta_o[k], table.phi_o[k], d.wo_x[k], d.wo_y[k], d.wo_z[k]);
-  }
-  return d;
+DirectionArrays<double> unit_directions(const SampleTable& table) {
+  DirectionArrays<double> directions(table.rows());
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    directions.set(k, unit_vector(table.theta_i[k], table.phi_i[k]),
+                   unit_vector(table.theta_o[k], table.phi_o[k]));
+  return directions;
 }
 
 }  // namespace brdf::io

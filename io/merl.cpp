@@ -46,15 +46,13 @@ CellDirections cell_directions(std::size_t cell) {
   // The light in the frame of the half vector, turned to the surface's; the viewer is its mirror image.
   const double x = d.sine * p.cosine, y = d.sine * p.sine, z = d.cosine;
   CellDirections c;
-  polar_degrees(h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x, c.theta_i, c.phi_i);
-  polar_degrees(h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x, c.theta_o, c.phi_o);
+  polar_degrees({h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x}, c.theta_i, c.phi_i);
+  polar_degrees({h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x}, c.theta_o, c.phi_o);
   return c;
 }
 
 std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o) {
-  Vec3<double> wi, wo;
-  unit_vector(theta_i, phi_i, wi.x, wi.y, wi.z);
-  unit_vector(theta_o, phi_o, wo.x, wo.y, wo.z);
+  const Vec3<double> wi = unit_vector(theta_i, phi_i), wo = unit_vector(theta_o, phi_o);
   const Vec3<double> sum = wi + wo;
   const double length = std::sqrt(dot(sum, sum));
   if (!(length > 0)) return kCells - 1;
@@ -79,10 +77,7 @@ void add_cell_directions(SampleTable& table) {
   for (std::size_t cell = 0; cell < kCells; ++cell) {
     const CellDirections c = cell_directions(cell);
     if (c.theta_i > 90 || c.theta_o > 90) continue;
-    table.theta_i.push_back(c.theta_i);
-    table.phi_i.push_back(c.phi_i);
-    table.theta_o.push_back(c.theta_o);
-    table.phi_o.push_back(c.phi_o);
+    table.add_directions(c.theta_i, c.phi_i, c.theta_o, c.phi_o);
   }
 }
 
@@ -109,10 +104,7 @@ SampleTable read(const std::filesystem::path& path) {
     if (!std::all_of(table.values.begin(), table.values.end(), is_valid)) continue;
     const CellDirections d = cell_directions(cell);
     if (d.theta_i > 90 || d.theta_o > 90) continue;
-    table.theta_i.push_back(d.theta_i);
-    table.phi_i.push_back(d.phi_i);
-    table.theta_o.push_back(d.theta_o);
-    table.phi_o.push_back(d.phi_o);
+    table.add_directions(d.theta_i, d.phi_i, d.theta_o, d.phi_o);
     for (std::size_t c = 0; c < 3; ++c) table.values[c][kept] = table.values[c][cell] * kScale[c];
     ++kept;
   }

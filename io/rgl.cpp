@@ -208,15 +208,10 @@ SampleTable read(const std::filesystem::path& path) {
   table.metadata = {{"sample", measurement.description()},
                     {"instrument", "RGL gonio-photometer, adaptive tensor file"}};
   const auto add = [&](double theta_i, double theta_o, double phi_o) {
-    Vec3<double> wi, wo;
-    unit_vector(theta_i, 180, wi.x, wi.y, wi.z);
-    unit_vector(theta_o, phi_o, wo.x, wo.y, wo.z);
+    const Vec3<double> wi = unit_vector(theta_i, 180), wo = unit_vector(theta_o, phi_o);
     double rgb[3];
     measurement.eval_cos_o(wi, wo, rgb);
-    table.theta_i.push_back(theta_i);
-    table.phi_i.push_back(180);
-    table.theta_o.push_back(theta_o);
-    table.phi_o.push_back(phi_o);
+    table.add_directions(theta_i, 180, theta_o, phi_o);
     for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(rgb[c] / wo.z);
   };
   for (const double theta_i : {5, 15, 30, 45, 60, 75}) {

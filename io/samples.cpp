@@ -24,6 +24,14 @@ void SampleTable::reserve(std::size_t rows) {
   for (auto& column : values) column.reserve(rows);
 }
 
+void SampleTable::add_directions(double theta_of_light, double phi_of_light, double theta_of_viewer,
+                                 double phi_of_viewer) {
+  theta_i.push_back(theta_of_light);
+  phi_i.push_back(phi_of_light);
+  theta_o.push_back(theta_of_viewer);
+  phi_o.push_back(phi_of_viewer);
+}
+
 SampleTable read_samples(const std::filesystem::path& path) {
   if (rgl::recognises(path)) return rgl::read(path);
   if (merl::recognises(path)) return merl::read(path);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "brdf/directions.h"
+
 namespace brdf::io {
 
 // Measured or computed values of f_r in 1/sr, one row per pair of directions; column
@@ -36,6 +38,9 @@ struct SampleTable {
   // First metadata value under `key`.
   std::optional<std::string> find_metadata(std::string_view key) const;
   void reserve(std::size_t rows);
+  // Adds a row of directions, in degrees; its values are the caller's.
+  void add_directions(double theta_of_light, double phi_of_light, double theta_of_viewer,
+                      double phi_of_viewer);
 };
 
 // Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md).
@@ -48,18 +53,15 @@ SampleTable read_directions(const std::filesystem::path& path);
 void write_samples(const std::filesystem::path& path, const SampleTable& table);
 void write_samples(std::ostream& out, const SampleTable& table);
 
-// Unit vectors of all rows in the local frame (normal +z, tangent +x), structure of arrays.
-struct UnitDirections {
-  std::vector<double> wi_x, wi_y, wi_z, wo_x, wo_y, wo_z;
-};
-UnitDirections unit_directions(const SampleTable& table);
+// Unit vectors of all rows in the local frame (normal +z, tangent +x).
+DirectionArrays<double> unit_directions(const SampleTable& table);
 
-// x, y, z of a direction given in degrees. Built on sin_degrees, so it is the same on every machine.
-void unit_vector(double theta, double phi, double& x, double& y, double& z);
+// The unit vector of a direction given in degrees. Built on sin_degrees, so it is the same on every machine.
+Vec3<double> unit_vector(double theta, double phi);
 
 // The polar angle in [0, 180] and the azimuth in [0, 360)
 // of a direction, in degrees; its length does not matter.
-void polar_degrees(double x, double y, double z, double& theta, double& phi);
+void polar_degrees(const Vec3<double>& w, double& theta, double& phi);
 
 // Sine and cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp of the true
 // value for |degrees| <= 1e6. Plain arithmetic only: the C library's differ in the last bit between

@@ -179,13 +179,10 @@ SampleTable read(const std::filesystem::path& path) {
           repeated += is_measured && is_repeated;
           if (!is_measured || is_repeated) continue;
           double theta_o, phi_o;
-          polar_degrees(wo.x, wo.y, wo.z, theta_o, phi_o);
+          polar_degrees(wo, theta_o, phi_o);
           theta_o = set_point(theta_o);
           phi_o = theta_o == 0 ? 0 : set_point(phi_o);
-          table.theta_i.push_back(theta_i);
-          table.phi_i.push_back(180 - rotation);
-          table.theta_o.push_back(theta_o);
-          table.phi_o.push_back(phi_o - rotation);
+          table.add_directions(theta_i, 180 - rotation, theta_o, phi_o - rotation);
           for (std::size_t c = 0; c < raw.size(); ++c) table.values[c].push_back(raw[c][k]);
           table.lines.push_back(at_line[k]);
         }

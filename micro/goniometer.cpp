@@ -118,7 +118,7 @@ Surface make_surface(const Simulation& simulation, int index) {
 std::vector<Scatter> measure_scatter(const Simulation& s, const std::vector<Incidence>& incidences,
                                      const Cells& cells, const Progress& progress) {
   std::vector<ScatterCollector> collectors(incidences.size());
-  parallel_in_order(
+  io::parallel_in_order(
       s.surfaces, s.threads, progress, [&](int index) { return scatter_on(s, index, incidences, cells); },
       [&](const SurfaceScatter& one) {
         for (std::size_t k = 0; k < incidences.size(); ++k) {
@@ -164,7 +164,7 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
     }
     return result;
   };
-  parallel_in_order(s.surfaces, s.threads, progress, job, [&](const std::vector<Shares>& one) {
+  io::parallel_in_order(s.surfaces, s.threads, progress, job, [&](const std::vector<Shares>& one) {
     for (std::size_t v = 0; v < views.size(); ++v) {
       for (std::size_t k = 0; k < sources.size(); ++k) {
         double sum = 0;
@@ -209,7 +209,7 @@ Exchange measure_exchange(const Simulation& s, const Cell& a, const Cell& b, con
     return power * share / to.projected_solid_angle();
   };
   Collector forward, backward;
-  parallel_in_order(
+  io::parallel_in_order(
       s.surfaces, s.threads, progress,
       [&](int index) {
         const Surface surface = make_surface(s, index);

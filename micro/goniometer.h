@@ -5,15 +5,17 @@
 #include <variant>
 #include <vector>
 
+#include "io/parallel.h"
 #include "micro/cells.h"
 #include "micro/estimate.h"
 #include "micro/facets.h"
 #include "micro/grooves.h"
 #include "micro/height_field.h"
-#include "micro/parallel.h"
 #include "micro/walk.h"
 
 namespace brdf::micro {
+
+using io::Progress;
 
 /// Orders of reflection are kept apart as 1, 2, and 3 or more.
 constexpr int kOrderClasses = 3;

@@ -69,7 +69,7 @@ Slopes measure_slopes(const Simulation& s, const std::vector<double>& q, const P
   const HeightField& field = std::get<HeightField>(s.geometry);
   Collector alpha_x, alpha_y;
   std::vector<Collector> outside(q.size());
-  parallel_in_order(
+  io::parallel_in_order(
       s.surfaces, s.threads, progress, [&](int index) { return slopes_of(make_surface(s, index), field, q); },
       [&](const SurfaceSlopes& one) {
         alpha_x.add(std::sqrt(2 * one.variance.x));
@@ -84,7 +84,7 @@ Slopes measure_slopes(const Simulation& s, const std::vector<double>& q, const P
 std::vector<Masking> measure_masking(const Simulation& s, const std::vector<double>& thetas,
                                      const Progress& progress) {
   std::vector<MaskingCollector> collectors(thetas.size());
-  parallel_in_order(
+  io::parallel_in_order(
       s.surfaces, s.threads, progress,
       [&](int index) {
         const Surface surface = make_surface(s, index);

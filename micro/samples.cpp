@@ -141,10 +141,8 @@ class TableWriter {
 
   void add(double theta_i, double phi_i, int cell, const Estimate (&f)[kOrderClasses],
            const Estimate& total) {
-    table.theta_i.push_back(theta_i);
-    table.phi_i.push_back(phi_i);
-    table.theta_o.push_back(rounded(cells_[cell].centre_theta() / kDegree));
-    table.phi_o.push_back(in_turn(phi_i + rounded(cells_[cell].centre_phi() / kDegree)));
+    table.add_directions(theta_i, phi_i, rounded(cells_[cell].centre_theta() / kDegree),
+                         in_turn(phi_i + rounded(cells_[cell].centre_phi() / kDegree)));
     for (std::size_t c = 0; c < table.channels.size(); ++c) {
       const Estimate& e = orders_ ? f[c] : total;
       table.values[c].push_back(e.mean);

@@ -152,7 +152,8 @@ Measured interpolate(const io::SampleTable& table) {
                      " channels; the renderer takes 1 or 3");
   }
   if (table.rows() == 0) throw InputError(table.source + ": has no rows");
-  const io::UnitDirections d = io::unit_directions(table);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
   std::vector<Row> rows;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     Row row;

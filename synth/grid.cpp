@@ -10,43 +10,35 @@
 namespace brdf::synth {
 namespace {
 
-using Directions = io::SampleTable;
-
 constexpr double kInPlaneLimit = 85;  // an instrument's arm rarely gets closer to the horizon
 constexpr double kHemisphereLimit = 80;
 
-void add_row(Directions& grid, double theta_i, double phi_i, double theta_o, double phi_o) {
-  grid.theta_i.push_back(theta_i);
-  grid.phi_i.push_back(phi_i);
-  grid.theta_o.push_back(theta_o);
-  grid.phi_o.push_back(phi_o);
-}
-
-void add_in_plane(Directions& grid, const GridOptions& options) {
+void add_in_plane(io::SampleTable& grid, const GridOptions& options) {
   const double step = options.step > 0 ? options.step : 1;
   const std::vector<double> own = {0, 15, 30, 45, 60, 75};
   const int last = static_cast<int>(kInPlaneLimit / step);
   for (const double theta_i : options.theta_i.empty() ? own : options.theta_i)
-    for (int k = -last; k <= last; ++k) add_row(grid, theta_i, 180, std::abs(k * step), k < 0 ? 180 : 0);
+    for (int k = -last; k <= last; ++k)
+      grid.add_directions(theta_i, 180, std::abs(k * step), k < 0 ? 180 : 0);
 }
 
-void add_hemisphere(Directions& grid, const GridOptions& options) {
+void add_hemisphere(io::SampleTable& grid, const GridOptions& options) {
   const double step = options.step > 0 ? options.step : 5;
   const std::vector<double> own = {0, 20, 40, 60, 75};
   const int rings = static_cast<int>(kHemisphereLimit / step);
   const int sectors = std::max(4, static_cast<int>(180 / step));  // twice as wide in azimuth
   for (const double theta_i : options.theta_i.empty() ? own : options.theta_i) {
-    add_row(grid, theta_i, 180, 0, 0);
+    grid.add_directions(theta_i, 180, 0, 0);
     for (int ring = 1; ring <= rings; ++ring)
       for (int sector = 0; sector < sectors; ++sector)
-        add_row(grid, theta_i, 180, ring * step, sector * 360.0 / sectors);
+        grid.add_directions(theta_i, 180, ring * step, sector * 360.0 / sectors);
   }
 }
 
-void add_file(Directions& grid, const std::string& path) {
+void add_file(io::SampleTable& grid, const std::string& path) {
   const io::SampleTable file = io::read_directions(path);
   for (std::size_t k = 0; k < file.rows(); ++k)
-    add_row(grid, file.theta_i[k], file.phi_i[k], file.theta_o[k], file.phi_o[k]);
+    grid.add_directions(file.theta_i[k], file.phi_i[k], file.theta_o[k], file.phi_o[k]);
 }
 
 double in_turn(double degrees) {
@@ -55,27 +47,28 @@ double in_turn(double degrees) {
 }
 
 // Seen from a sample turned by +a, directions turn by -a.
-Directions turned(const Directions& grid, const std::vector<double>& azimuths) {
-  Directions all;
+io::SampleTable turned(const io::SampleTable& grid, const std::vector<double>& azimuths) {
+  io::SampleTable all;
   all.reserve(grid.rows() * azimuths.size());
   for (const double azimuth : azimuths)
     for (std::size_t k = 0; k < grid.rows(); ++k) {
       if (azimuth == 0)
-        add_row(all, grid.theta_i[k], grid.phi_i[k], grid.theta_o[k], grid.phi_o[k]);
+        all.add_directions(grid.theta_i[k], grid.phi_i[k], grid.theta_o[k], grid.phi_o[k]);
       else
-        add_row(all, grid.theta_i[k], in_turn(grid.phi_i[k] - azimuth), grid.theta_o[k],
-                in_turn(grid.phi_o[k] - azimuth));
+        all.add_directions(grid.theta_i[k], in_turn(grid.phi_i[k] - azimuth), grid.theta_o[k],
+                           in_turn(grid.phi_o[k] - azimuth));
     }
   return all;
 }
 
-Directions outside_blind_zone(const Directions& grid, double blind_zone) {
-  const io::UnitDirections d = io::unit_directions(grid);
+io::SampleTable outside_blind_zone(const io::SampleTable& grid, double blind_zone) {
+  const DirectionArrays<double> d = io::unit_directions(grid);
   const double cos_limit = io::cos_degrees(blind_zone) + 1e-12;  // a grid's step may fall on the limit
-  Directions seen;
+  io::SampleTable seen;
   for (std::size_t k = 0; k < grid.rows(); ++k) {
-    const double cosine = d.wi_x[k] * d.wo_x[k] + d.wi_y[k] * d.wo_y[k] + d.wi_z[k] * d.wo_z[k];
-    if (cosine <= cos_limit) add_row(seen, grid.theta_i[k], grid.phi_i[k], grid.theta_o[k], grid.phi_o[k]);
+    const double cosine = dot(d.view().wi(k), d.view().wo(k));
+    if (cosine <= cos_limit)
+      seen.add_directions(grid.theta_i[k], grid.phi_i[k], grid.theta_o[k], grid.phi_o[k]);
   }
   return seen;
 }
@@ -98,7 +91,7 @@ void check(const GridOptions& options) {
 
 io::SampleTable make_grid(const GridOptions& options) {
   check(options);
-  Directions grid;
+  io::SampleTable grid;
   for (const std::string& part : options.parts) {
     if (part == "in_plane")
       add_in_plane(grid, options);

@@ -41,7 +41,7 @@ void check(const Instrument& instrument) {
 }
 
 // Fills the table with noise-free readings.
-void read_out(const Material& material, const Instrument& instrument, const Progress& progress,
+void read_out(const Material& material, const Instrument& instrument, const io::Progress& progress,
               io::SampleTable& table) {
   const std::size_t channels = material.channels.size();
   // Two cones multiply: 50 x 50 nodes together, 288 for one alone.
@@ -50,13 +50,14 @@ void read_out(const Material& material, const Instrument& instrument, const Prog
   const auto source = aperture_nodes(degrees(instrument.source_aperture), rings);
   const auto detector = aperture_nodes(degrees(instrument.aperture), rings);
   const bool is_point = source.size() == 1 && detector.size() == 1;
-  const io::UnitDirections d = io::unit_directions(table);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
   std::vector<double> value(channels), centre(channels);
   double peak = 0, read_at_peak = 0;
   constexpr std::size_t kStride = 256;  // rows between reports
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (progress && k % kStride == 0) progress(static_cast<int>(k), static_cast<int>(table.rows()));
-    const Vec3<double> wi{d.wi_x[k], d.wi_y[k], d.wi_z[k]}, wo{d.wo_x[k], d.wo_y[k], d.wo_z[k]};
+    const Vec3<double> wi = d.wi(k), wo = d.wo(k);
     eval(material, wi, wo, centre);
     if (is_point)
       value = centre;
@@ -153,7 +154,8 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
 
 }  // namespace
 
-io::SampleTable measure(const Material& material, const Instrument& instrument, const Progress& progress) {
+io::SampleTable measure(const Material& material, const Instrument& instrument,
+                        const io::Progress& progress) {
   check(instrument);
   io::SampleTable table = make_grid(instrument.grid);
   table.channels = material.channels;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/parallel.h"
 #include "io/samples.h"
 #include "synth/grid.h"
 
@@ -24,14 +25,11 @@ struct Instrument {
   std::uint64_t seed = 1;
 };
 
-// Called now and then with the number of directions done and the number of all.
-using Progress = std::function<void(int done, int total)>;
-
 // Measures the material. The table's metadata records the truth and every setting, its
 // warnings what a user should know (a lobe narrower than the aperture, readings
 // saturated). The same arguments give the same table on every machine: own random numbers,
 // own sines, values rounded to 12 digits. Throws InputError on settings out of range.
 io::SampleTable measure(const Material& material, const Instrument& instrument,
-                        const Progress& progress = {});
+                        const io::Progress& progress = {});
 
 }  // namespace brdf::synth

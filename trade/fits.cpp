@@ -43,10 +43,7 @@ io::SampleTable sample_material(const Material& material, std::size_t rows, doub
       eval(material, wi, wo, value);
       const auto polar = [](const Vec3<double>& w) { return std::acos(std::min(1.0, w.z)) * 180 / kPi; };
       const auto azimuth = [](const Vec3<double>& w) { return std::atan2(w.y, w.x) * 180 / kPi; };
-      table.theta_i.push_back(polar(wi));
-      table.phi_i.push_back(azimuth(wi));
-      table.theta_o.push_back(polar(wo));
-      table.phi_o.push_back(azimuth(wo));
+      table.add_directions(polar(wi), azimuth(wi), polar(wo), azimuth(wo));
       const double factor = noise > 0 ? std::exp(noise * normal.next().first - noise * noise / 2) : 1;
       table.values[0].push_back(value[0] * factor);
       ++added;

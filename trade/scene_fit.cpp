@@ -84,10 +84,8 @@ io::SampleTable scene_samples(const SceneView& view, const RgbFunction& referenc
     const std::array<double, 3> f = reference(wi, wo);
     const double irradiance = double(p.irradiance.x + p.irradiance.y + p.irradiance.z) / 3;
     if (!(irradiance > 0)) continue;
-    table.theta_i.push_back(polar(wi.z));
-    table.phi_i.push_back(in_degrees(std::atan2(wi.y, wi.x)));
-    table.theta_o.push_back(polar(wo.z));
-    table.phi_o.push_back(in_degrees(std::atan2(wo.y, wo.x)));
+    table.add_directions(polar(wi.z), in_degrees(std::atan2(wi.y, wi.x)), polar(wo.z),
+                         in_degrees(std::atan2(wo.y, wo.x)));
     for (std::size_t c = 0; c < 3; ++c) {
       table.values[c].push_back(f[c]);
       table.sigma[c].push_back(1 / irradiance);
@@ -108,10 +106,7 @@ io::SampleTable hemisphere_samples(const RgbFunction& reference, std::size_t row
     const double theta_i = polar(at[0]), theta_o = polar(at[1]);
     const auto f =
         reference(direction(degrees(theta_i), degrees(at[2])), direction(degrees(theta_o), degrees(at[3])));
-    table.theta_i.push_back(theta_i);
-    table.phi_i.push_back(at[2]);
-    table.theta_o.push_back(theta_o);
-    table.phi_o.push_back(at[3]);
+    table.add_directions(theta_i, at[2], theta_o, at[3]);
     for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
   }
   return table;

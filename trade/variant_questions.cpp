@@ -155,11 +155,11 @@ std::vector<Question> variant_questions() {
 
 FittedVariant fit_variant(const std::string& name, const io::SampleTable& table) {
   const Variant& variant = find_variant(name);
-  const io::UnitDirections d = io::unit_directions(table);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
   std::vector<Sample> samples;
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const auto g = geometry(Vec3<double>{d.wi_x[k], d.wi_y[k], d.wi_z[k]},
-                            Vec3<double>{d.wo_x[k], d.wo_y[k], d.wo_z[k]});
+    const auto g = geometry(d.wi(k), d.wo(k));
     const double sigma = table.has_sigma(0) ? table.sigma[0][k] : 1;
     samples.push_back({g, {table.values[0][k], table.values[1][k], table.values[2][k]}, g.cos_i / sigma});
   }

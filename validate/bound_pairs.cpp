@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "brdf/integrals.h"
+#include "io/parallel.h"
 #include "validate/integral_cases.h"
-#include "validate/parallel.h"
 #include "validate/subject.h"
 
 namespace brdf::validate {
@@ -91,8 +91,8 @@ void compare(const Case& c, IntegratorRow& row) {
       if (apart == 0 || apart / allowed <= row.worst) continue;
       row.worst = apart / allowed;
       row.worst_case = place_of(c.integral) + (c.fixed == Fixed::light ? "" : " fixed=o") + ": " +
-                       std::string(rule_name(kWays[i].rule)) + " against " +
-                       std::string(rule_name(kWays[j].rule));
+                       std::string(name_of(kWays[i].rule)) + " against " +
+                       std::string(name_of(kWays[j].rule));
     }
   }
 }
@@ -107,7 +107,7 @@ std::vector<IntegratorRow> check_bounds(std::uint64_t seed, std::size_t pairs,
   for (const Reflectance& form : catalogue()) {
     IntegratorRow total{"bounds_" + std::string(info(form).name), 1e-6, 0, 0, 0, 0, 0, {}};
     std::vector<IntegratorRow> parts(cases);
-    parallel_for(cases, [&](std::size_t k) {
+    io::parallel_for(cases, [&](std::size_t k) {
       Random random(1'000'003 * seed + 1000 * rows.size() + k);
       compare(random_case(form, random), parts[k]);
     });

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
+#include "io/parallel.h"
 #include "validate/finding.h"
 #include "validate/subject.h"
 
@@ -43,12 +43,9 @@ Finding check_sampling(const Subject& subject, const CheckOptions& options);
 // Derivatives by dual numbers agree with differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 
-// Called with the number of checks done and of all, never from two threads at once.
-using CheckProgress = std::function<void(int done, int total)>;
-
 // All checks of all subjects in their order, judged against what the forms declare. On all processors.
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
-                                const CheckProgress& progress = {});
+                                const io::Progress& progress = {});
 
 // The names of the checks, in order.
 std::vector<std::string> check_names();

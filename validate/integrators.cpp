@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "brdf/integrals.h"
-#include "validate/parallel.h"
+#include "io/parallel.h"
 
 namespace brdf::validate {
 namespace {
@@ -52,10 +52,10 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const std::vector<IntegralCase> cases = integral_cases(sets[s], seed + s);
     std::vector<double> truth(cases.size());
-    parallel_for(cases.size(), [&](std::size_t k) { truth[k] = truth_of(cases[k]).value; });
+    io::parallel_for(cases.size(), [&](std::size_t k) { truth[k] = truth_of(cases[k]).value; });
     for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
       std::vector<AlbedoResult> results(cases.size());
-      parallel_for(cases.size(), [&](std::size_t k) {
+      io::parallel_for(cases.size(), [&](std::size_t k) {
         AlbedoOptions options;
         options.tolerance = tolerance;
         results[k] =
@@ -66,7 +66,7 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
     // The truth itself, by a rule of another kind.
     const std::vector<IntegralCase> few(cases.begin(), cases.begin() + kConfirmed);
     std::vector<AlbedoResult> second(few.size());
-    parallel_for(few.size(), [&](std::size_t k) {
+    io::parallel_for(few.size(), [&](std::size_t k) {
       AlbedoOptions options;
       options.tolerance = 1e-7;
       options.max_evaluations = 40'000'000;

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "io/parallel.h"
 #include "validate/checks.h"
-#include "validate/parallel.h"
 
 namespace brdf::validate {
 namespace {
@@ -72,7 +72,7 @@ std::vector<std::string> check_names() {
 }
 
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
-                                const CheckProgress& progress) {
+                                const io::Progress& progress) {
   constexpr std::size_t kCount = std::size(kChecks);
   std::vector<Finding> findings(subjects.size() * kCount);
   // The dear ones first, so that no processor is left alone with one at the end.
@@ -85,7 +85,7 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
                    [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
   std::mutex mutex;
   int done = 0;
-  parallel_for(order.size(), [&](std::size_t j) {
+  io::parallel_for(order.size(), [&](std::size_t j) {
     const std::size_t k = order[j];
     const Subject& subject = subjects[k / kCount];
     findings[k] = kChecks[k % kCount].run(subject, options);

@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "io/json.h"
+#include "io/parallel.h"
 #include "validate/numerics.h"
-#include "validate/parallel.h"
 
 namespace brdf::validate {
 namespace {
@@ -65,7 +65,7 @@ bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostr
     out << "form                       scalar      body     faint      tail   values  nan  inf  negative  "
            "budget       where the body is worst: parameters, light -> view in degrees\n";
   std::mutex mutex;
-  parallel_for(forms.size(), [&](std::size_t k) {
+  io::parallel_for(forms.size(), [&](std::size_t k) {
     auto measured = measure_numerics(forms[k]);
     const std::lock_guard lock(mutex);
     rows[k] = std::move(measured);

@@ -11,19 +11,18 @@
 // meets the tolerance. A result that did not converge says so, and its bound is then only an estimate.
 #pragma once
 
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include "brdf/material.h"
+#include "brdf/names.h"
 
 namespace brdf {
 
 enum class Fixed { light, viewer };
 enum class Rule { automatic, pole, slope, adaptive };
 
-std::optional<Rule> find_rule(std::string_view name);
-std::string_view rule_name(Rule rule);
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<Rule>{"automatic", "pole", "slope", "adaptive"};
 
 struct AlbedoOptions {
   Fixed fixed = Fixed::light;

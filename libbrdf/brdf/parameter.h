@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "brdf/names.h"
 #include "brdf/scalar.h"
 
 namespace brdf {
@@ -25,6 +26,11 @@ enum class Role {
   extinction,       // its imaginary part
   other
 };
+
+template <>
+inline constexpr std::array<std::string_view, 11> kNames<Role>{
+    "diffuse",         "specular", "f0",    "width",      "width_across", "exponent",
+    "exponent_across", "slope",    "index", "extinction", "other"};
 
 // The texture map that holds a parameter as it stands, beside what its role says
 // (render/scene/texture_rule.h).

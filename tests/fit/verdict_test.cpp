@@ -33,10 +33,11 @@ TEST(Verdict, NoisyConstantDataIsStillLambert) {
 void add_retro_lobe(io::SampleTable& table, const Material& lobe, double share) {
   io::SampleTable mirrored = table;  // seen from the light's side, the mirror lobe is a retro-reflection
   for (double& phi : mirrored.phi_o) phi += 180;
-  const io::UnitDirections d = io::unit_directions(mirrored);
+  const DirectionArrays<double> arrays = io::unit_directions(mirrored);
+  const Directions<double> d = arrays.view();
   std::vector<double> value(1);
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    eval(lobe, {d.wi_x[k], d.wi_y[k], d.wi_z[k]}, {d.wo_x[k], d.wo_y[k], d.wo_z[k]}, value);
+    eval(lobe, d.wi(k), d.wo(k), value);
     table.values[0][k] += share * value[0];
   }
 }

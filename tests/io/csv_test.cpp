@@ -45,10 +45,7 @@ TEST_F(Csv, RoundTripsExactly) {
     return scale * std::ldexp(static_cast<double>(random() >> 11), -53);
   };
   for (int k = 0; k < 5000; ++k) {
-    table.theta_i.push_back(bits(90));
-    table.phi_i.push_back(bits(360) - 180);
-    table.theta_o.push_back(bits(90));
-    table.phi_o.push_back(bits(360));
+    table.add_directions(bits(90), bits(360) - 180, bits(90), bits(360));
     table.values[0].push_back(std::exp(bits(200) - 100));
     table.values[1].push_back(bits(1) - .5);
     table.sigma[1].push_back(bits(1e-9) + 1e-300);

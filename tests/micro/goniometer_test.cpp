@@ -155,13 +155,13 @@ TEST(Goniometer, AnotherSeedIsAnotherSurface) {
 TEST(Parallel, HandsOverInOrderAndPassesExceptionsOn) {
   std::vector<int> seen;
   int last = 0;
-  parallel_in_order(
+  io::parallel_in_order(
       50, 4, [&](int done, int) { last = done; }, [](int i) { return i * i; },
       [&](int v) { seen.push_back(v); });
   for (int i = 0; i < 50; ++i) EXPECT_EQ(seen[i], i * i);
   EXPECT_EQ(last, 50);
   const auto fail = [](int i) { return i == 3 ? throw std::runtime_error("three") : i; };
-  EXPECT_THROW(parallel_in_order(9, 2, {}, fail, [](int) {}), std::runtime_error);
+  EXPECT_THROW(io::parallel_in_order(9, 2, {}, fail, [](int) {}), std::runtime_error);
 }
 
 }  // namespace

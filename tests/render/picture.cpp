@@ -100,14 +100,8 @@ TEST(Picture, MeasuredTableReturnsItsOwnRows) {
   for (double ti = 5; ti < 80; ti += 7.5) {
     for (double to = 0; to < 80; to += 7.5) {
       for (double phi = 0; phi <= 180; phi += 15) {
-        double x, y, z, u, v, w;
-        io::unit_vector(ti, 0, x, y, z);
-        io::unit_vector(to, phi, u, v, w);
-        eval(material, {x, y, z}, {u, v, w}, f);
-        table.theta_i.push_back(ti);
-        table.phi_i.push_back(0);
-        table.theta_o.push_back(to);
-        table.phi_o.push_back(phi);
+        eval(material, io::unit_vector(ti, 0), io::unit_vector(to, phi), f);
+        table.add_directions(ti, 0, to, phi);
         for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
       }
     }
@@ -115,18 +109,17 @@ TEST(Picture, MeasuredTableReturnsItsOwnRows) {
   const Measured measured = interpolate(table);
   double worst_row = 0, worst_between = 0;
   for (std::size_t k = 0; k < table.rows(); k += 13) {
-    double x, y, z, u, v, w;
-    io::unit_vector(table.theta_i[k], 0, x, y, z);
-    io::unit_vector(table.theta_o[k], table.phi_o[k], u, v, w);
-    const glm::vec3 wi(glm::dvec3(x, y, z)), wo(glm::dvec3(u, v, w));
-    worst_row = std::max(worst_row, std::abs(double(measured(wi, wo).r) / z / table.values[0][k] - 1));
+    const Vec3<double> light = io::unit_vector(table.theta_i[k], 0);
+    const Vec3<double> view = io::unit_vector(table.theta_o[k], table.phi_o[k]);
+    const glm::vec3 wi(glm::dvec3(light.x, light.y, light.z)), wo(glm::dvec3(view.x, view.y, view.z));
+    worst_row = std::max(worst_row, std::abs(double(measured(wi, wo).r) / light.z / table.values[0][k] - 1));
     // The isotropic, reciprocal symmetries: turned together, and exchanged.
     const glm::vec3 ti(-wi.y, wi.x, wi.z), to(-wo.y, wo.x, wo.z);
     EXPECT_NEAR(measured(ti, to).r, measured(wi, wo).r, 2e-3f * measured(wi, wo).r);
-    io::unit_vector(table.theta_i[k] + 3, 0, x, y, z);
-    eval(material, {x, y, z}, {u, v, w}, f);
-    worst_between = std::max(worst_between,
-                             std::abs(double(measured(glm::vec3(glm::dvec3(x, y, z)), wo).r) / z / f[0] - 1));
+    const Vec3<double> tilted = io::unit_vector(table.theta_i[k] + 3, 0);
+    const glm::vec3 between(glm::dvec3(tilted.x, tilted.y, tilted.z));
+    eval(material, tilted, view, f);
+    worst_between = std::max(worst_between, std::abs(double(measured(between, wo).r) / tilted.z / f[0] - 1));
   }
   EXPECT_LT(worst_row, 0.01);
   EXPECT_LT(worst_between, 0.25);

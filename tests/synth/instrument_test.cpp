@@ -37,10 +37,11 @@ std::string text_of(const io::SampleTable& table) {
 TEST(Instrument, NoiseFreeReadingsAreTheMaterialToTwelveDigits) {
   const Material material = ward_material(0.1, 0.3);
   const io::SampleTable table = measure(material, Instrument{});
-  const io::UnitDirections d = io::unit_directions(table);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
   double value[1], worst = 0;
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    eval(material, {d.wi_x[k], d.wi_y[k], d.wi_z[k]}, {d.wo_x[k], d.wo_y[k], d.wo_z[k]}, value);
+    eval(material, d.wi(k), d.wo(k), value);
     worst = std::max(worst, std::abs(table.values[0][k] / value[0] - 1));
   }
   EXPECT_LT(worst, 5.001e-12);

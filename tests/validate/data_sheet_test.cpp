@@ -33,10 +33,7 @@ io::SampleTable clean_table(double noise = 0.03) {
         eval(material, direction(degrees(theta_i), radians(kPi)), direction(degrees(theta_o), degrees(phi_o)),
              f);
         const double jitter = noise * (2 * double(random()) / double(random.max()) - 1);
-        t.theta_i.push_back(theta_i);
-        t.phi_i.push_back(180);
-        t.theta_o.push_back(theta_o);
-        t.phi_o.push_back(phi_o);
+        t.add_directions(theta_i, 180, theta_o, phi_o);
         t.values[0].push_back(f[0] * (1 + jitter));
         t.lines.push_back(std::uint32_t(t.lines.size() + 2));
       }
@@ -78,10 +75,7 @@ TEST(DataSheet, NamesExchangedColumns) {
   u.lines.clear();
   for (std::size_t k = 0; k < t.rows(); ++k) {
     if (t.phi_o[k] > 90) continue;
-    u.theta_i.push_back(t.theta_i[k]);
-    u.phi_i.push_back(t.phi_i[k]);
-    u.theta_o.push_back(t.phi_o[k]);
-    u.phi_o.push_back(t.theta_o[k]);
+    u.add_directions(t.theta_i[k], t.phi_i[k], t.phi_o[k], t.theta_o[k]);
     u.values[0].push_back(t.values[0][k]);
     u.lines.push_back(std::uint32_t(k));
   }

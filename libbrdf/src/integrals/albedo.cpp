@@ -165,26 +165,6 @@ void add_term(const Term& term, Angle theta, Angle phi, const AlbedoOptions& opt
 
 }  // namespace
 
-std::optional<Rule> find_rule(std::string_view name) {
-  for (const Rule rule : {Rule::automatic, Rule::pole, Rule::slope, Rule::adaptive})
-    if (rule_name(rule) == name) return rule;
-  return std::nullopt;
-}
-
-std::string_view rule_name(Rule rule) {
-  switch (rule) {
-    case Rule::pole:
-      return "pole";
-    case Rule::slope:
-      return "slope";
-    case Rule::adaptive:
-      return "adaptive";
-    case Rule::automatic:
-      break;
-  }
-  return "automatic";
-}
-
 AlbedoResult directional_albedo(const Term& term, std::size_t channel, Angle theta, Angle phi,
                                 const AlbedoOptions& options) {
   const Integrand integrand(term, {channel}, options.fixed);
