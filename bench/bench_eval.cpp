@@ -20,7 +20,7 @@
 #include "bench/scalar_code.h"
 #include "bench/throughput.h"
 #include "brdf/forms.h"
-#include "trade/timing.h"
+#include "trade/measure/timing.h"
 
 namespace brdf::bench {
 namespace {

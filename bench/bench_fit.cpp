@@ -26,9 +26,9 @@
 #include "bench/machine.h"
 #include "brdf/forms.h"
 #include "brdf/material.h"
-#include "fit/data.h"
-#include "fit/minima.h"
-#include "fit/varpro.h"
+#include "fit/model/data.h"
+#include "fit/solve/minima.h"
+#include "fit/solve/varpro.h"
 
 namespace brdf::fit {
 namespace {
@@ -103,7 +103,7 @@ double fit_ours(const FitData& data, const Model& model, Metric metric) {
 // The same without variable projection: Ceres on the streamed normal equations of all parameters.
 double fit_streamed(const FitData& data, const Model& model) {
   Residual residual;
-  residual.metric = Metric::kCosineL2;
+  residual.metric = Metric::cosine_l2;
   const Stream stream(data, model, residual, 0);
   std::vector<double> start = model.initial();
   for (std::size_t k = model.shape_slots(); k < start.size(); ++k) start[k] = 0.3;
@@ -218,8 +218,8 @@ int run(int argc, char** argv) {
   const Model model({*find_form("cook_torrance")}, data.channels, {});
   std::printf("%s\n%zu RGB samples, Cook-Torrance, one thread\n", bench::machine().c_str(), data.rows());
   std::vector<Method> methods{
-      {"variable projection (cosine_l2)", [&] { return fit_ours(data, model, Metric::kCosineL2); }, repeats},
-      {"log residual, grid of starts", [&] { return fit_ours(data, model, Metric::kLog); }, repeats},
+      {"variable projection (cosine_l2)", [&] { return fit_ours(data, model, Metric::cosine_l2); }, repeats},
+      {"log residual, grid of starts", [&] { return fit_ours(data, model, Metric::log); }, repeats},
       {"Ceres on streamed normal equations", [&] { return fit_streamed(data, model); }, repeats},
       {"Ceres, one block per sample", [&] { return fit_blocks(data); }, std::min(repeats, 2)}};
   measure(methods, repeats);

@@ -13,9 +13,9 @@
 
 #include "brdf/forms.h"
 #include "io/error.h"
-#include "render/picture.h"
-#include "render/renderer.h"
-#include "render/shader_code.h"
+#include "render/gpu/renderer.h"
+#include "render/gpu/shader_code.h"
+#include "render/picture/picture.h"
 
 namespace brdf::render {
 namespace {

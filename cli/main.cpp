@@ -11,7 +11,7 @@
 namespace brdf::cli {
 namespace {
 
-Exit exit_code = Exit::kGood;
+Exit exit_code = Exit::good;
 
 int report(const std::string& message, Exit code) {
   std::cout.flush();
@@ -41,16 +41,16 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-')
-      return report("'" + std::string(argv[1]) + "' is no verb (see brdf --help)", Exit::kBadInput);
-    return report(std::string(error.what()) + " (see brdf" + verb_name(app) + " --help)", Exit::kBadInput);
+      return report("'" + std::string(argv[1]) + "' is no verb (see brdf --help)", Exit::bad_input);
+    return report(std::string(error.what()) + " (see brdf" + verb_name(app) + " --help)", Exit::bad_input);
   } catch (const InputError& error) {
-    return report(error.what(), Exit::kBadInput);
+    return report(error.what(), Exit::bad_input);
   } catch (const EnvironmentError& error) {
-    return report(error.what(), Exit::kEnvironment);
+    return report(error.what(), Exit::environment);
   } catch (const std::bad_alloc&) {
-    return report("not enough memory", Exit::kEnvironment);
+    return report("not enough memory", Exit::environment);
   } catch (const std::exception& error) {
-    return report(std::string("stopped: ") + error.what(), Exit::kEnvironment);
+    return report(std::string("stopped: ") + error.what(), Exit::environment);
   }
 }
 

@@ -6,7 +6,7 @@
 #include "cli/parameters.h"
 #include "io/error.h"
 #include "io/json.h"
-#include "render/parity.h"
+#include "render/proof/parity.h"
 
 namespace brdf::cli {
 
@@ -38,7 +38,7 @@ Exit run_parity(const std::vector<std::string>& names, bool all, bool json) {
     good = good && render::passes(row);
   }
   if (json) std::cout << io::to_text(out);
-  return good ? Exit::kGood : Exit::kFailed;
+  return good ? Exit::good : Exit::failed;
 }
 
 }  // namespace brdf::cli

@@ -10,7 +10,7 @@
 #include "io/provenance.h"
 
 #ifdef BRDF_HAS_RENDER
-#include "render/probe.h"
+#include "render/proof/shader_proof.h"
 #endif
 
 namespace brdf::cli {
@@ -63,8 +63,8 @@ Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool j
     print_table(rows, device.name(), software);
   return std::all_of(rows.begin(), rows.end(),
                      [&](const render::ProbeRow& row) { return render::passes(row, software); })
-             ? Exit::kGood
-             : Exit::kFailed;
+             ? Exit::good
+             : Exit::failed;
 }
 
 #else

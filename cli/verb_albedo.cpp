@@ -90,7 +90,7 @@ Exit run(const Options& o) {
     std::cout << "   theta  channel                  albedo     bound    evaluations  rule\n";
     for (const Row& row : rows) print(row);
   }
-  return converged ? Exit::kGood : Exit::kFailed;
+  return converged ? Exit::good : Exit::failed;
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Exit run(const std::string& in, const std::string& out) {
     lost = io::merl::write(out, table);
   std::cerr << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out << '\n';
   for (const std::string& what : lost) std::cerr << "brdf convert: lost: " << what << '\n';
-  return Exit::kGood;
+  return Exit::good;
 }
 
 }  // namespace

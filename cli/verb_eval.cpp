@@ -60,7 +60,7 @@ void add_eval(CLI::App& app) {
       io::write_samples(std::cout, table);
     else
       io::write_samples(options->output, table);
-    return Exit::kGood;
+    return Exit::good;
   });
 }
 

@@ -105,7 +105,7 @@ void add_export(CLI::App& app) {
       std::cout << text;
     else
       io::write_file_atomically(options->output, text);
-    return Exit::kGood;
+    return Exit::good;
   });
 }
 

@@ -7,10 +7,10 @@
 
 #include "cli/options.h"
 #include "cli/verbs.h"
-#include "fit/batch.h"
+#include "fit/file_batch.h"
 #include "fit/fit.h"
-#include "fit/html.h"
-#include "fit/report.h"
+#include "fit/report/html.h"
+#include "fit/report/report.h"
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/output.h"
@@ -34,7 +34,7 @@ struct Options {
 
 fit::Metric metric_of(const std::string& name) {
   for (const auto metric :
-       {fit::Metric::kLog, fit::Metric::kCosineL2, fit::Metric::kCubeRoot, fit::Metric::kLogRelative})
+       {fit::Metric::log, fit::Metric::cosine_l2, fit::Metric::cube_root, fit::Metric::log_relative})
     if (name == fit::metric_name(metric)) return metric;
   throw InputError("--metric " + name + ": must be log, cosine_l2, cube_root or log_relative");
 }
@@ -57,9 +57,9 @@ void parse_robust(const std::string& text, fit::FitOptions& options) {
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
   if (name == "huber")
-    options.loss = fit::Loss::kHuber;
+    options.loss = fit::Loss::huber;
   else if (name == "cauchy")
-    options.loss = fit::Loss::kCauchy;
+    options.loss = fit::Loss::cauchy;
   else
     throw InputError("--robust " + text + ": must be huber or cauchy, or huber:SCALE");
   if (colon == std::string::npos) return;
@@ -87,11 +87,11 @@ fit::FitOptions fit_options(Options& o) {
   f.metric = metric_of(o.metric);
   if (!o.robust.empty()) parse_robust(o.robust, f);
   if (o.weights == "uniform")
-    f.weighting = fit::Weighting::kUniform;
+    f.weighting = fit::Weighting::uniform;
   else if (o.weights == "sigma")
-    f.weighting = fit::Weighting::kSigma;
+    f.weighting = fit::Weighting::sigma;
   else if (o.weights == "solid_angle")
-    f.weighting = fit::Weighting::kSolidAngle;
+    f.weighting = fit::Weighting::solid_angle;
   else if (o.weights != "auto")
     throw InputError("--weights " + o.weights + ": must be auto, uniform, sigma or solid_angle");
   for (const Setting& s : parse_settings(o.fix, "--fix")) f.fix.push_back({s.name, s.values});
@@ -121,7 +121,7 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
     std::cout << io::to_text(fit::to_json(result, table, options));
   else
     fit::print(std::cout, result, table, options);
-  return fit::usable(best.verdict) && !result.interrupted ? Exit::kGood : Exit::kFailed;
+  return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
 }
 
 // A sphere of every new material, where this build and this machine can draw.
@@ -188,7 +188,7 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
     std::cout << io::to_text(io::Json{{"files", list}});
   else
     std::cout << (folder / "summary.csv").string() << ", " << (folder / "summary.html").string() << '\n';
-  return good ? Exit::kGood : Exit::kFailed;
+  return good ? Exit::good : Exit::failed;
 }
 
 Exit run(Options& o) {

@@ -111,7 +111,7 @@ void add_models(CLI::App& app) {
     } else {
       print_form(forms[0]);
     }
-    return Exit::kGood;
+    return Exit::good;
   });
 }
 

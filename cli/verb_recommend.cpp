@@ -7,7 +7,7 @@
 
 #include "cli/verbs.h"
 #include "io/error.h"
-#include "trade/recommend.h"
+#include "trade/recommend/recommend.h"
 
 namespace brdf::cli {
 namespace {
@@ -48,7 +48,7 @@ Exit run_comparison(const RecommendArguments& a) {
     std::printf(
         "image error at held-out light and camera positions: the scene's weighting is better in %zu of %zu\n",
         better, rows.size());
-  return Exit::kGood;
+  return Exit::good;
 }
 
 Exit run_recommendation(const RecommendArguments& a) {
@@ -58,7 +58,7 @@ Exit run_recommendation(const RecommendArguments& a) {
     std::cout << io::to_text(trade::to_json(r)) << '\n';
   else
     std::cout << trade::to_text(r);
-  return r.chosen ? Exit::kGood : Exit::kFailed;
+  return r.chosen ? Exit::good : Exit::failed;
 }
 
 }  // namespace

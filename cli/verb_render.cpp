@@ -167,9 +167,9 @@ Exit run(Options& o) {
   } else {
     const render::JobReport report = render::run(job);
     o.json ? print_json(report, job) : print_text(report, job, o.times);
-    if (report.validation_messages > 0) return Exit::kFailed;
+    if (report.validation_messages > 0) return Exit::failed;
   }
-  return Exit::kGood;
+  return Exit::good;
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ Exit write(const io::SampleTable& table, const std::string& path) {
   std::cerr << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
             << path << '\n';
   for (const std::string& warning : table.warnings) std::cerr << "brdf synth: warning: " << warning << '\n';
-  return Exit::kGood;
+  return Exit::good;
 }
 
 Exit run_microsurface(const Options& o) {

@@ -8,8 +8,8 @@
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
-#include "trade/compare.h"
-#include "trade/report.h"
+#include "trade/ledger/compare.h"
+#include "trade/ledger/report.h"
 #include "trade/trade.h"
 
 namespace brdf::cli {
@@ -46,7 +46,7 @@ Exit run_comparison(const TradeArguments& a) {
     std::cout << io::to_text(trade::to_json(c)) << '\n';
   else
     std::cout << trade::to_terminal(c);
-  return c.apart() == 0 ? Exit::kGood : Exit::kFailed;
+  return c.apart() == 0 ? Exit::good : Exit::failed;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void add_trade(CLI::App& app) {
       std::cout << io::to_text(trade::to_json(ledger)) << '\n';
     else
       std::cout << trade::to_terminal(ledger);
-    return Exit::kGood;
+    return Exit::good;
   });
 }
 

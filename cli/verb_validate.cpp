@@ -94,9 +94,9 @@ Exit judge(const std::vector<validate::Finding>& findings, const std::vector<std
   for (const validate::Finding& f : findings) {
     const bool needed = std::find(require.begin(), require.end(), f.check) != require.end();
     if (needed ? f.verdict != validate::Verdict::pass : f.verdict == validate::Verdict::fail)
-      return Exit::kFailed;
+      return Exit::failed;
   }
-  return Exit::kGood;
+  return Exit::good;
 }
 
 void write_report(const Options& o, validate::ReportContent& content) {
@@ -131,7 +131,7 @@ Exit run_integrators(const Options& o) {
   validate::check_integrators(o.seed, report);
   validate::check_bounds(o.seed, o.effort == "full" ? 20000 : 4000, report);
   if (o.json) std::cout << io::to_text(io::Json{{"rows", rows}}) << '\n';
-  return honest ? Exit::kGood : Exit::kFailed;
+  return honest ? Exit::good : Exit::failed;
 }
 
 // --form, repeated, or --all.
@@ -163,7 +163,7 @@ Exit run(const Options& o) {
     const auto quiet = [](int, int) {};  // the table itself grows as forms are measured
     const bool good = validate::report_numerics(
         forms_of(o), o.json, std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
-    return good ? Exit::kGood : Exit::kFailed;
+    return good ? Exit::good : Exit::failed;
   }
   if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
   if (!(o.max_theta > 0 && o.max_theta <= 90))

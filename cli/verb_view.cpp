@@ -71,7 +71,7 @@ void add_view(CLI::App& app) {
       "Example: brdf view fitted.json --measured samples.csv");
   on_run(*verb, [options] {
     options->viewer.state = initial_state(options->job);
-    return render::view(options->viewer) > 0 ? Exit::kFailed : Exit::kGood;
+    return render::view(options->viewer) > 0 ? Exit::failed : Exit::good;
   });
 }
 

@@ -11,7 +11,7 @@ class App;
 // (io/error.h): main turns them into one line on stderr and exit code 2 or 3.
 namespace brdf::cli {
 
-enum class Exit { kGood = 0, kFailed = 1, kBadInput = 2, kEnvironment = 3 };
+enum class Exit { good = 0, failed = 1, bad_input = 2, environment = 3 };
 
 // `run` is called after the command line has been parsed; what it returns is the program's exit code.
 void on_run(CLI::App& verb, std::function<Exit()> run);

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "fit/assess.h"
-#include "fit/minima.h"
-#include "fit/select.h"
+#include "fit/assess/assess.h"
+#include "fit/assess/select.h"
+#include "fit/solve/minima.h"
 #include "io/error.h"
 
 namespace brdf::fit {
@@ -18,8 +18,8 @@ constexpr double kNegligible = 1e-7;  // share of a lobe in the model below whic
 Residual residual_of(const FitData& data, const FitOptions& options) {
   Residual r;
   r.metric = options.metric;
-  if (options.metric == Metric::kCubeRoot) {
-    if (options.loss != Loss::kNone)
+  if (options.metric == Metric::cube_root) {
+    if (options.loss != Loss::none)
       throw InputError("--robust does not go with --metric cube_root, which is robust by itself");
     // The cube root of a square has an infinite slope at 0: it is rounded off below a thousandth of the data.
     double sum = 0;
@@ -27,12 +27,12 @@ Residual residual_of(const FitData& data, const FitOptions& options) {
     for (std::size_t c = 0; c < data.values.size(); ++c)
       for (std::size_t k = 0; k < data.rows(); ++k, ++count)
         sum += std::pow(data.values[c][k] * data.wi_z[k] / (data.sigma.empty() ? 1 : data.sigma[c][k]), 2);
-    r.loss.kind = LossFunction::Kind::kCubeRoot;
+    r.loss.kind = LossFunction::Kind::cube_root;
     r.loss.scale = std::max(1e-3 * std::sqrt(sum / double(count)), 1e-12);
     return r;
   }
-  if (options.loss == Loss::kHuber) r.loss.kind = LossFunction::Kind::kHuber;
-  if (options.loss == Loss::kCauchy) r.loss.kind = LossFunction::Kind::kCauchy;
+  if (options.loss == Loss::huber) r.loss.kind = LossFunction::Kind::huber;
+  if (options.loss == Loss::cauchy) r.loss.kind = LossFunction::Kind::cauchy;
   r.loss.scale = options.loss_scale;
   return r;
 }
@@ -55,18 +55,18 @@ void drop_negligible_lobes(const Stream& stream, Minimum& m) {
 }
 
 Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertainty& u, const Misfit& misfit) {
-  if (search.interrupted) return Verdict::kInterrupted;
-  if (m.termination != Termination::kConverged || !std::isfinite(m.cost)) return Verdict::kDiverged;
-  const auto any = [&](Estimate::Status s) {
+  if (search.interrupted) return Verdict::interrupted;
+  if (m.termination != Termination::converged || !std::isfinite(m.cost)) return Verdict::diverged;
+  const auto any = [&](Status s) {
     return std::any_of(u.estimates.begin(), u.estimates.end(),
                        [&](const Estimate& e) { return e.status == s; });
   };
   // What the directions cannot tell is said first; how uncertain a wrong model's parameters are, last.
-  if (u.singular) return Verdict::kNotIdentifiable;
-  if (misfit.misfit) return Verdict::kMisfit;
-  if (any(Estimate::Status::kUnidentified)) return Verdict::kNotIdentifiable;
-  if (any(Estimate::Status::kAtBound)) return Verdict::kAtBound;
-  return Verdict::kConverged;
+  if (u.singular) return Verdict::not_identifiable;
+  if (misfit.misfit) return Verdict::misfit;
+  if (any(Status::unidentified)) return Verdict::not_identifiable;
+  if (any(Status::at_bound)) return Verdict::at_bound;
+  return Verdict::converged;
 }
 
 double information_criterion(const Stream& stream, const Minimum& m) {
@@ -88,7 +88,7 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   out.parameters = model.size();
   if (search.minima.empty()) {
     out.material = model.material(model.initial());
-    out.verdict = search.interrupted ? Verdict::kInterrupted : Verdict::kDiverged;
+    out.verdict = search.interrupted ? Verdict::interrupted : Verdict::diverged;
     out.findings.push_back("no start gave a finite cost");
     return out;
   }
@@ -103,11 +103,11 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   const Misfit misfit = judge_misfit(data, values, noise);
   out.verdict = verdict_of(best, search, u, misfit);
   out.solver_message = best.message;
-  if (out.verdict == Verdict::kInterrupted) out.findings.push_back("interrupted: the best parameters so far");
-  if (out.verdict == Verdict::kDiverged) out.findings.push_back("the solver gave up: " + best.message);
+  if (out.verdict == Verdict::interrupted) out.findings.push_back("interrupted: the best parameters so far");
+  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + best.message);
   if (misfit.misfit) out.findings.push_back(misfit.finding);
   out.findings.insert(
-      misfit.misfit && out.verdict == Verdict::kNotIdentifiable ? out.findings.begin() : out.findings.end(),
+      misfit.misfit && out.verdict == Verdict::not_identifiable ? out.findings.begin() : out.findings.end(),
       u.findings.begin(), u.findings.end());
   out.material = model.material(best.p);
   out.estimates = u.estimates;
@@ -116,7 +116,7 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   out.bic = information_criterion(stream, best);
   for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)
     out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
-  if (options.cross_validation && !options.stop() && out.verdict != Verdict::kDiverged) {
+  if (options.cross_validation && !options.stop() && out.verdict != Verdict::diverged) {
     const CrossValidation cv = cross_validate(data, model, residual, best.p, options);
     out.cross_validated_error = cv.error;
     out.cross_validated_standard_error = cv.standard_error;
@@ -126,40 +126,6 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
 }
 
 }  // namespace
-
-std::string_view to_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kConverged:
-      return "converged";
-    case Verdict::kAtBound:
-      return "at_bound";
-    case Verdict::kNotIdentifiable:
-      return "not_identifiable";
-    case Verdict::kMisfit:
-      return "misfit";
-    case Verdict::kDiverged:
-      return "diverged";
-    default:
-      return "interrupted";
-  }
-}
-
-bool usable(Verdict verdict) {
-  return verdict == Verdict::kConverged || verdict == Verdict::kAtBound;
-}
-
-std::string_view to_text(Estimate::Status status) {
-  switch (status) {
-    case Estimate::Status::kFree:
-      return "free";
-    case Estimate::Status::kFixed:
-      return "fixed";
-    case Estimate::Status::kAtBound:
-      return "at_bound";
-    default:
-      return "unidentified";
-  }
-}
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options) {

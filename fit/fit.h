@@ -1,79 +1,14 @@
 // From samples to parameters with honest uncertainty.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "brdf/material.h"
-#include "fit/data.h"
-#include "fit/matrix.h"
-#include "fit/options.h"
+#include "brdf/reflectance.h"
+#include "fit/assess/result.h"
+#include "fit/model/data.h"
+#include "fit/model/options.h"
 
 namespace brdf::fit {
-
-enum class Verdict { kConverged, kAtBound, kNotIdentifiable, kMisfit, kDiverged, kInterrupted };
-std::string_view to_text(Verdict verdict);
-// Whether parameters may be used (exit code 0): converged, or at_bound with its warning.
-bool usable(Verdict verdict);
-
-// How one reported parameter is known.
-struct Estimate {
-  enum class Status { kFree, kFixed, kAtBound, kUnidentified } status = Status::kFree;
-  std::string name;     // as in the material: alpha_x, kd; terms[1].ks in a sum
-  std::string channel;  // empty: shared by all channels
-  double value = 0;     // tangent_phi in degrees
-  double standard_error = 0;
-  double low = 0, high = 0;  // 95 %
-};
-std::string_view to_text(Estimate::Status status);
-
-// Root mean square of the four residuals in use, each over the values it is defined for.
-struct Metrics {
-  double log = 0, cosine_l2 = 0, log_relative = 0;
-  double cube_root = 0;  // mean of (((f - g) c_i)^2)^(1/3)
-};
-
-struct MinimumReport {
-  double cost;
-  int basin;
-  Material material;
-};
-
-struct Correlations {
-  std::vector<std::string> names;  // free parameters
-  Matrix matrix;
-};
-
-struct FormFit {
-  std::string form;  // "ward", "oren_nayar+ward"
-  Verdict verdict = Verdict::kDiverged;
-  std::vector<std::string> findings;  // sentences, the verdict's reason first
-  Material material;
-  double median_relative_error = 0;
-  Metrics metrics;
-  std::optional<double> cross_validated_error;           // median relative error of rows left out
-  std::optional<double> cross_validated_standard_error;  // over the folds
-  double bic = 0;                                        // of the chosen residual: n ln(mean r^2) + p ln n
-  std::size_t parameters = 0;
-  std::vector<Estimate> estimates;
-  Correlations correlations;
-  double condition = 0;  // of the scaled normal matrix
-  double loss_scale = 0;
-  std::vector<MinimumReport> minima;
-  int starts = 0, iterations = 0, passes = 0;
-  double seconds = 0;
-  std::string solver_message;
-};
-
-struct FitResult {
-  std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
-  std::vector<std::string> channels;
-  std::optional<double> noise_floor;  // relative, from neighbouring rows
-  std::vector<FormFit> ranking;       // usable ones first, then by cross-validated (else median) error
-  std::size_t recommended = 0;        // the simplest usable one within the noise of the best
-  bool interrupted = false;
-};
 
 // Fits each model (a form, or several that are summed). Throws InputError on options that do not fit.
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,

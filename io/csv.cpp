@@ -15,11 +15,11 @@ namespace {
 constexpr std::string_view kAngles[] = {"theta_i", "phi_i", "theta_o", "phi_o"};
 constexpr std::string_view kSigmaPrefix = "sigma_";
 
-enum class Quantity { kBrdf, kBrdfCosI, kBrdfCosO };
+enum class Quantity { brdf, brdf_cos_i, brdf_cos_o };
 
 // What a column holds: an angle, a channel's value, or its standard deviation.
 struct Column {
-  enum class Kind { kAngle, kValue, kSigma } kind;
+  enum class Kind { angle, value, sigma } kind;
   std::size_t index;
   std::string name;
 };
@@ -68,9 +68,9 @@ class CsvReader {
       std::string name;
       std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
       if (name == "f_r*cos_i")
-        quantity_ = Quantity::kBrdfCosI;
+        quantity_ = Quantity::brdf_cos_i;
       else if (name == "f_r*cos_o")
-        quantity_ = Quantity::kBrdfCosO;
+        quantity_ = Quantity::brdf_cos_o;
       else if (name != "f_r")
         fail("quantity '" + std::string(value) + "' is unknown (known: f_r, f_r*cos_i, f_r*cos_o)");
       return;  // the table holds f_r whatever the file held
@@ -92,11 +92,11 @@ class CsvReader {
       const auto angle = std::find(std::begin(kAngles), std::end(kAngles), name);
       if (angle != std::end(kAngles)) {
         columns_.push_back(
-            {Column::Kind::kAngle, static_cast<std::size_t>(angle - kAngles), std::string(name)});
+            {Column::Kind::angle, static_cast<std::size_t>(angle - kAngles), std::string(name)});
       } else if (name.starts_with(kSigmaPrefix)) {
-        columns_.push_back({Column::Kind::kSigma, 0, std::string(name)});
+        columns_.push_back({Column::Kind::sigma, 0, std::string(name)});
       } else {
-        columns_.push_back({Column::Kind::kValue, table_.channels.size(), std::string(name)});
+        columns_.push_back({Column::Kind::value, table_.channels.size(), std::string(name)});
         table_.channels.emplace_back(name);
       }
     }
@@ -115,7 +115,7 @@ class CsvReader {
     }
     if (need_values_ && table_.channels.empty()) fail("no value column beside the four angles");
     for (Column& c : columns_) {
-      if (c.kind != Column::Kind::kSigma) continue;
+      if (c.kind != Column::Kind::sigma) continue;
       const auto channel =
           std::find(table_.channels.begin(), table_.channels.end(), c.name.substr(kSigmaPrefix.size()));
       if (channel == table_.channels.end()) fail("column '" + c.name + "' has no column of values");
@@ -134,15 +134,15 @@ class CsvReader {
       if (!parse_number(fields_[k], number)) fail(k, fields_[k], "is not a number");
       if (!std::isfinite(number)) fail(k, fields_[k], "is not finite");
       switch (columns_[k].kind) {
-        case Column::Kind::kAngle:
+        case Column::Kind::angle:
           largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(number));
           if (columns_[k].index % 2 == 0 && std::abs(number) > 90.0) below_horizon(k);
           angles_[columns_[k].index] = number;
           break;
-        case Column::Kind::kValue:
+        case Column::Kind::value:
           row_values_[columns_[k].index] = number;
           break;
-        case Column::Kind::kSigma:
+        case Column::Kind::sigma:
           if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
           row_sigma_[columns_[k].index] = number;
       }
@@ -163,7 +163,7 @@ class CsvReader {
       if (fields_.size() != columns_.size()) continue;
       for (std::size_t k = 0; k < columns_.size(); ++k) {
         double x;
-        if (columns_[k].kind != Column::Kind::kAngle || !parse_number(fields_[k], x)) continue;
+        if (columns_[k].kind != Column::Kind::angle || !parse_number(fields_[k], x)) continue;
         largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(x));
         above += columns_[k].index == theta && std::abs(x) > 90.0;
       }
@@ -186,8 +186,8 @@ class CsvReader {
         angles_[k + 1] += 180.0;
       }
     }
-    if (quantity_ != Quantity::kBrdf) {
-      const double cosine = cos_degrees(quantity_ == Quantity::kBrdfCosI ? angles_[0] : angles_[2]);
+    if (quantity_ != Quantity::brdf) {
+      const double cosine = cos_degrees(quantity_ == Quantity::brdf_cos_i ? angles_[0] : angles_[2]);
       if (cosine <= 0.0) {
         ++table_.skipped;
         return;
@@ -199,7 +199,7 @@ class CsvReader {
     for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
     if (has_sigma_) {
       for (const Column& c : columns_)
-        if (c.kind == Column::Kind::kSigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
+        if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
   }
@@ -211,7 +211,7 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
   std::vector<double> row_values_, row_sigma_;
-  Quantity quantity_ = Quantity::kBrdf;
+  Quantity quantity_ = Quantity::brdf;
   bool has_sigma_ = false;
 };
 

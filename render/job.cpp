@@ -5,10 +5,10 @@
 #include "io/error.h"
 #include "io/material_file.h"
 #include "io/samples.h"
-#include "render/lobes.h"
-#include "render/lookup.h"
-#include "render/texture.h"
-#include "render/viewer/pictures.h"
+#include "render/compare/lobe_plot.h"
+#include "render/compare/pictures.h"
+#include "render/gpu/lookup.h"
+#include "render/scene/texture.h"
 
 namespace brdf::render {
 namespace {

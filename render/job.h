@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "render/picture.h"
-#include "render/reference.h"
-#include "render/viewer/state.h"
+#include "render/compare/state.h"
+#include "render/picture/picture.h"
+#include "render/reference/reference.h"
 
 namespace brdf::render {
 

@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "io/error.h"
-#include "trade/ball.h"
-#include "trade/claims.h"
-#include "trade/fits.h"
-#include "trade/frames.h"
-#include "trade/questions.h"
-#include "trade/variants.h"
+#include "trade/ledger/claims.h"
+#include "trade/questions/ball.h"
+#include "trade/questions/fits.h"
+#include "trade/questions/frames.h"
+#include "trade/questions/questions.h"
+#include "trade/questions/variants.h"
 
 namespace brdf::trade {
 namespace {

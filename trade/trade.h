@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "trade/ledger.h"
+#include "trade/ledger/ledger.h"
 
 namespace brdf::trade {
 

@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "io/error.h"
-#include "render/font.h"
 #include "render/mesh/mesh.h"
+#include "render/text/font.h"
 
 namespace brdf::render {
 namespace {

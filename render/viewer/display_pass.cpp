@@ -1,6 +1,6 @@
 #include "render/viewer/display_pass.h"
 
-#include "render/shader_code.h"
+#include "render/gpu/shader_code.h"
 
 namespace brdf::render {
 namespace {

@@ -1,8 +1,8 @@
 // Draws pictures into the window: tone map, comparisons, the seven targets.
 #pragma once
 
-#include "render/renderer.h"
-#include "render/viewer/state.h"
+#include "render/compare/state.h"
+#include "render/gpu/renderer.h"
 
 namespace brdf::render {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "render/viewer/state.h"
+#include "render/compare/state.h"
 
 namespace brdf::render {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 namespace brdf::render {
 

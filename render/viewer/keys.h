@@ -1,7 +1,7 @@
 // What the viewer's keys do to the view.
 #pragma once
 
-#include "render/viewer/state.h"
+#include "render/compare/state.h"
 
 namespace brdf::render {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/lobes.h"
+#include "render/compare/lobe_plot.h"
 #include "render/viewer/editors.h"
 
 namespace brdf::render {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "render/reference.h"
-#include "render/viewer/pictures.h"
-#include "render/viewer/state.h"
+#include "render/compare/pictures.h"
+#include "render/compare/state.h"
+#include "render/reference/reference.h"
 
 namespace brdf::render {
 

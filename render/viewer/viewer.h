@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/viewer/state.h"
+#include "render/compare/state.h"
 
 namespace brdf::render {
 

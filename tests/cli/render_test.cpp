@@ -8,9 +8,9 @@
 #include <set>
 
 #include "io/json.h"
-#include "render/picture.h"
-#include "render/texture.h"
-#include "render/view.h"
+#include "render/picture/picture.h"
+#include "render/scene/camera_view.h"
+#include "render/scene/texture.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

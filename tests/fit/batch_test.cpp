@@ -1,4 +1,4 @@
-#include "fit/batch.h"
+#include "fit/file_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "brdf/forms.h"
-#include "fit/lobes.h"
-#include "fit/minima.h"
+#include "fit/model/lobes.h"
+#include "fit/solve/minima.h"
 #include "samples.h"
 
 namespace brdf::fit {
@@ -58,9 +58,9 @@ TEST(Derivatives, OfTheCostEqualDifferences) {
   const io::SampleTable table = measured(truth, {"hemisphere"}, 0.1);
   FitOptions options;
   options.anisotropic = true;
-  for (Metric metric : {Metric::kLog, Metric::kCosineL2, Metric::kLogRelative})
-    for (auto loss : {LossFunction::Kind::kNone, LossFunction::Kind::kHuber, LossFunction::Kind::kCauchy,
-                      LossFunction::Kind::kCubeRoot}) {
+  for (Metric metric : {Metric::log, Metric::cosine_l2, Metric::log_relative})
+    for (auto loss : {LossFunction::Kind::none, LossFunction::Kind::huber, LossFunction::Kind::cauchy,
+                      LossFunction::Kind::cube_root}) {
       options.metric = metric;
       const FitData data = prepare(table, options);
       const Model model(forms({"oren_nayar", "cook_torrance"}), data.channels, options);

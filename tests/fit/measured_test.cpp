@@ -37,9 +37,9 @@ TEST_F(Measured, WhitePaperIsCookTorranceWithinItsNoise) {
   EXPECT_LT(fits["cook_torrance"].median_relative_error, 0.026);
   EXPECT_GT(fits["cook_torrance"].median_relative_error, 0.020);
   EXPECT_NEAR(fits["lambert"].median_relative_error, 0.041, 0.002);
-  EXPECT_EQ(fits["cook_torrance"].verdict, Verdict::kConverged);
-  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::kAtBound);
-  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kAtBound);
+  EXPECT_EQ(fits["cook_torrance"].verdict, Verdict::converged);
+  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::at_bound);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::at_bound);
   EXPECT_EQ(result_.ranking.front().form, "cook_torrance");
 }
 
@@ -48,23 +48,23 @@ TEST_F(Measured, SatinPaint) {
   EXPECT_LT(result_.ranking.front().median_relative_error, 0.060);
   EXPECT_GT(result_.ranking.front().median_relative_error, 0.040);
   EXPECT_TRUE(usable(result_.ranking.front().verdict));
-  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kAtBound);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::at_bound);
 }
 
 TEST_F(Measured, BlackCoating) {
   auto fits = fit_all("ua_AnoBlackNiTEonINVAR");
   EXPECT_LT(result_.ranking.front().median_relative_error, 0.125);
   EXPECT_GT(result_.ranking.front().median_relative_error, 0.080);
-  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kAtBound);
-  EXPECT_EQ(fits["lambert"].verdict, Verdict::kMisfit);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::at_bound);
+  EXPECT_EQ(fits["lambert"].verdict, Verdict::misfit);
 }
 
 TEST_F(Measured, InPlaneAluminiumCannotTellSigmaFromReflectance) {
   auto fits = fit_all("jsss_aluminium_sandblasted");
   EXPECT_LT(result_.ranking.front().median_relative_error, 0.17);
   EXPECT_GT(result_.ranking.front().median_relative_error, 0.12);
-  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::kNotIdentifiable);
-  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Estimate::Status::kUnidentified);
+  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::not_identifiable);
+  EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::unidentified);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(Recovery, NoiseFreeDefaultsOfEveryForm) {
     const Material truth = make_material(form);
     const FormFit f = fit(measured(truth), {{form}}, without_cross_validation()).ranking.front();
     EXPECT_LT(worst_parameter(f.material, truth), 1e-8) << f.form;
-    EXPECT_TRUE(usable(f.verdict)) << f.form << ": " << to_text(f.verdict);
+    EXPECT_TRUE(usable(f.verdict)) << f.form << ": " << name_of(f.verdict);
   }
 }
 
@@ -37,7 +37,7 @@ TEST(Recovery, EveryMetricFindsTheSameNoiseFreeTruth) {
   truth.terms[0].shape[0] = {0.12, 0.12};
   truth.terms[0].weights = {{0.3, 0.6, 0.1}, {0.2, 0.6, 0.2}, {0.1, 0.6, 0.5}};
   const io::SampleTable table = measured(truth);
-  for (Metric metric : {Metric::kLog, Metric::kCosineL2, Metric::kCubeRoot, Metric::kLogRelative}) {
+  for (Metric metric : {Metric::log, Metric::cosine_l2, Metric::cube_root, Metric::log_relative}) {
     FitOptions options = without_cross_validation();
     options.metric = metric;
     EXPECT_LT(worst_parameter(fit_one(table, {"cook_torrance"}, options).material, truth), 1e-7)
@@ -56,7 +56,7 @@ TEST(Recovery, AnisotropicWidthsAndTheirDirection) {
   FitOptions options = without_cross_validation();
   options.anisotropic = true;
   const FormFit f = fit_one(synth::measure(truth, instrument), {"ward"}, options);
-  EXPECT_EQ(f.verdict, Verdict::kConverged);
+  EXPECT_EQ(f.verdict, Verdict::converged);
   EXPECT_LT(worst_parameter(f.material, truth), 1e-7);
   EXPECT_NEAR(f.material.terms[0].tangent_phi.radians(), 0.4, 1e-7);
 }
@@ -68,7 +68,7 @@ TEST(Recovery, DiffuseTermPlusLobeAndTwoLobes) {
   truth.terms[1].shape[0] = {0.1, 0.1};
   for (auto& w : truth.terms[1].weights) w[0] = 0;  // the diffuse part is the first term's
   FormFit f = fit_one(measured(truth), {"oren_nayar", "ward"}, without_cross_validation());
-  EXPECT_EQ(f.verdict, Verdict::kConverged);
+  EXPECT_EQ(f.verdict, Verdict::converged);
   EXPECT_LT(std::abs(f.material.terms[0].shape[0][0] - 0.5), 1e-7);
   EXPECT_LT(std::abs(f.material.terms[1].shape[0][0] - 0.1), 1e-8);
   EXPECT_EQ(f.material.terms[1].weights[0][0], 0);
@@ -113,7 +113,7 @@ TEST(Recovery, FixedAndBoundedParametersAreObeyed) {
   options.fix.clear();
   options.bounds = {{"alpha", 0.3, 0.5}, {"f0", 0.1, 0.15}};
   f = fit_one(table, {"cook_torrance"}, options);
-  EXPECT_EQ(f.verdict, Verdict::kAtBound);
+  EXPECT_EQ(f.verdict, Verdict::at_bound);
   EXPECT_NEAR(f.material.terms[0].shape[0][0], 0.3, 1e-12);
   EXPECT_GE(f.material.terms[0].weights[0][2], 0.1 - 1e-12);
   EXPECT_LE(f.material.terms[0].weights[0][2], 0.15 + 1e-12);

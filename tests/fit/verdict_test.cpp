@@ -15,10 +15,10 @@ io::SampleTable constant_table(double value) {
 TEST(Verdict, ConstantDataIsLambertAndLeavesWardUnidentified) {
   const FitResult result = fit(constant_table(0.2), canonical_models(), {});
   EXPECT_EQ(result.ranking.front().form, "lambert");
-  EXPECT_EQ(result.ranking.front().verdict, Verdict::kConverged);
+  EXPECT_EQ(result.ranking.front().verdict, Verdict::converged);
   for (const FormFit& f : result.ranking) {
     if (f.form != "ward") continue;
-    EXPECT_EQ(f.verdict, Verdict::kNotIdentifiable);
+    EXPECT_EQ(f.verdict, Verdict::not_identifiable);
     EXPECT_FALSE(usable(f.verdict));
   }
 }
@@ -54,7 +54,7 @@ TEST(Verdict, RetroReflectorIsAMisfit) {
     io::SampleTable table = measured(material, {"hemisphere"}, 0, 1, 5);
     add_retro_lobe(table, material, 1);
     for (const FormFit& f : fit(table, canonical_models(), {}).ranking)
-      EXPECT_EQ(f.verdict, Verdict::kMisfit) << f.form << " alpha " << c.alpha;
+      EXPECT_EQ(f.verdict, Verdict::misfit) << f.form << " alpha " << c.alpha;
   }
 }
 
@@ -71,8 +71,8 @@ TEST(Verdict, AFaintHighlightBackToTheLightIsNotAMisfit) {
 TEST(Verdict, AllZerosFitWithZeroAndNameWhatIsUnknown) {
   const FormFit lambert = fit_one(constant_table(0), {"lambert"});
   EXPECT_EQ(lambert.material.terms[0].weights[0][0], 0);
-  EXPECT_EQ(lambert.verdict, Verdict::kAtBound);
-  EXPECT_EQ(fit_one(constant_table(0), {"ward"}).verdict, Verdict::kNotIdentifiable);
+  EXPECT_EQ(lambert.verdict, Verdict::at_bound);
+  EXPECT_EQ(fit_one(constant_table(0), {"ward"}).verdict, Verdict::not_identifiable);
 }
 
 TEST(Verdict, FiveRowsAreTooFewForThreeParameters) {
@@ -81,7 +81,7 @@ TEST(Verdict, FiveRowsAreTooFewForThreeParameters) {
     column->resize(5);
   table.lines.clear();
   const FormFit f = fit_one(table, {"cook_torrance"});
-  EXPECT_FALSE(usable(f.verdict)) << to_text(f.verdict);
+  EXPECT_FALSE(usable(f.verdict)) << name_of(f.verdict);
 }
 
 TEST(Verdict, OrderAndDuplicatesOfRowsDoNotMatter) {
@@ -112,7 +112,7 @@ TEST(Verdict, ManyChannelsShareAShape) {
     truth.terms[0].weights[c] = {0.1 + 0.01 * double(c), 0.3 + 0.01 * double(c)};
   }
   const FormFit f = fit_one(measured(truth), {"ward"});
-  EXPECT_EQ(f.verdict, Verdict::kConverged);
+  EXPECT_EQ(f.verdict, Verdict::converged);
   for (std::size_t c = 0; c < 31; ++c)
     EXPECT_LT(largest_relative_difference(f.material.terms[0].weights[c], truth.terms[0].weights[c]), 1e-8);
 }
@@ -135,7 +135,7 @@ TEST(Verdict, AnInterruptedFitReturnsItsBestAndSaysSo) {
   FitOptions options;
   options.interrupted = &stop;
   const FormFit f = fit_one(constant_table(0.2), {"ward"}, options);
-  EXPECT_EQ(f.verdict, Verdict::kInterrupted);
+  EXPECT_EQ(f.verdict, Verdict::interrupted);
   EXPECT_FALSE(usable(f.verdict));
 }
 

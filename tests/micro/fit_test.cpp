@@ -11,7 +11,7 @@ namespace {
 
 // The fitted shape, by the form's name of the parameter; expects a usable fit.
 double fitted(const fit::FormFit& result, std::string_view name) {
-  EXPECT_TRUE(fit::usable(result.verdict)) << fit::to_text(result.verdict);
+  EXPECT_TRUE(fit::usable(result.verdict)) << name_of(result.verdict);
   const Term& term = result.material.terms.front();
   return term.shape_of(0)[info(term.form).shape_index(name)];
 }

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "render/lookup.h"
-#include "render/renderer.h"
-#include "render/view.h"
+#include "render/gpu/lookup.h"
+#include "render/gpu/renderer.h"
+#include "render/scene/camera_view.h"
 
 namespace brdf::render {
 namespace {

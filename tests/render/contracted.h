@@ -1,7 +1,7 @@
 // The negative control of the proof: the library's formula compiled with contraction.
 #pragma once
 
-#include "render/probe.h"
+#include "render/proof/shader_proof.h"
 
 namespace brdf::render {
 

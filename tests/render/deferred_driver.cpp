@@ -4,9 +4,9 @@
 
 #include "brdf/forms.h"
 #include "io/error.h"
-#include "render/parity.h"
-#include "render/reference.h"
-#include "render/renderer.h"
+#include "render/gpu/renderer.h"
+#include "render/proof/parity.h"
+#include "render/reference/reference.h"
 
 namespace brdf::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/lookup.h"
+#include "render/gpu/lookup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/picture.h"
+#include "render/picture/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "render/compare/measured.h"
 #include "render/job.h"
-#include "render/measured.h"
-#include "render/parity.h"
-#include "render/texture.h"
+#include "render/proof/parity.h"
+#include "render/scene/texture.h"
 
 namespace brdf::render {
 namespace {

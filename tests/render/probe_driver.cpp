@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "brdf/forms.h"
-#include "render/probe.h"
+#include "render/proof/shader_proof.h"
 #include "tests/render/contracted.h"
 
 namespace brdf::render {

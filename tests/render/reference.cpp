@@ -1,9 +1,9 @@
-#include "render/reference.h"
+#include "render/reference/reference.h"
 #include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
-#include "render/surface.h"
+#include "render/reference/surface_hit.h"
 
 namespace brdf::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/scene.h"
+#include "render/scene/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "io/error.h"
-#include "render/prepared.h"
+#include "render/scene/prepared.h"
 
 namespace brdf::render {
 namespace {

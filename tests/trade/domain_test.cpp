@@ -1,10 +1,10 @@
-#include "trade/domain.h"
+#include "trade/measure/domain.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "trade/timing.h"
+#include "trade/measure/timing.h"
 
 namespace brdf::trade {
 namespace {

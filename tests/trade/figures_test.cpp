@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "trade/approximations/fresnel.h"
-#include "trade/questions.h"
-#include "trade/variants.h"
+#include "trade/questions/questions.h"
+#include "trade/questions/variants.h"
 
 namespace brdf::trade {
 namespace {

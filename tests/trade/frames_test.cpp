@@ -1,12 +1,12 @@
 // Rows that need the renderer, on whatever Vulkan driver there is.
-#include "trade/frames.h"
+#include "trade/questions/frames.h"
 
 #include <gtest/gtest.h>
 
 #include "io/error.h"
-#include "render/probe.h"
-#include "trade/ball.h"
-#include "trade/evaluations.h"
+#include "render/proof/shader_proof.h"
+#include "trade/questions/ball.h"
+#include "trade/questions/evaluations.h"
 
 namespace brdf::trade {
 namespace {

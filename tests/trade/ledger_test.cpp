@@ -1,5 +1,5 @@
-#include "trade/ledger.h"
-#include "trade/compare.h"
+#include "trade/ledger/ledger.h"
+#include "trade/ledger/compare.h"
 
 #include <gtest/gtest.h>
 

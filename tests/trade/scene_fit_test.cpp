@@ -1,13 +1,13 @@
-#include "trade/scene_fit.h"
+#include "trade/recommend/scene_fit.h"
 #include "brdf/forms.h"
 
 #include <gtest/gtest.h>
 
 #include "io/error.h"
 #include "io/material_file.h"
-#include "trade/ball.h"
-#include "trade/recommend.h"
-#include "trade/variants.h"
+#include "trade/questions/ball.h"
+#include "trade/questions/variants.h"
+#include "trade/recommend/recommend.h"
 
 namespace brdf::trade {
 namespace {

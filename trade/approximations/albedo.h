@@ -7,7 +7,7 @@
 
 #include "brdf/math.h"
 #include "brdf/vec3.h"
-#include "trade/kernel.h"
+#include "trade/measure/kernel.h"
 
 namespace brdf::trade {
 

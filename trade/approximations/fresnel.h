@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brdf/fresnel.h"
-#include "trade/kernel.h"
+#include "trade/measure/kernel.h"
 
 namespace brdf::trade {
 

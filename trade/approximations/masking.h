@@ -3,7 +3,7 @@
 #pragma once
 
 #include "brdf/microfacet.h"
-#include "trade/kernel.h"
+#include "trade/measure/kernel.h"
 
 namespace brdf::trade {
 

@@ -9,7 +9,7 @@
 
 #include "../samples.h"
 #include "brdf/forms.h"
-#include "fit/minima.h"
+#include "fit/solve/minima.h"
 
 namespace brdf::fit {
 namespace {
@@ -107,7 +107,7 @@ void check(const Material& truth, Tally& tally, const std::string& what) {
     if (error < kDigits) continue;
     ++tally.wrong;
     ADD_FAILURE() << what << ": parameter " << k << " is " << found[k] << ", truth " << expected[k]
-                  << ", condition " << condition[k] << ", " << to_text(f.verdict) << ", " << f.solver_message;
+                  << ", condition " << condition[k] << ", " << name_of(f.verdict) << ", " << f.solver_message;
   }
 }
 

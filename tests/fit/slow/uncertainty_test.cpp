@@ -5,8 +5,8 @@
 #include <map>
 
 #include "../samples.h"
-#include "fit/assess.h"
-#include "fit/minima.h"
+#include "fit/assess/assess.h"
+#include "fit/solve/minima.h"
 
 namespace brdf::fit {
 namespace {
@@ -47,14 +47,14 @@ TEST_P(Coverage, OfNominal95IntervalsIs92To98Percent) {
     const Stream stream(data, model, {}, 0);
     SolveOptions solver;
     const Solution s = refine(stream, start, solver);
-    ASSERT_EQ(s.termination, Termination::kConverged);
+    ASSERT_EQ(s.termination, Termination::converged);
     if (k % 100 == 0) {  // from the true parameters the solver finds what the grid of starts finds
       const SearchResult grid = find_minima(data, model, {}, options);
       ASSERT_NEAR(grid.minima.front().cost / s.cost, 1, 1e-9);
     }
     const Minimum m{s.p, s.cost, 1, s.at_bound, s.termination, s.message};
     for (const Estimate& e : uncertainty(stream, m).estimates) {
-      if (e.status != Estimate::Status::kFree || e.name == "alpha_y") continue;
+      if (e.status != Status::free || e.name == "alpha_y") continue;
       const auto& f = info(truth.terms[0].form);
       const int shape = f.shape_index(e.name), weight = f.weight_index(e.name);
       const double value =

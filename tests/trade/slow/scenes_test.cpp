@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "trade/recommend.h"
+#include "trade/recommend/recommend.h"
 
 namespace brdf::trade {
 namespace {

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fit/assess/assess.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kE = kLogRelativeFloor;
+
+double median(std::vector<double>& v) {
+  const auto middle = v.begin() + std::ptrdiff_t(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
+struct Mean {
+  double sum = 0;
+  std::size_t count = 0;
+  void add(double x) { sum += x, ++count; }
+  double value() const { return count ? sum / double(count) : 0; }
+};
+
+}  // namespace
+
+Metrics measure(const FitData& data, const std::vector<std::vector<double>>& model) {
+  Mean log, l2, cube, relative;
+  for (std::size_t c = 0; c < model.size(); ++c)
+    for (std::size_t k = 0; k < data.rows(); ++k) {
+      const double f = model[c][k], g = data.values[c][k], ci = data.wi_z[k], co = data.wo_z[k];
+      const double d = (f - g) * ci;
+      l2.add(d * d);
+      cube.add(std::cbrt(d * d));
+      if (g * ci > -1) {
+        const double r = std::log1p(d / (1 + g * ci));
+        log.add(r * r);
+      }
+      if (g * ci * co > -kE) {
+        const double r = std::log((f * ci * co + kE) / (g * ci * co + kE));
+        relative.add(r * r);
+      }
+    }
+  return {std::sqrt(log.value()), std::sqrt(l2.value()), std::sqrt(relative.value()), cube.value()};
+}
+
+double median_relative_error(const FitData& data, const std::vector<std::vector<double>>& model) {
+  std::vector<double> errors;
+  for (std::size_t c = 0; c < model.size(); ++c)
+    for (std::size_t k = 0; k < data.rows(); ++k)
+      if (data.values[c][k] > 0)
+        errors.push_back(std::abs(model[c][k] - data.values[c][k]) / data.values[c][k]);
+  return errors.empty() ? 0 : median(errors);
+}
+
+std::optional<double> noise_floor(const FitData& data) {
+  constexpr std::size_t kMostIncidences = 64, kMostRows = 1024, kNeighbours = 4;
+  if (data.grouped) return std::nullopt;
+  std::map<std::uint32_t, std::vector<std::size_t>> by_incidence;
+  for (std::size_t k = 0; k < data.rows(); ++k) by_incidence[data.incidence[k]].push_back(k);
+  std::vector<double> scatter;
+  const std::size_t step = std::max<std::size_t>(1, by_incidence.size() / kMostIncidences);
+  std::size_t index = 0;
+  for (const auto& [incidence, all] : by_incidence) {
+    if (index++ % step != 0 || all.size() < 8) continue;
+    const std::vector<std::size_t> rows(all.begin(),
+                                        all.begin() + std::ptrdiff_t(std::min(all.size(), kMostRows)));
+    for (std::size_t k : rows) {
+      std::vector<std::pair<double, std::size_t>> near;
+      for (std::size_t m : rows) {
+        const double x = data.wo_x[m] - data.wo_x[k], y = data.wo_y[m] - data.wo_y[k],
+                     z = data.wo_z[m] - data.wo_z[k];
+        const double d = x * x + y * y + z * z;
+        if (m != k && d > 1e-12) near.push_back({d, m});
+      }
+      if (near.size() < kNeighbours) continue;
+      std::partial_sort(near.begin(), near.begin() + kNeighbours, near.end());
+      for (std::size_t c = 0; c < data.values.size(); ++c) {
+        const double value = data.values[c][k];
+        double mean = 0;
+        bool positive = value > 0;
+        for (std::size_t n = 0; n < kNeighbours; ++n) {
+          const double other = data.values[c][near[n].second];
+          positive = positive && other > 0;
+          mean += std::log(std::max(other, 1e-300)) / double(kNeighbours);
+        }
+        if (positive) scatter.push_back(std::abs(std::log(value) - mean));
+      }
+    }
+  }
+  if (scatter.size() < 32) return std::nullopt;
+  // The deviation of one value less the mean of four is sqrt(5/4) times its own.
+  return 1.4826 * median(scatter) / std::sqrt(1 + 1.0 / double(kNeighbours));
+}
+
+namespace {
+
+std::string percent(double x) {
+  return io::to_text(std::round(1000 * x) / 10) + " %";
+}
+
+// Log of measured over modelled in the direction nearest to the light, within 10 degrees of it: the middle
+// over the incidences, of those 15 degrees and more off the normal (so that the mirror direction is
+// elsewhere). None where there are fewer than three.
+std::optional<double> retro_excess(const FitData& data, const std::vector<std::vector<double>>& model) {
+  const double upright = std::cos(15 * kPi / 180), within = std::cos(10 * kPi / 180);
+  struct Nearest {
+    double cosine;
+    std::size_t row;
+  };
+  std::map<std::uint32_t, Nearest> nearest;
+  for (std::size_t k = 0; k < data.rows(); ++k) {
+    if (data.wi_z[k] > upright) continue;
+    const double cosine =
+        data.wi_x[k] * data.wo_x[k] + data.wi_y[k] * data.wo_y[k] + data.wi_z[k] * data.wo_z[k];
+    Nearest& best = nearest.try_emplace(data.incidence[k], within, k).first->second;
+    if (cosine > best.cosine) best = {cosine, k};
+  }
+  std::vector<double> excess;
+  for (const auto& [incidence, best] : nearest)
+    for (std::size_t c = 0; c < model.size() && best.cosine > within; ++c)
+      if (data.values[c][best.row] > 0)
+        excess.push_back(std::log(data.values[c][best.row] / std::max(model[c][best.row], 1e-300)));
+  if (excess.size() < 3 * model.size()) return std::nullopt;
+  return median(excess);
+}
+
+}  // namespace
+
+Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>& model,
+                    std::optional<double> noise) {
+  // Off by more than a factor of two (and five times the noise), weighted by the light reflected: a
+  // retro-reflector's whole lobe is, a good fit's tails are not.
+  const double five_times = 5 * noise.value_or(0), factor = std::max(std::log(2.0), five_times);
+  double off = 0, all = 0;
+  std::vector<double> sizes;
+  for (std::size_t c = 0; c < model.size(); ++c)
+    for (std::size_t k = 0; k < data.rows(); ++k) {
+      const double f = std::max(model[c][k], 1e-300) * data.wi_z[k], g = data.values[c][k] * data.wi_z[k];
+      if (!(g > 0)) continue;
+      const double r = std::abs(std::log(f / g)), light = std::max(f, g);
+      all += light;
+      if (r > factor) off += light;
+      sizes.push_back(r);
+    }
+  if (sizes.empty()) return {};
+  const double middle = median(sizes), share = off / all;
+  constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
+  const std::string cannot = (noise ? " (the values scatter by " + percent(*noise) + ")" : "") +
+                             ": the surface does something this form cannot";
+  const std::optional<double> retro = retro_excess(data, model);
+  if (retro && *retro > std::max(kRetro, five_times))
+    return {true, "retro-reflection: beside the light the values are " +
+                      io::to_text(std::round(10 * std::exp(*retro)) / 10) + " times the model's" + cannot};
+  if (share > kShare)
+    return {true, percent(share) + " of the reflected light is off by more than a factor of two" + cannot};
+  if (middle > std::max(kMiddle, five_times))
+    return {true, "the middle deviation is " + percent(std::expm1(middle)) + cannot};
+  return {};
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,252 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fit/assess/assess.h"
+#include "fit/assess/reported.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Eigenvalues of the scaled normal matrix below this share of the largest are directions without effect.
+constexpr double kSingular = 1e-12;
+// A parameter whose direction lies in such a subspace by more than this share is not identified.
+constexpr double kInNullSpace = 1e-3;
+// A standard error above these is no information: e on a logarithmic scale, half of the range on others, a
+// quarter for f0, half of the channel's weights for a weight.
+constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
+
+// Above this many rows no value has a leverage worth a second pass.
+constexpr std::size_t kManyRows = 100000;
+
+// 97.5 % quantile of Student's t (Cornish-Fisher expansion,
+// Abramowitz and Stegun 26.7.5; 1e-3 from 4 degrees of freedom).
+double t_quantile(double freedom) {
+  constexpr double z = 1.959963984540054;
+  if (freedom < 1) return std::numeric_limits<double>::infinity();
+  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
+  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+}
+
+// Covariance of the solver's free parameters, and the directions without effect.
+struct Covariance {
+  RowMatrix matrix;       // of all slots; 0 for those held
+  RowMatrix inverse;      // of the normal matrix, likewise
+  RowMatrix null_space;   // columns, on the scaled axes
+  Eigen::VectorXd scale;  // of the axes: 1/sqrt(diagonal); 0 for slots without effect
+  RowMatrix weakest;      // the least certain direction, on the scaled axes
+  double condition = 1;
+};
+
+Covariance covariance(const Stream& stream, const Minimum& m) {
+  const Model& model = stream.model();
+  const Eigen::Index n = Eigen::Index(model.size());
+  const ScoreMatrices scores = stream.scores(m.p);
+  const Eigen::Map<const RowMatrix> bread(scores.bread.a.data(), n, n);
+  Covariance out;
+  out.scale = Eigen::VectorXd::Zero(n);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (m.at_bound[std::size_t(k)] == 0 && bread(k, k) > 0) {
+      free.push_back(k);
+      out.scale(k) = 1 / std::sqrt(bread(k, k));
+    }
+  const Eigen::Index f = Eigen::Index(free.size());
+  out.matrix = out.inverse = RowMatrix::Zero(n, n);
+  out.null_space = RowMatrix::Zero(n, f);
+  out.weakest = RowMatrix::Zero(n, 1);
+  if (f == 0) return out;
+  RowMatrix scaled(f, f);
+  for (Eigen::Index i = 0; i < f; ++i)
+    for (Eigen::Index j = 0; j < f; ++j) {
+      const double s = out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
+      scaled(i, j) = bread(free[std::size_t(i)], free[std::size_t(j)]) * s;
+    }
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(scaled);
+  const double largest = eigen.eigenvalues()(f - 1);
+  RowMatrix inverse = RowMatrix::Zero(f, f);
+  Eigen::Index nulls = 0;
+  for (Eigen::Index k = 0; k < f; ++k) {
+    const auto v = eigen.eigenvectors().col(k);
+    if (eigen.eigenvalues()(k) <= kSingular * largest) {
+      for (Eigen::Index i = 0; i < f; ++i) out.null_space(free[std::size_t(i)], nulls) = v(i);
+      ++nulls;
+    } else {
+      inverse += v * v.transpose() / eigen.eigenvalues()(k);
+    }
+  }
+  for (Eigen::Index i = 0; i < f; ++i) out.weakest(free[std::size_t(i)], 0) = eigen.eigenvectors()(i, 0);
+  out.null_space.conservativeResize(n, nulls);
+  out.condition = std::sqrt(largest / std::max(eigen.eigenvalues()(0), largest * 1e-32));
+  // Back on the solver's scale; then the scores with every residual freed of its own influence.
+  const auto unscaled = [&](Eigen::Index i, Eigen::Index j) {
+    return inverse(i, j) * out.scale(free[std::size_t(i)]) * out.scale(free[std::size_t(j)]);
+  };
+  Matrix influence{model.size(), model.size()};
+  for (Eigen::Index i = 0; i < f; ++i)
+    for (Eigen::Index j = 0; j < f; ++j)
+      influence(std::size_t(free[std::size_t(i)]), std::size_t(free[std::size_t(j)])) = unscaled(i, j);
+  const bool many = stream.data().rows() > kManyRows;
+  const ScoreMatrices freed = many ? scores : stream.scores(m.p, &influence);
+  const Eigen::Map<const RowMatrix> c(influence.a.data(), n, n), meat(freed.meat.a.data(), n, n);
+  out.inverse = c;
+  out.matrix = c * meat * c;
+  return out;
+}
+
+Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  for (const auto& [slot, slope] : r.gradient) g(Eigen::Index(slot)) = slope;
+  return g;
+}
+
+// True where the parameter moves along a direction that changes nothing in the samples.
+bool without_effect(const Reported& r, const Minimum& m, const Covariance& c) {
+  double inside = 0, all = 0;
+  for (const auto& [slot, slope] : r.gradient) {
+    if (m.at_bound[slot] != 0) continue;
+    const double scale = c.scale(Eigen::Index(slot));
+    if (scale == 0) return true;
+    all += slope * slope * scale * scale;
+  }
+  for (Eigen::Index k = 0; k < c.null_space.cols(); ++k) {
+    double along = 0;
+    for (const auto& [slot, slope] : r.gradient)
+      along += slope * c.scale(Eigen::Index(slot)) * c.null_space(Eigen::Index(slot), k);
+    inside += along * along;
+  }
+  return all > 0 && inside > kInNullSpace * all;
+}
+
+bool at_bound(const Reported& r, const Minimum& m) {
+  if (r.gradient.empty()) return false;
+  bool all = true, any = false;
+  for (const auto& [slot, slope] : r.gradient) {
+    all = all && m.at_bound[slot] != 0;
+    any = any || m.at_bound[slot] != 0;
+  }
+  const double v = r.estimate.value, reach = 1e-9 * (r.max - r.min);
+  return all || (any && (v <= r.min + reach || v >= r.max - reach));
+}
+
+bool no_information(const Reported& r, const Model& model, double error, double solver_error) {
+  if (r.fresnel) return error > kFresnelError;
+  if (r.weight) return error > kWeightError * std::max(std::abs(r.estimate.value), r.weight_scale);
+  const Slot& slot = model.slots()[r.slot];
+  if (slot.kind == Slot::Kind::tangent) return error > 22.5;
+  if (slot.scale == Scale::log || slot.scale == Scale::log1p) return solver_error > kLogError;
+  return error > kRangeError * (r.max - r.min);
+}
+
+// Intervals are symmetric on the solver's scale: alpha's on the logarithmic one.
+void set_interval(Reported& r, const Model& model, const Minimum& m, double error, double solver_error,
+                  double t) {
+  Estimate& e = r.estimate;
+  e.standard_error = error;
+  if (r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape) {
+    const Slot& slot = model.slots()[r.slot];
+    e.low = slot.to_natural(m.p[r.slot] - t * solver_error);
+    e.high = slot.to_natural(m.p[r.slot] + t * solver_error);
+  } else {
+    e.low = std::max(e.value - t * error, r.min);
+    e.high = std::min(e.value + t * error, r.max);
+  }
+}
+
+}  // namespace
+
+Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
+  const Model& model = stream.model();
+  const Eigen::Index n = Eigen::Index(model.size());
+  Uncertainty out;
+  std::vector<Reported> all = reported_parameters(model, m.p);
+  const Covariance c = covariance(stream, m);
+  out.condition = c.condition;
+  double free = 0;
+  for (int b : m.at_bound) free += b == 0;
+  const double freedom = double(stream.data().rows()) - free;
+  // Where a few values decide a parameter, its variance is known from those few only.
+  std::vector<std::vector<double>> influence;
+  for (const Reported& r : all) {
+    const Eigen::VectorXd v = c.inverse * gradient_vector(r, n);
+    influence.emplace_back(v.data(), v.data() + n);
+  }
+  const bool many = stream.data().rows() > kManyRows;
+  const std::vector<double> own_freedom =
+      many ? std::vector<double>(all.size(), freedom) : stream.freedom(m.p, influence);
+  // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
+  const std::size_t per_channel =
+      (model.size() - model.shape_slots()) / model.channels().size() + model.shape_slots() / model.groups();
+  const bool few = stream.data().rows() < 3 * per_channel;
+  if (few) {
+    out.singular = true;
+    out.findings.push_back(std::to_string(stream.data().rows()) + " rows are too few for " +
+                           std::to_string(per_channel) + " parameters: measure at least " +
+                           std::to_string(3 * per_channel) + ", or fix some of them");
+  }
+  std::vector<std::size_t> certain;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Reported& r = all[k];
+    Estimate& e = r.estimate;
+    const Eigen::VectorXd g = gradient_vector(r, n);
+    const double variance = g.dot(c.matrix * g);
+    const double error = std::sqrt(std::max(variance, 0.0));
+    const double solver_error =
+        r.slot == kNoSlot ? error
+                          : std::sqrt(std::max(c.matrix(Eigen::Index(r.slot), Eigen::Index(r.slot)), 0.0));
+    if (r.fresnel && !(all[k - 1].estimate.value > 0)) {
+      e.status = Status::unidentified;  // f0 of a lobe without weight
+    } else if (r.gradient.empty()) {
+      e.status = Status::fixed;
+    } else if (few) {
+      e.status = Status::unidentified;
+    } else if (at_bound(r, m)) {
+      e.status = Status::at_bound;
+    } else if (without_effect(r, m, c)) {
+      e.status = Status::unidentified;
+      out.singular = true;
+    } else if (no_information(r, model, error, solver_error)) {
+      e.status = Status::unidentified;
+    } else {
+      set_interval(r, model, m, error, solver_error, t_quantile(std::min(freedom, own_freedom[k])));
+      certain.push_back(k);
+    }
+  }
+  for (std::size_t k : certain) out.correlations.names.push_back(label(all[k].estimate));
+  out.correlations.matrix = Matrix(certain.size(), certain.size());
+  for (std::size_t i = 0; i < certain.size(); ++i)
+    for (std::size_t j = 0; j < certain.size(); ++j) {
+      const double both = all[certain[i]].estimate.standard_error * all[certain[j]].estimate.standard_error;
+      const double shared =
+          gradient_vector(all[certain[i]], n).dot(c.matrix * gradient_vector(all[certain[j]], n));
+      out.correlations.matrix(i, j) = i == j ? 1 : both > 0 ? std::clamp(shared / both, -1.0, 1.0) : 0;
+    }
+
+  const std::size_t channels = model.channels().size();
+  if (const auto names = names_with(all, Status::unidentified, channels); !few && !names.empty())
+    out.findings.push_back(joined(names) + (names.size() > 1 ? " are" : " is") +
+                           " not identified: " + advice(all, model));
+  std::map<std::string, std::vector<std::string>> bounds;
+  for (const Reported& r : all) {
+    if (r.estimate.status != Status::at_bound) continue;
+    const bool lower = r.estimate.value - r.min <= r.max - r.estimate.value;
+    bounds[r.estimate.name + " is at its " + (lower ? "lower" : "upper") + " bound " +
+           io::to_text(lower ? r.min : r.max)]
+        .push_back(r.estimate.channel);
+  }
+  for (const auto& [text, list] : bounds) {
+    std::string channel_list;
+    if (!list[0].empty() && list.size() < channels)
+      for (const std::string& c_name : list) channel_list += (channel_list.empty() ? " in " : ", ") + c_name;
+    out.findings.push_back(text + channel_list);
+  }
+  for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
+  return out;
+}
+
+}  // namespace brdf::fit

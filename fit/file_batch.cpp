@@ -1,0 +1,244 @@
+#include "fit/file_batch.h"
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "fit/report/html.h"
+#include "fit/report/report.h"
+#include "io/error.h"
+#include "io/html_report.h"
+#include "io/material_json.h"
+#include "io/output.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+namespace fs = std::filesystem;
+using io::Json;
+
+// FNV-1a of settings and the file's content.
+std::string key_of(const std::string& settings, const fs::path& file) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&](const char* data, std::size_t size) {
+    for (std::size_t k = 0; k < size; ++k)
+      hash = (hash ^ static_cast<unsigned char>(data[k])) * 0x100000001b3;
+  };
+  add(settings.data(), settings.size());
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> buffer(1 << 16);
+  while (in.read(buffer.data(), std::streamsize(buffer.size())), in.gcount() > 0)
+    add(buffer.data(), std::size_t(in.gcount()));
+  std::ostringstream text;
+  text << std::hex << hash;
+  return text.str();
+}
+
+// "copper.csv" and "copper.fit" differ in suffix only: the whole name is kept where that happens.
+std::vector<std::string> output_names(const std::vector<std::string>& files) {
+  std::map<std::string, std::string> taken;
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    std::string name = fs::path(file).stem().string();
+    if (taken.count(name)) name = fs::path(file).filename().string();
+    if (const auto [it, added] = taken.emplace(name, file); !added)
+      throw InputError(file + " and " + it->second + ": results of both would be called " + name);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+class Batch {
+ public:
+  Batch(const std::vector<std::string>& files, const std::vector<std::vector<Reflectance>>& models,
+        const FitOptions& options, const BatchOptions& batch)
+      : files_(files), models_(models), options_(options), batch_(batch), names_(output_names(files)) {
+    rows_.resize(files.size());
+  }
+
+  std::vector<BatchRow> run() {
+    std::error_code error;
+    fs::create_directories(batch_.folder, error);
+    if (error) throw InputError(batch_.folder.string() + ": cannot be made a folder: " + error.message());
+    std::vector<std::thread> others;
+    for (unsigned k = 1; k < batch_.jobs; ++k) others.emplace_back([this] { work(); });
+    work();
+    for (std::thread& t : others) t.join();
+    if (environment_error_) throw EnvironmentError(*environment_error_);
+    return std::move(rows_);
+  }
+
+ private:
+  void work() {
+    for (std::size_t k; (k = next_++) < files_.size();) {
+      BatchRow& row = rows_[k];
+      row.file = files_[k], row.name = names_[k];
+      if (options_.stop()) {
+        row.error = "interrupted";
+        continue;
+      }
+      try {
+        fit_file(row);
+      } catch (const InputError& error) {
+        row.error = error.what();
+      } catch (const EnvironmentError& error) {
+        const std::lock_guard lock(mutex_);
+        environment_error_ = error.what();
+        return;
+      }
+      say(row);
+    }
+  }
+
+  void fit_file(BatchRow& row) {
+    const std::string key = key_of(batch_.settings, row.file);
+    const fs::path report = batch_.folder / (row.name + ".fit.json");
+    if (reuse(row, report, key)) return;
+    const io::SampleTable table = io::read_samples(row.file);
+    const FitResult result = fit(table, models_, options_);
+    const FormFit& best = result.ranking.front();
+    if (result.interrupted) {
+      row.error = "interrupted";
+      return;
+    }
+    io::write_material_file(batch_.folder / (row.name + ".json"),
+                            {best.material, material_block(best, result, table, options_)});
+    io::write_file_atomically(batch_.folder / (row.name + ".html"), html_report(result, table, options_));
+    Json j = to_json(result, table, options_);
+    j["batch_key"] = key;
+    row.best = j["ranking"][0];
+    row.recommended = j["recommended"].get<std::string>();
+    io::write_file_atomically(report, io::to_text(j));  // last: it says that the others are there
+  }
+
+  bool reuse(BatchRow& row, const fs::path& report, const std::string& key) const {
+    if (!fs::exists(report) || !fs::exists(batch_.folder / (row.name + ".json"))) return false;
+    try {
+      const Json j = io::read_json(report);
+      if (j.value("batch_key", "") != key) return false;
+      row.best = j.at("ranking").at(0);
+      row.recommended = j.at("recommended").get<std::string>();
+      return row.reused = true;
+    } catch (const InputError&) {
+      return false;  // not ours, or from elsewhere: it is written again
+    } catch (const Json::exception&) {
+      return false;
+    }
+  }
+
+  void say(const BatchRow& row) {
+    if (!batch_.progress) return;
+    const std::lock_guard lock(mutex_);
+    const std::string result = !row.error.empty() ? row.error
+                                                  : row.best["form"].get<std::string>() + ", " +
+                                                        row.best["verdict"].get<std::string>() +
+                                                        (row.reused ? " (kept)" : "");
+    batch_.progress("[" + std::to_string(++done_) + "/" + std::to_string(files_.size()) + "] " + row.file +
+                    ": " + result);
+  }
+
+  const std::vector<std::string>& files_;
+  const std::vector<std::vector<Reflectance>>& models_;
+  const FitOptions& options_;
+  const BatchOptions& batch_;
+  std::vector<std::string> names_;
+  std::vector<BatchRow> rows_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::optional<std::string> environment_error_;
+};
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string number(const Json& j, const char* key) {
+  return j.contains(key) && j[key].is_number() ? io::to_text(j[key].get<double>()) : "";
+}
+
+std::string first_finding(const BatchRow& row) {
+  if (!row.error.empty()) return row.error;
+  const Json& findings = row.best["findings"];
+  return findings.empty() ? "" : findings[0].get<std::string>();
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+}  // namespace
+
+std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
+                                const std::vector<std::vector<Reflectance>>& models,
+                                const FitOptions& options, const BatchOptions& batch) {
+  return Batch(files, models, options, batch).run();
+}
+
+bool usable(const BatchRow& row) {
+  if (!row.error.empty()) return false;
+  const std::string verdict = row.best["verdict"].get<std::string>();
+  return verdict == name_of(Verdict::converged) || verdict == name_of(Verdict::at_bound);
+}
+
+void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
+  std::string csv = "file,form,verdict,median_relative_error,cross_validated_error,bic,recommended,finding\n";
+  io::HtmlReport html("Fits of " + std::to_string(rows.size()) + " files");
+  std::vector<std::vector<io::Cell>> cells;
+  io::Series in_sample{"median relative error", {}, {}, io::Series::Style::points};
+  io::Series left_out{"of directions left out", {}, {}, io::Series::Style::points};
+  std::size_t good = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const BatchRow& row = rows[k];
+    good += usable(row);
+    const bool fitted = row.error.empty();
+    const std::string form = fitted ? row.best["form"].get<std::string>() : "";
+    const std::string verdict = fitted ? row.best["verdict"].get<std::string>() : "error";
+    const std::string error = fitted ? number(row.best, "median_relative_error") : "";
+    const std::string cross = fitted ? number(row.best, "cross_validated_error") : "";
+    csv += quoted(row.file) + "," + form + "," + verdict + "," + error + "," + cross + "," +
+           (fitted ? number(row.best, "bic") : "") + "," + row.recommended + "," +
+           quoted(first_finding(row)) + "\n";
+    cells.push_back({{row.file},
+                     {form, io::Mark::none, true},
+                     {verdict, usable(row) ? io::Mark::good : io::Mark::bad},
+                     {error},
+                     {cross},
+                     {row.recommended, io::Mark::none, true},
+                     {first_finding(row)}});
+    if (!fitted) continue;
+    in_sample.x.push_back(double(k + 1)), left_out.x.push_back(double(k + 1));
+    in_sample.y.push_back(row.best.value("median_relative_error", 0.0));
+    left_out.y.push_back(row.best.value("cross_validated_error", std::nan("")));
+  }
+  html.verdict(good == rows.size() ? io::Mark::good : io::Mark::warn,
+               std::to_string(good) + " of " + std::to_string(rows.size()) + " files have a usable fit.");
+  html.table({"file", "form", "verdict", "median error", "left out", "recommended", "finding"}, cells);
+  if (!in_sample.x.empty()) {
+    io::Plot plot;
+    plot.title = "Median relative error";
+    plot.x_label = "row of the table";
+    plot.y_label = "median of |fit - value|/value";
+    plot.log_y = true;
+    plot.series = {in_sample, left_out};
+    html.plot(plot);
+  }
+  for (const BatchRow& row : rows) {
+    const fs::path picture = folder / (row.name + ".png");
+    if (row.error.empty() && fs::exists(picture)) html.picture(bytes_of(picture), row.name);
+  }
+  io::write_file_atomically(folder / "summary.csv", csv);
+  io::write_file_atomically(folder / "summary.html", html.document(io::provenance()));
+}
+
+}  // namespace brdf::fit

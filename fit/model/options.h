@@ -1,0 +1,54 @@
+// What a fit can be told.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace brdf::fit {
+
+// The residual of one value: f the model, g the measurement, c_i and c_o the cosines (docs/fitting.md).
+enum class Metric {
+  log,          // ln(1 + f c_i) - ln(1 + g c_i)
+  cosine_l2,    // (f - g) c_i
+  cube_root,    // the sum of (((f - g) c_i)^2)^(1/3)
+  log_relative  // ln((f c_i c_o + e)/(g c_i c_o + e)), e = 1e-3
+};
+inline constexpr double kLogRelativeFloor = 1e-3;
+
+enum class Loss { none, huber, cauchy };
+enum class Weighting { automatic, uniform, sigma, solid_angle };
+
+// One parameter's value, or range, for all channels or one per channel.
+struct NamedValues {
+  std::string name;
+  std::vector<double> values;
+};
+struct NamedRange {
+  std::string name;
+  double low, high;
+};
+
+struct FitOptions {
+  Metric metric = Metric::log;
+  Loss loss = Loss::none;
+  double loss_scale = 0;                       // in units of the residual; 0: estimated from the residuals
+  Weighting weighting = Weighting::automatic;  // sigma columns where there are any
+  double max_theta = 80;                       // degrees; rows beyond are left out
+  bool anisotropic = false;
+  bool per_channel = false;  // shapes, too
+  std::vector<NamedValues> fix, start;
+  std::vector<NamedRange> bounds;
+  bool grid_starts = true;
+  int random_starts = 0;
+  std::uint64_t seed = 1;
+  double aperture = 0;  // full width of the detector's field, degrees; 0: none
+  bool cross_validation = true;
+  const std::atomic<bool>* interrupted = nullptr;  // set from outside: return the best so far
+
+  bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }
+};
+
+}  // namespace brdf::fit

@@ -1,0 +1,24 @@
+// What a fit says: JSON, and a table for people.
+#pragma once
+
+#include <iosfwd>
+
+#include "fit/assess/result.h"
+#include "fit/model/options.h"
+#include "io/json.h"
+#include "io/samples.h"
+
+namespace brdf::fit {
+
+// The shape of `brdf fit --json`.
+io::Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options);
+// The `fit` block of a material file: provenance and statistics of this one fit.
+io::Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
+                        const FitOptions& options);
+// Ranking, and the parameters of the form at the top.
+void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
+           const FitOptions& options);
+
+std::string_view metric_name(Metric metric);
+
+}  // namespace brdf::fit

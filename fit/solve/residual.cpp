@@ -1,0 +1,107 @@
+#include "fit/solve/residual.h"
+
+#include <cmath>
+
+#include "brdf/math.h"
+#include "fit/solve/clones.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kE = kLogRelativeFloor;
+
+// ln((f c + u)/(g c + u)) without cancellation; linearised: its first order in f - g.
+template <bool kWithCosO, bool kLinearised>
+BRDF_FIT_CLONES void log_residuals(const ResidualBlock& b, double offset, double* __restrict r,
+                                   double* __restrict d) {
+  for (std::size_t j = 0; j < b.rows; ++j) {
+    const double c = kWithCosO ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
+    const double measured = c / (b.g[j] * c + offset);
+    const double x = (b.f[j] - b.g[j]) * measured;
+    r[j] = kLinearised ? x : math::log1p(x);
+    d[j] = kLinearised ? measured : measured / (1 + x);
+  }
+}
+
+template <bool kWithCosO>
+void log_residuals(const Residual& residual, const ResidualBlock& b, double offset, double* r, double* d) {
+  if (residual.linearised)
+    log_residuals<kWithCosO, true>(b, offset, r, d);
+  else
+    log_residuals<kWithCosO, false>(b, offset, r, d);
+}
+
+void divide_by_noise(const Residual& residual, const ResidualBlock& b, double* r, double* d) {
+  for (std::size_t j = 0; j < b.rows; ++j) {
+    const double c = residual.metric == Metric::log_relative ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
+    const double offset = residual.metric == Metric::log ? 1 : kE;
+    const bool linear = residual.metric == Metric::cosine_l2 || residual.metric == Metric::cube_root;
+    const double slope = linear ? c : c / (b.g[j] * c + offset);
+    const double w = 1 / (slope * b.sigma[j]);
+    r[j] *= w;
+    d[j] *= w;
+  }
+}
+
+}  // namespace
+
+void residuals(const Residual& residual, const ResidualBlock& b, double* r, double* d) {
+  switch (residual.metric) {
+    case Metric::log:
+      log_residuals<false>(residual, b, 1, r, d);
+      break;
+    case Metric::log_relative:
+      log_residuals<true>(residual, b, kE, r, d);
+      break;
+    default:
+      for (std::size_t j = 0; j < b.rows; ++j) {
+        r[j] = (b.f[j] - b.g[j]) * b.cos_i[j];
+        d[j] = b.cos_i[j];
+      }
+  }
+  if (b.sigma) divide_by_noise(residual, b, r, d);
+  if (b.weight)
+    for (std::size_t j = 0; j < b.rows; ++j) {
+      const double w = std::sqrt(b.weight[j]);
+      r[j] *= w;
+      d[j] *= w;
+    }
+}
+
+void apply_loss(const LossFunction& loss, std::size_t rows, const double* r, double* rho, double* root_slope,
+                double* curvature) {
+  const double k = loss.scale, k2 = k * k;
+  for (std::size_t j = 0; j < rows; ++j) {
+    const double s = r[j] * r[j];
+    switch (loss.kind) {
+      case LossFunction::Kind::none:
+        rho[j] = s, root_slope[j] = 1, curvature[j] = 1;
+        break;
+      case LossFunction::Kind::huber: {
+        const double a = std::abs(r[j]);
+        const bool inside = a <= k;
+        rho[j] = inside ? s : 2 * k * a - k2;
+        root_slope[j] = inside ? 1 : std::sqrt(k / a);
+        curvature[j] = inside ? 1 : 0;
+        break;
+      }
+      case LossFunction::Kind::cauchy: {
+        const double x = 1 + s / k2;
+        rho[j] = k2 * math::log(x);
+        root_slope[j] = 1 / std::sqrt(x);
+        curvature[j] = (1 - s / k2) / (x * x);
+        break;
+      }
+      case LossFunction::Kind::cube_root: {
+        // (s + k^2)^(1/3), scaled to slope 1 at 0: 3 k^2 ((1 + s/k^2)^(1/3) - 1).
+        const double x = 1 + s / k2, c = std::cbrt(x);
+        rho[j] = 3 * k2 * (c - 1);
+        root_slope[j] = 1 / c;  // sqrt(x^(-2/3))
+        curvature[j] = (1 - s / (3 * k2)) / (x * c * c);
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,38 @@
+// Residuals of a block of values, with their derivatives by the model, and robust losses on them.
+#pragma once
+
+#include <cstddef>
+
+#include "fit/model/options.h"
+
+namespace brdf::fit {
+
+// A loss rho(s) of the squared residual: concave, rho(0) = 0, slope 1 at 0.
+struct LossFunction {
+  enum class Kind { none, huber, cauchy, cube_root } kind = Kind::none;
+  double scale = 1;  // in units of the residual
+};
+
+struct Residual {
+  Metric metric = Metric::log;
+  LossFunction loss;
+  // Linearised at the measurement, r'(g) (f - g): linear in the weights, and close to the metric near the
+  // data. Used to start the weights.
+  bool linearised = false;
+};
+
+// One channel's block: model, measurement, cosines, square root of the weight (null: 1), sigma (null: none).
+struct ResidualBlock {
+  const double *f, *g, *cos_i, *cos_o, *weight, *sigma;
+  std::size_t rows;
+};
+
+// r[j] and dr/df[j], weights included. With sigma, the residual is in units of its standard deviation.
+void residuals(const Residual& residual, const ResidualBlock& block, double* r, double* derivative);
+
+// rho[j] = rho(r^2); `root_slope` = sqrt(rho'(r^2)), by which residual and derivative are scaled;
+// `curvature` = d^2 (rho/2)/dr^2, which belongs into a covariance.
+void apply_loss(const LossFunction& loss, std::size_t rows, const double* r, double* rho, double* root_slope,
+                double* curvature);
+
+}  // namespace brdf::fit

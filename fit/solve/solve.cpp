@@ -1,0 +1,258 @@
+#include "fit/solve/solve.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace brdf::fit {
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost. A pivot below the rounding of its diagonal
+// is a direction that the samples do not see: its row is 0.
+void compress(const NormalEquations& n, Eigen::Ref<RowMatrix> jacobian, Eigen::Ref<Eigen::VectorXd> r) {
+  const Eigen::Index size = Eigen::Index(n.gradient.size());
+  RowMatrix upper = Eigen::Map<const RowMatrix>(n.hessian.a.data(), size, size);
+  const Eigen::VectorXd diagonal = upper.diagonal();
+  r.setZero();
+  jacobian.setZero();
+  double rest = 2 * n.cost;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    double pivot = upper(i, i);
+    if (!(pivot > 1e-14 * diagonal(i))) continue;
+    pivot = std::sqrt(pivot);
+    double g = n.gradient[std::size_t(i)];
+    for (Eigen::Index k = 0; k < i; ++k) g -= jacobian(k, i) * r(k);
+    r(i) = g / pivot;
+    rest -= r(i) * r(i);
+    jacobian.row(i).segment(i, size - i) = upper.row(i).segment(i, size - i) / pivot;
+    jacobian(i, i) = pivot;
+    for (Eigen::Index j = i + 1; j < size; ++j)
+      for (Eigen::Index k = j; k < size; ++k) upper(j, k) -= jacobian(i, j) * jacobian(i, k);
+  }
+  r(size) = std::sqrt(std::max(rest, 0.0));
+}
+
+// Ceres asks for cost and Jacobian separately: the last pass is remembered.
+class CompressedCost : public ceres::CostFunction {
+ public:
+  CompressedCost(const Objective& objective, std::size_t size) : objective_(objective), size_(size) {
+    set_num_residuals(int(size) + 1);
+    mutable_parameter_block_sizes()->push_back(int(size));
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const std::span p(parameters[0], size_);
+    const Eigen::Index n = Eigen::Index(size_);
+    const NormalEquations& e = equations(p);
+    if (!std::isfinite(e.cost)) return false;
+    if (!compressed_) {
+      jacobian_.resize(n + 1, n);
+      residuals_.resize(n + 1);
+      compress(e, jacobian_, residuals_);
+      compressed_ = true;
+    }
+    std::copy(residuals_.data(), residuals_.data() + n + 1, residuals);
+    if (jacobians && jacobians[0]) std::copy(jacobian_.data(), jacobian_.data() + (n + 1) * n, jacobians[0]);
+    return true;
+  }
+  const NormalEquations& equations(std::span<const double> p) const {
+    if (!std::equal(p.begin(), p.end(), last_.begin(), last_.end()) || passes_ == 0) {
+      equations_ = objective_(p);
+      ++passes_;
+      last_.assign(p.begin(), p.end());
+      compressed_ = false;
+    }
+    return equations_;
+  }
+  int passes() const { return passes_; }
+
+ private:
+  const Objective& objective_;
+  std::size_t size_;
+  mutable std::vector<double> last_;
+  mutable NormalEquations equations_;
+  mutable bool compressed_ = false;
+  mutable RowMatrix jacobian_;
+  mutable Eigen::VectorXd residuals_;
+  mutable int passes_ = 0;
+};
+
+class StopWhenInterrupted : public ceres::IterationCallback {
+ public:
+  explicit StopWhenInterrupted(const std::atomic<bool>* flag) : flag_(flag) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return flag_ && flag_->load() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const std::atomic<bool>* flag_;
+};
+
+Termination termination_of(const ceres::Solver::Summary& summary) {
+  switch (summary.termination_type) {
+    case ceres::CONVERGENCE:
+      return Termination::converged;
+    case ceres::NO_CONVERGENCE:
+      return Termination::iteration_limit;
+    case ceres::USER_SUCCESS:
+      return Termination::interrupted;
+    default:
+      return Termination::failed;
+  }
+}
+
+// One run of Ceres with some parameters held.
+void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const double> low,
+               std::span<const double> high, const std::vector<int>& held, const SolveOptions& options,
+               Solution& solution) {
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(ownership);
+  problem.AddResidualBlock(&cost, nullptr, p.data());
+  std::vector<int> constant;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (std::isfinite(low[k])) problem.SetParameterLowerBound(p.data(), int(k), low[k]);
+    if (std::isfinite(high[k])) problem.SetParameterUpperBound(p.data(), int(k), high[k]);
+    if (held[k]) constant.push_back(int(k));
+  }
+  if (constant.size() == p.size()) {
+    solution.termination = Termination::converged;
+    solution.message = "every parameter is held";
+    return;
+  }
+  if (!constant.empty()) problem.SetManifold(p.data(), new ceres::SubsetManifold(int(p.size()), constant));
+  ceres::Solver::Options o;
+  o.max_num_iterations = options.max_iterations;
+  o.function_tolerance = options.tolerance;
+  o.parameter_tolerance = options.tolerance;
+  o.gradient_tolerance = 0;  // its scale is the samples', which are not known here
+  o.linear_solver_type = ceres::DENSE_QR;
+  o.logging_type = ceres::SILENT;
+  o.num_threads = 1;
+  StopWhenInterrupted stop(options.interrupted);
+  o.callbacks.push_back(&stop);
+  ceres::Solver::Summary summary;
+  ceres::Solve(o, &problem, &summary);
+  solution.termination = termination_of(summary);
+  solution.message = summary.message;
+  solution.iterations += int(summary.iterations.size());
+}
+
+}  // namespace
+
+Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
+               std::span<const double> high, const SolveOptions& options) {
+  Solution s;
+  s.p.assign(start.begin(), start.end());
+  s.at_bound.assign(start.size(), 0);
+  CompressedCost cost(objective, start.size());
+  if (s.p.empty()) {
+    s.cost = objective(s.p).cost;
+    s.termination = Termination::converged;
+    return s;
+  }
+  std::vector<int> held(start.size(), 0);
+  const int rounds = 2 * int(start.size()) + 4;
+  for (int round = 0; round < rounds; ++round) {
+    run_ceres(cost, s.p, low, high, held, options, s);
+    if (s.termination == Termination::failed || s.termination == Termination::interrupted) break;
+    const NormalEquations& n = cost.equations(s.p);
+    std::vector<int> next(held.size(), 0);
+    const double scale = std::sqrt(2 * n.cost);
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
+      const int side = s.p[k] <= low[k] + reach ? -1 : s.p[k] >= high[k] - reach ? 1 : 0;
+      if (side == 0) continue;
+      // Held while the cost pushes outward, or does not care.
+      const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
+      if (side * n.gradient[k] <= noise) {
+        next[k] = side;
+        s.p[k] = side < 0 ? low[k] : high[k];
+      }
+    }
+    if (next == held) break;
+    held = next;
+  }
+  s.at_bound = held;
+  s.cost = cost.equations(s.p).cost;
+  s.passes = cost.passes();
+  return s;
+}
+
+std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
+                                  std::span<const double> low, std::span<const double> high) {
+  const std::size_t n = gradient.size();
+  const Eigen::Map<const RowMatrix> h(hessian.a.data(), Eigen::Index(n), Eigen::Index(n));
+  std::vector<double> x(n);
+  std::vector<bool> free(n, true);
+  for (std::size_t k = 0; k < n; ++k) {
+    x[k] = std::clamp(0.0, low[k], high[k]);
+    free[k] = low[k] < high[k] && h(Eigen::Index(k), Eigen::Index(k)) > 0;
+  }
+  // Start with everything free; then bind what leaves, release what is pushed inward.
+  for (int round = 0; round < 10 * int(n) + 10; ++round) {
+    std::vector<Eigen::Index> set;
+    for (std::size_t k = 0; k < n; ++k)
+      if (free[k]) set.push_back(Eigen::Index(k));
+    const Eigen::Index m = Eigen::Index(set.size());
+    Eigen::VectorXd target(m);
+    if (m > 0) {
+      Eigen::MatrixXd a(m, m);
+      Eigen::VectorXd b(m);
+      for (Eigen::Index i = 0; i < m; ++i) {
+        b(i) = -gradient[std::size_t(set[std::size_t(i)])];
+        for (std::size_t k = 0; k < n; ++k)
+          if (!free[k]) b(i) -= h(set[std::size_t(i)], Eigen::Index(k)) * x[k];
+        for (Eigen::Index j = 0; j < m; ++j) a(i, j) = h(set[std::size_t(i)], set[std::size_t(j)]);
+        a(i, i) *= 1 + 1e-15;
+      }
+      target = a.ldlt().solve(b);
+    }
+    // Walk towards the solution of the free set as far as the bounds allow.
+    double step = 1;
+    std::size_t blocked = n;
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const std::size_t k = std::size_t(set[std::size_t(i)]);
+      const double d = target(i) - x[k];
+      double limit = 1;
+      if (target(i) < low[k]) limit = (low[k] - x[k]) / d;
+      if (target(i) > high[k]) limit = (high[k] - x[k]) / d;
+      if (limit < step || (limit == step && blocked == n && limit < 1)) step = limit, blocked = k;
+    }
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const std::size_t k = std::size_t(set[std::size_t(i)]);
+      x[k] = std::clamp(x[k] + step * (target(i) - x[k]), low[k], high[k]);
+    }
+    if (blocked < n) {
+      x[blocked] =
+          target(Eigen::Index(std::find(set.begin(), set.end(), Eigen::Index(blocked)) - set.begin())) <
+                  low[blocked]
+              ? low[blocked]
+              : high[blocked];
+      free[blocked] = false;
+      continue;
+    }
+    double worst = 0;
+    std::size_t release = n;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (free[k] || low[k] >= high[k] || h(Eigen::Index(k), Eigen::Index(k)) <= 0) continue;
+      double slope = gradient[k], size = std::abs(gradient[k]);
+      for (std::size_t j = 0; j < n; ++j) {
+        slope += h(Eigen::Index(k), Eigen::Index(j)) * x[j];
+        size += std::abs(h(Eigen::Index(k), Eigen::Index(j)) * x[j]);
+      }
+      const double inward = x[k] <= low[k] ? -slope : slope;
+      if (inward > 1e-12 * size && inward > worst) worst = inward, release = k;
+    }
+    if (release == n) break;
+    free[release] = true;
+  }
+  return x;
+}
+
+}  // namespace brdf::fit

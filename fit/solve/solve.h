@@ -1,0 +1,43 @@
+// Minimisation of a cost known by its normal equations, within bounds.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/solve/stream.h"
+
+namespace brdf::fit {
+
+using Objective = std::function<NormalEquations(std::span<const double>)>;
+
+enum class Termination { converged, iteration_limit, failed, interrupted };
+
+struct SolveOptions {
+  int max_iterations = 100;
+  double tolerance = 1e-12;  // relative, on cost and step
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+struct Solution {
+  std::vector<double> p;
+  double cost = 0;
+  Termination termination = Termination::failed;
+  std::string message;        // the solver's own words
+  std::vector<int> at_bound;  // [parameter]: -1 held at its lower bound, 1 at its upper, 0 free
+  int passes = 0, iterations = 0;
+};
+
+// Levenberg-Marquardt (Ceres) on the p + 1 residuals that have the same cost,
+// gradient and Gauss-Newton matrix as the samples (Cholesky). Ceres stops early
+// where a bound is active, and calls it convergence: parameters at a bound that the
+// cost pushes against are held there and the rest solved again, until none moves.
+Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
+               std::span<const double> high, const SolveOptions& options);
+
+// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. For the few unknowns of a channel's weights.
+std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
+                                  std::span<const double> low, std::span<const double> high);
+
+}  // namespace brdf::fit

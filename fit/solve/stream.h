@@ -1,0 +1,80 @@
+// One pass over the samples, block by block: normal equations without ever storing a Jacobian.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fit/model/data.h"
+#include "fit/model/model.h"
+#include "fit/solve/matrix.h"
+#include "fit/solve/residual.h"
+
+namespace brdf::fit {
+
+// cost = 1/2 sum rho(r^2); gradient and Gauss-Newton matrix of it by the solver's parameters.
+struct NormalEquations {
+  Matrix hessian;
+  std::vector<double> gradient;
+  double cost = 0;
+};
+
+// What uncertainty needs besides: the curvature of the loss in place of its slope (bread), and the sum over
+// rows of the outer product of the row's gradient (meat: channels of one row may share their noise).
+struct ScoreMatrices {
+  Matrix bread, meat;
+};
+
+// Sums over all rows of the Gram matrix of (lobes, derivatives of lobes)
+// weighted by the squared slope of a linear residual: given it, every choice of
+// weights is algebra. Valid while all channels of a group have the same weights.
+struct LobeGram {
+  std::size_t lobes = 0, derivatives = 0;  // columns: lobes, then for each derivative the term's lobes
+  Matrix gram;                             // of the columns
+  Matrix cross;                            // [channel][column]: with the measurement
+  std::vector<double> square;              // [channel]: of the measurement
+};
+
+class Stream {
+ public:
+  // `aperture`: full width of the detector's field in degrees, 0 for none.
+  Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
+         unsigned threads = 1);
+
+  const FitData& data() const { return data_; }
+  const Model& model() const { return model_; }
+  const Residual& residual() const { return residual_; }
+
+  NormalEquations normal_equations(std::span<const double> p) const;
+  // The same at linear weights 0 for the residual linearised at the measurement: a quadratic in the weights.
+  NormalEquations linearised_weights(std::span<const double> p) const;
+  // With `inverse`, the inverse of the bread, every residual is divided by the root of 1 less its
+  // leverage, which makes its square unbiased (MacKinnon and White 1985, HC2).
+  ScoreMatrices scores(std::span<const double> p, const Matrix* inverse = nullptr) const;
+  // Degrees of freedom of the variance of v'g for each v, g the gradient of one value: (sum a^2)^2 / sum a^4
+  // of the values' influences a, noise taken as proportional to the value (Bell and McCaffrey 2002).
+  std::vector<double> freedom(std::span<const double> p, const std::vector<std::vector<double>>& v) const;
+  LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
+  // [channel][row]: the model's values.
+  std::vector<std::vector<double>> values(std::span<const double> p) const;
+  // [channel][row]: the residuals, before the loss.
+  std::vector<std::vector<double>> residual_values(std::span<const double> p) const;
+
+ private:
+  struct Shapes;
+  struct Workspace;
+  Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
+  void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
+  void fill_jacobian(const double* weights, Workspace& w) const;
+  template <class Visit>
+  void for_each_block(Visit&& visit) const;
+  NormalEquations accumulate(std::span<const double> p, const Residual& residual, bool derivatives) const;
+
+  const FitData& data_;
+  const Model& model_;
+  Residual residual_;
+  std::vector<ApertureNode> detector_;  // empty: readings are of one direction
+  unsigned threads_;
+};
+
+}  // namespace brdf::fit

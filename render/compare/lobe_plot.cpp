@@ -1,0 +1,125 @@
+#include "render/compare/lobe_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace brdf::render {
+namespace {
+
+constexpr ByteColor kGrid{110, 110, 115}, kLight{255, 220, 120}, kWords{225, 225, 225};
+constexpr std::array kFirst{ByteColor{235, 80, 70}, ByteColor{90, 205, 90}, ByteColor{90, 145, 255}};
+constexpr std::array kSecond{ByteColor{255, 175, 155}, ByteColor{185, 245, 175}, ByteColor{175, 210, 255}};
+
+glm::vec2 at_angle(double degrees, float radius) {
+  const double angle = degrees * kPi / 180;
+  return radius * glm::vec2(float(std::sin(angle)), float(std::cos(angle)));
+}
+
+std::vector<glm::vec2> half_circle(float radius) {
+  std::vector<glm::vec2> points;
+  for (int k = -90; k <= 90; k += 3) points.push_back(at_angle(k, radius));
+  return points;
+}
+
+bool shown(int solo, std::size_t curve) {
+  return solo < 0 || std::size_t(solo) == curve;
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace
+
+std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& name, double theta_i_degrees,
+                                   bool second) {
+  const std::size_t channels = material.channels.size();
+  std::vector<LobeCurve> curves(channels);
+  std::vector<double> f(channels);
+  const Vec3<double> wi = direction(degrees(theta_i_degrees), {});
+  for (int k = 0; k < kLobePoints; ++k) {
+    const double theta = (k - kSteepest) * kPi / 180;
+    eval(material, wi, direction(radians(std::abs(theta)), radians(theta > 0 ? kPi : 0)), f);
+    for (std::size_t c = 0; c < channels; ++c) curves[c].values.push_back(float(f[c]));
+  }
+  for (std::size_t c = 0; c < channels; ++c) {
+    curves[c].name = name + " " + material.channels[c];
+    curves[c].color = (second ? kSecond : kFirst)[c % 3];
+  }
+  return curves;
+}
+
+std::vector<LobeCurve> lobe_curves(const ViewState& state) {
+  const double theta = double(state.plot_theta);
+  std::vector<LobeCurve> curves = lobe_curves(state.scene.objects.at(state.selected).material, "A", theta);
+  if (state.other != Other::material || !state.material) return curves;
+  for (LobeCurve& curve : lobe_curves(*state.material, "B", theta, true)) curves.push_back(std::move(curve));
+  return curves;
+}
+
+LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo) {
+  LobePlot plot;
+  plot.largest = 1e-6f;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (!shown(solo, c)) continue;
+    for (const float f : curves[c].values) plot.largest = std::max(plot.largest, f);
+  }
+  for (const float radius : {0.5f, 1.0f}) plot.paths.push_back({half_circle(radius), kGrid, 1});
+  for (int angle = -90; angle <= 90; angle += 30)
+    plot.paths.push_back({{{0, 0}, at_angle(angle, 1)}, kGrid, 1});
+  plot.paths.push_back({{{0, 0}, at_angle(-theta_i_degrees, 1)}, kLight, 1.5f});
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (!shown(solo, c)) continue;
+    LobePath path{{}, curves[c].color, 2};
+    for (int k = 0; k < kLobePoints; ++k) {
+      const float share = std::max(0.0f, curves[c].values[std::size_t(k)]) / plot.largest;
+      path.points.push_back(at_angle(k - kSteepest, std::cbrt(share)));
+    }
+    plot.paths.push_back(std::move(path));
+  }
+  return plot;
+}
+
+BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width) {
+  const int pixels = std::clamp(width / 45, 9, 40), pad = 3 * pixels;
+  const float radius = float(width) / 2 - float(pad);
+  BytePicture out(width, int(radius) + 2 * pad + 3 * pixels);
+  fill(out, {0, 0}, {out.width, out.height}, {28, 28, 32});
+  const glm::vec2 origin(float(width) / 2, float(pad) + radius);
+  const auto place = [&](glm::vec2 p) { return origin + radius * glm::vec2(p.x, -p.y); };
+  const LobePlot plot = lobe_plot(curves, theta_i_degrees, solo);
+  for (const LobePath& path : plot.paths) {
+    std::vector<glm::vec2> points;
+    for (const glm::vec2& p : path.points) points.push_back(place(p));
+    draw_path(out, points, path.width, path.color);
+  }
+  const auto centred = [&](glm::vec2 at, const std::string& text, ByteColor color) {
+    draw_text(out, at - glm::vec2(text_width(text, pixels) / 2, 0), text, pixels, color);
+  };
+  for (int angle = -90; angle <= 90; angle += 30) {
+    centred(place(at_angle(angle, 1 + 1.2f * float(pixels) / radius)) + glm::vec2(0, 0.35f * float(pixels)),
+            std::to_string(std::abs(angle)) + "°", kWords);
+  }
+  // Radius: the cube root of the share, so half of it is an eighth.
+  const float below = origin.y + 1.6f * float(pixels);
+  centred({origin.x + radius / 2, below}, number(double(plot.largest) / 8), kWords);
+  centred({origin.x + radius, below}, number(double(plot.largest)), kWords);
+  centred({origin.x, below}, "0", kWords);
+  centred({origin.x - radius / 2, below}, "f_r in 1/sr, radius its cube root", kWords);
+  float left = float(pixels);
+  const float line = origin.y + 4 * float(pixels);
+  const auto word = [&](const std::string& text, ByteColor color) {
+    draw_text(out, {left, line}, text, pixels, color);
+    left += text_width(text, pixels) + 1.5f * float(pixels);
+  };
+  word("light at " + number(theta_i_degrees) + "°", kLight);
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (shown(solo, c)) word(curves[c].name, curves[c].color);
+  }
+  return out;
+}
+
+}  // namespace brdf::render

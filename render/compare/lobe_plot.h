@@ -1,0 +1,46 @@
+// The polar plot of a material's lobe in the plane of incidence, for the viewer and for a PNG.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+#include "render/compare/state.h"
+#include "render/picture/canvas.h"
+
+namespace brdf::render {
+
+// f_r in the plane of incidence over theta_o from -89 to 89 degrees (mirror side positive), one channel.
+// Forms that diverge at 90 degrees would show nothing else there.
+struct LobeCurve {
+  std::string name;
+  std::vector<float> values;
+  ByteColor color{};
+};
+inline constexpr int kSteepest = 89, kLobePoints = 2 * kSteepest + 1;
+
+// A curve per channel, in the shades of the first (A) or the second (B) material.
+std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& name, double theta_i_degrees,
+                                   bool second = false);
+
+// Of the selected object's material, and of B where it is a material.
+std::vector<LobeCurve> lobe_curves(const ViewState& state);
+
+// The plot as lines in the half disc of radius 1 round (0, 0), y upwards: grid, direction of the light,
+// curves. The radius is the cube root of f_r over the largest one, so that a narrow lobe leaves the diffuse
+// part visible. `solo` -1 shows all curves.
+struct LobePath {
+  std::vector<glm::vec2> points;
+  ByteColor color;
+  float width;  // pixels
+};
+struct LobePlot {
+  std::vector<LobePath> paths;
+  float largest = 0;  // f_r at radius 1
+};
+LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo);
+
+// The plot as a picture, with angles, values and the curves' names.
+BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width);
+
+}  // namespace brdf::render

@@ -1,0 +1,157 @@
+#include "render/compare/pictures.h"
+
+#include "io/samples.h"
+#include "render/reference/reference.h"
+
+namespace brdf::render {
+namespace {
+
+bool needs_b(const ViewState& state) {
+  return state.display == Display::split || state.display == Display::flip ||
+         state.display == Display::difference;
+}
+
+// What meshes, textures and the picture's size depend on: a change of anything else needs no new renderer.
+bool same_resources(const Scene& a, const Scene& b) {
+  if (a.objects.size() != b.objects.size() || a.folder != b.folder || a.camera.width != b.camera.width ||
+      a.camera.height != b.camera.height) {
+    return false;
+  }
+  for (std::size_t k = 0; k < a.objects.size(); ++k) {
+    if (a.objects[k].mesh != b.objects[k].mesh || a.objects[k].textures != b.objects[k].textures)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+float Pictures::extent() const {
+  float largest = 1e-6f;
+  for (const Item& item : prepared_.layers[0]) largest = std::max(largest, item.extent);
+  return largest;
+}
+
+Picture Pictures::read(Renderer& renderer) {
+  const Camera& camera = renderer.scene().scene.camera;
+  return picture_from(camera.width, camera.height, renderer.read_color());
+}
+
+void Pictures::prepare_to_sample(VkCommandBuffer commands) {
+  a_->color().transition(commands, Use::sampled);
+  if (b_) b_->color().transition(commands, Use::sampled);
+  for (int k = 0; has_targets() && k < kTargetCount; ++k) a_->target(k).transition(commands, Use::sampled);
+}
+
+void Pictures::update(const ViewState& state, VkExtent2D size) {
+  update_a(state, size);
+  if (needs_b(state)) update_b(state);
+}
+
+void Pictures::update_a(const ViewState& state, VkExtent2D size) {
+  Scene scene = state.scene;
+  scene.camera.width = int(size.width);
+  scene.camera.height = int(size.height);
+  // Samples hold no ambient light: leave it out on both sides.
+  if (needs_b(state) && state.other == Other::samples) scene.ambient = glm::vec3(0);
+  const std::string key = scene_text(scene);
+  if (key == drawn_a_) return;
+  if (a_ && same_resources(scene, prepared_.scene)) {
+    prepared_.scene = std::move(scene);
+    update_items(prepared_);
+    a_->update(prepared_);
+  } else {
+    PreparedScene fresh = prepare(std::move(scene));
+    a_.reset();
+    b_.reset();
+    upload_ = {};
+    prepared_ = std::move(fresh);
+    a_.emplace(*device_, prepared_, options_);
+  }
+  images_changed_ = true;
+  a_->draw(&times_);
+  a_picture_.reset();
+  pass_times_ = times_.read();
+  drawn_a_ = key;
+  drawn_b_.clear();
+}
+
+void Pictures::draw_other_material(const ViewState& state) {
+  PreparedScene other = prepared_;
+  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k) {
+    if (state.everywhere || k == state.selected) other.scene.objects[k].material = *state.material;
+  }
+  update_items(other);
+  if (b_) {
+    b_->update(other);
+  } else {
+    b_.emplace(*device_, other, options_);
+  }
+  b_->draw();
+  b_picture_ = read(*b_);
+}
+
+void Pictures::update_b(const ViewState& state) {
+  ViewState shown = state;
+  shown.display = Display::split;  // how the pictures are arranged does not matter to them
+  shown.split = 0;
+  const std::string key = state_text(shown);
+  if (key == drawn_b_) return;
+  if (state.other == Other::material) {
+    draw_other_material(state);
+  } else {
+    b_.reset();
+    ReferenceOptions options;
+    PreparedScene scene = prepared_;
+    if (state.other == Other::samples && !state.samples.empty()) {
+      if (samples_file_ != state.samples) {
+        samples_ = interpolate(io::read_samples(state.samples));
+        samples_file_ = state.samples;
+      }
+      options.measured = &samples_;
+    }
+    b_picture_ = render_reference(scene, options);
+    const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
+    upload_ =
+        Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    upload(*device_, upload_, std::as_bytes(std::span(b_picture_.pixels)));
+  }
+  difference_ = compare(a_picture(), b_picture_);
+  images_changed_ = true;
+  drawn_b_ = key;
+}
+
+std::string Pictures::other_name(const ViewState& state) const {
+  if (state.other == Other::embree) return "Embree";
+  if (state.other == Other::samples) return "measured: " + state.samples.stem().string();
+  return state.material ? state.material_name : "the same";
+}
+
+const Picture& Pictures::a_picture() {
+  if (!a_picture_) a_picture_ = read(*a_);
+  return *a_picture_;
+}
+
+Comparison Pictures::comparison(const ViewState& state, bool labels) {
+  return {.a = &a_picture(),
+          .b = &b_picture_,
+          .name_a = "A: " + state.scene.objects[state.selected].material_name,
+          .name_b = "B: " + other_name(state),
+          .difference = difference_.value_or(Difference{}),
+          .tone_map = state.scene.tone_map,
+          .exposure = state.scene.exposure,
+          .split = state.split,
+          .labels = labels};
+}
+
+BytePicture Pictures::capture(const ViewState& state, bool labels) {
+  if (state.display == Display::gbuffer && has_targets()) return target_sheet(*a_, labels);
+  if (needs_b(state)) return arranged(comparison(state, labels), state.display);
+  return displayed(a_picture(), state.scene.tone_map, state.scene.exposure);
+}
+
+BytePicture Pictures::row(const ViewState& state, bool labels) {
+  return beside(comparison(state, labels));
+}
+
+}  // namespace brdf::render

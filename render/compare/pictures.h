@@ -1,0 +1,68 @@
+// The pictures A and B of a view state, drawn again only where the state has changed. The window and
+// `brdf render` both show these.
+#pragma once
+
+#include <optional>
+
+#include "render/compare/arrange.h"
+#include "render/compare/measured.h"
+#include "render/compare/state.h"
+#include "render/gpu/renderer.h"
+#include "render/picture/picture.h"
+
+namespace brdf::render {
+
+class Pictures {
+ public:
+  explicit Pictures(Device& device, const RendererOptions& options)
+      : device_(&device), options_(options), times_(device) {}
+
+  // Draws what the state needs at this size. Throws InputError where a file of the state cannot be used.
+  void update(const ViewState& state, VkExtent2D size);
+  // After each update: true once, when other images than before are to be shown.
+  bool images_changed() { return std::exchange(images_changed_, false); }
+
+  // Records the barriers after which everything shown can be sampled.
+  void prepare_to_sample(VkCommandBuffer commands);
+  Renderer& a() { return *a_; }
+  const Image& b_image() const { return b_ ? b_->color() : upload_ ? upload_ : a_->color(); }
+  bool has_targets() const { return uses_gbuffer(prepared_.scene, options_); }
+  const PreparedScene& prepared() const { return prepared_; }
+  int bits() const { return options_.gbuffer_bits; }
+  float extent() const;  // of the largest object
+  // Of A's passes in the last frame that drew them.
+  const std::vector<std::pair<std::string, double>>& times() const { return pass_times_; }
+  const std::optional<Difference>& difference() const { return difference_; }
+  std::string other_name(const ViewState& state) const;
+  // The linear pictures; of B when the state's display shows it.
+  const Picture& a_picture();
+  const Picture& b_picture() const { return b_picture_; }
+  // What the window shows without the user interface, with names and numbers on it where `labels`.
+  BytePicture capture(const ViewState& state, bool labels = false);
+  // A, B and their difference side by side.
+  BytePicture row(const ViewState& state, bool labels);
+
+ private:
+  void update_a(const ViewState& state, VkExtent2D size);
+  void update_b(const ViewState& state);
+  void draw_other_material(const ViewState& state);
+  Picture read(Renderer& renderer);
+  Comparison comparison(const ViewState& state, bool labels);
+
+  Device* device_;
+  RendererOptions options_;
+  Timestamps times_;
+  PreparedScene prepared_;
+  std::optional<Renderer> a_, b_;
+  Image upload_;  // B where it comes from the processor
+  std::optional<Picture> a_picture_;
+  Picture b_picture_;
+  std::filesystem::path samples_file_;
+  Measured samples_;
+  std::string drawn_a_, drawn_b_;  // the state that the pictures show
+  bool images_changed_ = true;
+  std::vector<std::pair<std::string, double>> pass_times_;
+  std::optional<Difference> difference_;
+};
+
+}  // namespace brdf::render

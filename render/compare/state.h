@@ -1,0 +1,51 @@
+// Everything the viewer shows, as a value: what a saved state holds.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "render/compare/arrange.h"
+#include "render/scene/scene.h"
+
+namespace brdf::render {
+
+// What A is compared with.
+enum class Other { material, samples, embree };
+inline constexpr std::array<const char*, 3> kOtherNames{"material", "samples", "embree"};
+
+struct ViewState {
+  Scene scene;               // A
+  std::size_t selected = 0;  // object
+  Other other = Other::embree;
+  std::optional<Material> material;  // B, on the selected object, or
+  bool everywhere = false;           // on every object
+  std::string material_name;
+  std::filesystem::path samples;  // B, a sample table
+  Display display = Display::picture;
+  float split = 0.5f;  // share of the width that shows A
+  bool turntable = false;
+  bool show_ui = true, show_plot = false;
+  float plot_theta = 45;  // degrees
+  int plot_solo = -1;     // curve shown alone; -1: all
+};
+
+// As JSON text, file names absolute; and back. Throws InputError.
+std::string state_text(const ViewState& state);
+ViewState parse_state(const std::string& text, const std::string& name);
+ViewState load_state(const std::filesystem::path& file);
+
+// Opens any file by its content: scene or saved state, material, sample table, model. Throws InputError and
+// leaves the state as it was.
+void open_file(ViewState& state, const std::filesystem::path& file);
+
+// The selected object's first term gets another form; parameters of the same name keep their values.
+void switch_form(Term& term, const Reflectance& form);
+
+// Camera movements. Angles in radians; `factor` scales the distance.
+void orbit(Camera& camera, float right, float up);
+void zoom(Camera& camera, float factor);
+void pan(Camera& camera, glm::vec2 share_of_picture);
+void fit(Camera& camera, const glm::vec4& bounds);
+
+}  // namespace brdf::render

@@ -1,0 +1,165 @@
+#include "render/gpu/gpu_scene.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "io/error.h"
+#include "render/gpu/gpu_layout.h"
+#include "render/scene/camera_view.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr std::array kFrameBindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+                                    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
+constexpr std::array<Binding, 1> kMapBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
+
+GpuLight gpu_light(const Light& light) {
+  const glm::vec3 irradiance = light.color * light.intensity;
+  if (light.point) return {glm::vec4(light.vector, 1), glm::vec4(irradiance, 1)};
+  return {glm::vec4(-glm::normalize(light.vector), 0), glm::vec4(irradiance, glm::length(light.vector))};
+}
+
+GpuFrame gpu_frame(const PreparedScene& prepared) {
+  const Scene& scene = prepared.scene;
+  const View view = make_view(scene.camera);
+  GpuFrame frame{};
+  frame.view_projection = view_projection(scene.camera, prepared.bounds.w * 1e-3f);
+  frame.camera = glm::vec4(view.position, 1);
+  frame.right = glm::vec4(view.right, 0);
+  frame.up = glm::vec4(view.up, 0);
+  frame.forward = glm::vec4(view.forward, 0);
+  frame.ambient = glm::vec4(scene.ambient, 0);
+  frame.back_color = glm::vec4(scene.back_color, 0);
+  frame.background = glm::vec4(scene.background, 0);
+  frame.zenith = glm::vec4(scene.sky_zenith.value_or(scene.background), 0);
+  frame.counts = {int(scene.lights.size()), scene.sky_zenith ? 1 : 0, scene.camera.width,
+                  scene.camera.height};
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) frame.lights[k] = gpu_light(scene.lights[k]);
+  return frame;
+}
+
+GpuItem gpu_item(const Item& item, const TextureSet& textures) {
+  GpuItem out{};
+  out.model = glm::mat4(item.linear);
+  out.model[3] = glm::vec4(item.origin, 1);
+  out.normals = glm::mat4(item.normals);
+  for (int k = 0; k < 3; ++k) out.weights[k] = glm::vec4(item.weights[std::size_t(k)], 0);
+  out.weights[0].a = item.cos_turn;
+  out.weights[1].a = item.sin_turn;
+  out.weights[2].a = item.extent;
+  float largest = 1;
+  for (int k = 0; k < 2; ++k) {
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, item.weights[std::size_t(k)][c]);
+  }
+  out.weight_scale.x = largest;
+  out.shape_high = glm::vec4(1);
+  out.form = {item.form, 0, 0, 0};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const int i = int(k);
+    out.shape[i] = item.shape[k];
+    out.shape_roles[i] = int(item.shape_roles[k]);
+    if (k < 3) out.weight_roles[i] = int(item.weight_roles[k]);
+    if (textures[k]) out.weight_roles.w |= 1 << i;
+    if (item.form < 0 || k >= info(catalogue()[std::size_t(item.form)]).shape.size()) continue;
+    const ParameterInfo& p = info(catalogue()[std::size_t(item.form)]).shape[k];
+    // A logarithmic parameter that starts at 0 (an exponent) is stored from 1 upwards.
+    const double low = p.log_scale ? std::log2(p.min > 0 ? p.min : 1.0) : p.min;
+    out.shape_low[i] = float(low);
+    out.shape_high[i] = float(p.log_scale ? std::log2(p.usual_max) : p.usual_max);
+    if (p.log_scale) out.form.y |= 1 << i;
+  }
+  return out;
+}
+
+}  // namespace
+
+GpuScene::GpuScene(Device& device, const PreparedScene& scene) : device_(&device), sources_(scene.meshes) {
+  frame_layout_ = make_set_layout(device, kFrameBindings);
+  maps_layout_ = make_set_layout(device, kMapBindings);
+  frame_pool_ = make_descriptor_pool(device, kFrameBindings, 1);
+  frame_set_ = allocate_set(device, frame_pool_.get(), frame_layout_.get());
+  for (const auto& mesh : sources_) {
+    if (!meshes_.contains(mesh.get())) meshes_.emplace(mesh.get(), upload_mesh(*mesh));
+  }
+  upload_textures(scene);
+  update(scene);
+}
+
+GpuScene::MeshBuffers GpuScene::upload_mesh(const Mesh& mesh) {
+  return {make_buffer(*device_, std::span(mesh.vertices), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
+          make_buffer(*device_, std::span(mesh.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT),
+          std::uint32_t(mesh.indices.size())};
+}
+
+const GpuScene::MeshBuffers& GpuScene::flat_mesh(std::size_t object) {
+  const Mesh* source = sources_[object].get();
+  const auto found = flat_meshes_.find(source);
+  if (found != flat_meshes_.end()) return found->second;
+  return flat_meshes_.emplace(source, upload_mesh(flat_shaded(*source))).first->second;
+}
+
+void GpuScene::upload_textures(const PreparedScene& scene) {
+  const auto make = [&](const Texture& texture, VkFormat format) {
+    Image image(*device_, format, {std::uint32_t(texture.width), std::uint32_t(texture.height)},
+                VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    upload(*device_, image, std::as_bytes(std::span(texture.texels)));
+    return image;
+  };
+  white_ = make(constant_texture(glm::vec4(1)), VK_FORMAT_R8G8B8A8_UNORM);
+  sampler_ = make_sampler(*device_, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_REPEAT);
+  const auto objects = std::uint32_t(scene.textures.size());
+  maps_pool_ = make_descriptor_pool(*device_, kMapBindings, objects);
+  for (const TextureSet& set : scene.textures) {
+    maps_sets_.push_back(allocate_set(*device_, maps_pool_.get(), maps_layout_.get()));
+    textured_.push_back(false);
+    for (std::uint32_t slot = 0; slot < 4; ++slot) {
+      const Image* image = &white_;
+      if (set[slot]) {
+        // Albedo maps hold sRGB: the device decodes them.
+        images_.push_back(make(*set[slot], slot == 0 ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM));
+        image = &images_.back();
+        textured_.back() = true;
+      }
+      write_image(*device_, maps_sets_.back(), 0, image->view(), sampler_.get(), slot);
+    }
+  }
+}
+
+void GpuScene::update(const PreparedScene& scene) {
+  const GpuFrame frame = gpu_frame(scene);
+  std::vector<GpuItem> items;
+  if (scene.layers.size() * scene.meshes.size() > kMostItems) {
+    throw InputError("the renderer draws at most " + std::to_string(kMostItems) + " objects, terms counted");
+  }
+  for (const auto& layer : scene.layers) {
+    for (const Item& item : layer) items.push_back(gpu_item(item, scene.textures[item.object]));
+  }
+  if (!frame_) frame_ = Buffer(*device_, sizeof frame, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  if (!items_) items_ = Buffer(*device_, kMostItems * sizeof(GpuItem), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  std::memcpy(frame_.data(), &frame, sizeof frame);
+  std::memcpy(items_.data(), items.data(), items.size() * sizeof(GpuItem));
+  write_buffer(*device_, frame_set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, frame_.get());
+  write_buffer(*device_, frame_set_, 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, items_.get());
+}
+
+VkCullModeFlags GpuScene::cull_mode(const PreparedScene& scene, std::size_t object) const {
+  const Item& item = scene.layers[0][object];
+  const bool outside = glm::distance(scene.scene.camera.position, item.origin) > item.extent;
+  const bool mirrored = glm::determinant(item.linear) < 0;
+  return sources_[object]->closed && outside && !mirrored ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
+}
+
+void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
+                    bool flat) {
+  const MeshBuffers& mesh = flat ? flat_mesh(object) : meshes_.at(sources_[object].get());
+  const VkBuffer vertices = mesh.vertices.get();
+  const VkDeviceSize offset = 0;
+  vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
+  vkCmdBindIndexBuffer(commands, mesh.indices.get(), 0, VK_INDEX_TYPE_UINT32);
+  vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                     sizeof item, &item);
+  vkCmdDrawIndexed(commands, mesh.count, 1, 0, 0, 0);
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,59 @@
+// The scene on the device: meshes, textures, camera, lights
+// and items, with the descriptor sets that name them.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "render/scene/prepared.h"
+#include "render/vulkan/pipeline.h"
+#include "render/vulkan/resource.h"
+
+namespace brdf::render {
+
+class GpuScene {
+ public:
+  GpuScene(Device& device, const PreparedScene& scene);
+  // Camera, lights, colours and items; meshes and textures stay. The device must be idle.
+  void update(const PreparedScene& scene);
+
+  VkDescriptorSetLayout frame_layout() const { return frame_layout_.get(); }
+  VkDescriptorSetLayout maps_layout() const { return maps_layout_.get(); }
+  VkDescriptorSet frame_set() const { return frame_set_; }
+  VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
+  bool textured(std::size_t object) const { return textured_[object]; }
+  // Faces seen from behind are left out where they are hidden anyway: closed meshes seen from outside.
+  VkCullModeFlags cull_mode(const PreparedScene& scene, std::size_t object) const;
+  // Binds the object's mesh (with one normal per face where `flat`), pushes the item's index, draws.
+  void draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
+            bool flat = false);
+
+ private:
+  struct MeshBuffers {
+    Buffer vertices, indices;
+    std::uint32_t count = 0;
+  };
+  MeshBuffers upload_mesh(const Mesh& mesh);
+  const MeshBuffers& flat_mesh(std::size_t object);
+  void upload_textures(const PreparedScene& scene);
+
+  Device* device_;
+  std::vector<std::shared_ptr<const Mesh>> sources_;
+  std::map<const Mesh*, MeshBuffers> meshes_, flat_meshes_;
+  std::vector<Image> images_;
+  Image white_;
+  Owned<VkSampler> sampler_;
+  Buffer frame_, items_;
+  Owned<VkDescriptorSetLayout> frame_layout_, maps_layout_;
+  Owned<VkDescriptorPool> frame_pool_, maps_pool_;
+  VkDescriptorSet frame_set_ = VK_NULL_HANDLE;
+  std::vector<VkDescriptorSet> maps_sets_;
+  std::vector<bool> textured_;
+};
+
+// The item's index in the shader's table, for an item of a layer.
+inline int item_index(const PreparedScene& scene, std::size_t layer, std::size_t object) {
+  return int(layer * scene.meshes.size() + object);
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,278 @@
+#include "render/gpu/passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "render/gpu/shader_code.h"
+#include "render/scene/camera_view.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr std::array<Binding, 1> kTargetBindings{
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kTargetCount)}};
+constexpr VkImageLayout kColorLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+
+VkRenderingInfo rendering_info(VkExtent2D extent, std::span<const VkRenderingAttachmentInfo> colors,
+                               const VkRenderingAttachmentInfo* depth) {
+  VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  info.renderArea.extent = extent;
+  info.layerCount = 1;
+  info.colorAttachmentCount = std::uint32_t(colors.size());
+  info.pColorAttachments = colors.data();
+  info.pDepthAttachment = depth;
+  return info;
+}
+
+void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set) {
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, first, 1, &set, 0, nullptr);
+}
+
+// The index of the one item of this form, -1 where there are several.
+int only_item(const PreparedScene& scene, std::size_t layer, int form) {
+  int found = -1;
+  for (const Item& item : scene.layers[layer]) {
+    if (item.form != form) continue;
+    if (found >= 0) return -1;
+    found = item_index(scene, layer, item.object);
+  }
+  return found;
+}
+
+std::set<int> forms_in(const std::vector<Item>& layer) {
+  std::set<int> forms;
+  for (const Item& item : layer) {
+    if (item.form >= 0) forms.insert(item.form);
+  }
+  return forms;
+}
+
+}  // namespace
+
+VkFormat gbuffer_format(int bits) {
+  return bits == 8    ? VK_FORMAT_R8G8B8A8_UNORM
+         : bits == 32 ? VK_FORMAT_R32G32B32A32_SFLOAT
+                      : VK_FORMAT_R16G16B16A16_SFLOAT;
+}
+
+GBuffer::GBuffer(Device& device, VkExtent2D extent, int channel_bits) : bits(channel_bits) {
+  for (Image& target : targets) {
+    target = Image(
+        device, gbuffer_format(bits), extent,
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  }
+  depth = Image(device, VK_FORMAT_D32_SFLOAT, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+}
+
+void set_viewport(VkCommandBuffer commands, VkExtent2D extent) {
+  // Negative height: y upwards, as everywhere else in the project.
+  const VkViewport viewport{0, float(extent.height), float(extent.width), -float(extent.height), 0, 1};
+  const VkRect2D scissor{{0, 0}, extent};
+  vkCmdSetViewport(commands, 0, 1, &viewport);
+  vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load,
+                                     const glm::vec4& clear) {
+  VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  info.imageView = image.view();
+  info.imageLayout = layout;
+  info.loadOp = load;
+  info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  for (int c = 0; c < 4; ++c) info.clearValue.color.float32[c] = clear[c];
+  return info;
+}
+
+VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, int form, VkExtent2D extent) {
+  const glm::mat4 project = view_projection(scene.scene.camera, 1e-3f);
+  glm::vec2 low(1), high(-1);
+  for (const Item& item : scene.layers[layer]) {
+    if (item.form != form) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const glm::vec4 clip = project * glm::vec4(item.origin + sign * item.extent, 1);
+      if (clip.w < 1e-3f * item.extent) return {{0, 0}, extent};
+      low = glm::min(low, glm::vec2(clip) / clip.w);
+      high = glm::max(high, glm::vec2(clip) / clip.w);
+    }
+  }
+  low = glm::clamp(low, -1.0f, 1.0f);
+  high = glm::clamp(high, -1.0f, 1.0f);
+  const float w = float(extent.width), h = float(extent.height);
+  const auto left = std::int32_t((low.x + 1) / 2 * w), top = std::int32_t((1 - high.y) / 2 * h);
+  const auto right = std::int32_t(std::ceil((high.x + 1) / 2 * w)),
+             bottom = std::int32_t(std::ceil((1 - low.y) / 2 * h));
+  return {{left, top}, {std::uint32_t(std::max(0, right - left)), std::uint32_t(std::max(0, bottom - top))}};
+}
+
+SkyPass::SkyPass(Device& device, const GpuScene& gpu) {
+  const std::array sets{gpu.frame_layout()};
+  layout_ = make_pipeline_layout(device, sets, 0);
+  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex(),
+                                     .fragment = shader_code::sky(),
+                                     .colors = {kColorFormat},
+                                     .layout = layout_.get()});
+}
+
+void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
+                     Image& color) {
+  color.transition(commands, Use::color_attachment, true);
+  const bool sky = scene.scene.sky_zenith.has_value();
+  const auto target =
+      attachment(color, kColorLayout, sky ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR,
+                 glm::vec4(scene.scene.background, 0));
+  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, nullptr);
+  vkCmdBeginRendering(commands, &info);
+  if (sky) {
+    set_viewport(commands, color.extent());
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+    bind(commands, layout_.get(), 0, gpu.frame_set());
+    vkCmdDraw(commands, 3, 1, 0, 0);
+  }
+  vkCmdEndRendering(commands);
+}
+
+DeferredPass::DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer)
+    : device_(&device), gbuffer_(&gbuffer) {
+  sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
+  targets_layout_ = make_set_layout(device, kTargetBindings);
+  targets_pool_ = make_descriptor_pool(device, kTargetBindings, 1);
+  targets_set_ = allocate_set(device, targets_pool_.get(), targets_layout_.get());
+  for (std::uint32_t k = 0; k < kTargetCount; ++k) {
+    write_image(device, targets_set_, 0, gbuffer.targets[k].view(), sampler_.get(), k);
+  }
+  const std::array geometry_sets{gpu.frame_layout(), gpu.maps_layout()};
+  const std::array lighting_sets{gpu.frame_layout(), targets_layout_.get()};
+  geometry_layout_ = make_pipeline_layout(device, geometry_sets, sizeof(int));
+  lighting_layout_ = make_pipeline_layout(device, lighting_sets, sizeof(int));
+}
+
+VkPipeline DeferredPass::geometry_pipeline(bool textured) {
+  Owned<VkPipeline>& pipeline = geometry_pipelines_[textured];
+  if (!pipeline) {
+    pipeline = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex(),
+                                        .fragment = shader_code::gbuffer(),
+                                        .constants = {std::uint32_t(gbuffer_->bits), textured},
+                                        .input = VertexInput::mesh,
+                                        .colors = std::vector(kTargetCount, gbuffer_format(gbuffer_->bits)),
+                                        .depth = true,
+                                        .culls = true,
+                                        .layout = geometry_layout_.get()});
+  }
+  return pipeline.get();
+}
+
+VkPipeline DeferredPass::lighting_pipeline(int form, bool add, bool single) {
+  Owned<VkPipeline>& pipeline = lighting_pipelines_[{form, add, single}];
+  if (!pipeline) {
+    pipeline =
+        make_pipeline(*device_, {.vertex = shader_code::screen_vertex(),
+                                 .fragment = shader_code::lighting(),
+                                 .constants = {std::uint32_t(form), std::uint32_t(gbuffer_->bits), single},
+                                 .colors = {kColorFormat},
+                                 .blend = add ? Blend::add : Blend::replace,
+                                 .layout = lighting_layout_.get()});
+  }
+  return pipeline.get();
+}
+
+void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer) {
+  std::array<VkRenderingAttachmentInfo, kTargetCount> colors{};
+  for (std::size_t k = 0; k < kTargetCount; ++k) {
+    gbuffer.targets[k].transition(commands, Use::color_attachment, true);
+    colors[k] = attachment(gbuffer.targets[k], kColorLayout, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+  }
+  gbuffer.depth.transition(commands, Use::depth_attachment, true);
+  VkRenderingAttachmentInfo depth = attachment(gbuffer.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+                                               VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+  depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+  const VkExtent2D extent = gbuffer.depth.extent();
+  const VkRenderingInfo info = rendering_info(extent, colors, &depth);
+  vkCmdBeginRendering(commands, &info);
+  set_viewport(commands, extent);
+}
+
+void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
+                                   std::size_t layer) {
+  begin_targets(commands, *gbuffer_);
+  bind(commands, geometry_layout_.get(), 0, gpu.frame_set());
+  for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, geometry_pipeline(gpu.textured(object)));
+    bind(commands, geometry_layout_.get(), 1, gpu.maps_set(object));
+    vkCmdSetCullMode(commands, gpu.cull_mode(scene, object));
+    gpu.draw(commands, geometry_layout_.get(), object, item_index(scene, layer, object));
+  }
+  vkCmdEndRendering(commands);
+}
+
+void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
+                                   std::size_t layer, Image& color) {
+  for (Image& target : gbuffer_->targets) target.transition(commands, Use::sampled);
+  color.transition(commands, Use::color_attachment);
+  const auto target = attachment(color, kColorLayout, VK_ATTACHMENT_LOAD_OP_LOAD, glm::vec4(0));
+  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, nullptr);
+  vkCmdBeginRendering(commands, &info);
+  set_viewport(commands, color.extent());
+  bind(commands, lighting_layout_.get(), 0, gpu.frame_set());
+  bind(commands, lighting_layout_.get(), 1, targets_set_);
+  for (const int form : forms_in(scene.layers[layer])) {
+    const VkRect2D scissor = covered_by_form(scene, layer, form, color.extent());
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+    const int single = only_item(scene, layer, form);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      lighting_pipeline(form, layer > 0, single >= 0));
+    vkCmdPushConstants(commands, lighting_layout_.get(),
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof single, &single);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+  }
+  vkCmdEndRendering(commands);
+}
+
+void begin_forward(VkCommandBuffer commands, Image& color, Image& depth) {
+  color.transition(commands, Use::color_attachment);
+  depth.transition(commands, Use::depth_attachment, true);
+  const auto target = attachment(color, kColorLayout, VK_ATTACHMENT_LOAD_OP_LOAD, glm::vec4(0));
+  VkRenderingAttachmentInfo depth_target =
+      attachment(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+  depth_target.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, &depth_target);
+  vkCmdBeginRendering(commands, &info);
+  set_viewport(commands, color.extent());
+}
+
+ForwardPass::ForwardPass(Device& device, const GpuScene& gpu) : device_(&device) {
+  const std::array sets{gpu.frame_layout(), gpu.maps_layout()};
+  layout_ = make_pipeline_layout(device, sets, sizeof(int));
+}
+
+VkPipeline ForwardPass::pipeline(int form, bool textured) {
+  Owned<VkPipeline>& found = pipelines_[{form, textured}];
+  if (!found) {
+    found = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex(),
+                                     .fragment = shader_code::forward(),
+                                     .constants = {std::uint32_t(form), textured},
+                                     .input = VertexInput::mesh,
+                                     .colors = {kColorFormat},
+                                     .depth = true,
+                                     .culls = true,
+                                     .layout = layout_.get()});
+  }
+  return found.get();
+}
+
+void ForwardPass::record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, Image& color,
+                         Image& depth) {
+  begin_forward(commands, color, depth);
+  bind(commands, layout_.get(), 0, gpu.frame_set());
+  for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
+    const Item& item = scene.layers[0][object];
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline(item.form, gpu.textured(object)));
+    bind(commands, layout_.get(), 1, gpu.maps_set(object));
+    vkCmdSetCullMode(commands, gpu.cull_mode(scene, object));
+    gpu.draw(commands, layout_.get(), object, item_index(scene, 0, object));
+  }
+  vkCmdEndRendering(commands);
+}
+
+}  // namespace brdf::render

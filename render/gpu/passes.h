@@ -1,0 +1,92 @@
+// The passes that draw a scene: deferred (geometry into seven targets, then lighting) and forward.
+#pragma once
+
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "render/gpu/gpu_scene.h"
+
+namespace brdf::render {
+
+inline constexpr int kTargetCount = 7;
+inline constexpr std::array<const char*, kTargetCount> kTargetNames{
+    "albedo", "normal", "specular", "position", "roughness", "tangent", "bitangent"};
+inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+// The seven targets and their depth, at 8, 16 or 32 bits per channel.
+struct GBuffer {
+  GBuffer(Device& device, VkExtent2D extent, int bits);
+  int bits;
+  std::array<Image, kTargetCount> targets;
+  Image depth;
+};
+VkFormat gbuffer_format(int bits);
+
+// Commands that every pass needs.
+void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
+VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load,
+                                     const glm::vec4& clear);
+
+// Begins drawing meshes over what is in `color`, with a fresh depth buffer, and sets the viewport.
+void begin_forward(VkCommandBuffer commands, Image& color, Image& depth);
+
+// Begins drawing meshes into cleared targets.
+void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer);
+
+// Fills the picture with the background; surfaces are drawn over it.
+class SkyPass {
+ public:
+  SkyPass(Device& device, const GpuScene& gpu);
+  void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, Image& color);
+
+ private:
+  Owned<VkPipelineLayout> layout_;
+  Owned<VkPipeline> pipeline_;
+};
+
+class DeferredPass {
+ public:
+  DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer);
+  void record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
+                       std::size_t layer);
+  // Every form of the layer over the part of the picture that
+  // its objects cover. Layers after the first are added.
+  void record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
+                       std::size_t layer, Image& color);
+
+ private:
+  VkPipeline geometry_pipeline(bool textured);
+  VkPipeline lighting_pipeline(int form, bool add, bool single);
+
+  Device* device_;
+  GBuffer* gbuffer_;
+  Owned<VkSampler> sampler_;
+  Owned<VkDescriptorSetLayout> targets_layout_;
+  Owned<VkDescriptorPool> targets_pool_;
+  VkDescriptorSet targets_set_ = VK_NULL_HANDLE;
+  Owned<VkPipelineLayout> geometry_layout_, lighting_layout_;
+  std::map<bool, Owned<VkPipeline>> geometry_pipelines_;
+  std::map<std::tuple<int, bool, bool>, Owned<VkPipeline>> lighting_pipelines_;
+};
+
+// Lights every fragment as it is rasterised: what deferred rendering is compared with. One layer only.
+class ForwardPass {
+ public:
+  ForwardPass(Device& device, const GpuScene& gpu);
+  void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, Image& color,
+              Image& depth);
+
+ private:
+  VkPipeline pipeline(int form, bool textured);
+
+  Device* device_;
+  Owned<VkPipelineLayout> layout_;
+  std::map<std::pair<int, bool>, Owned<VkPipeline>> pipelines_;
+};
+
+// The smallest rectangle of pixels that holds the sphere round every item of this form; the whole picture
+// when one reaches behind the camera.
+VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, int form, VkExtent2D extent);
+
+}  // namespace brdf::render

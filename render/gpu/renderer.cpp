@@ -1,0 +1,123 @@
+#include "render/gpu/renderer.h"
+
+#include "io/error.h"
+
+namespace brdf::render {
+namespace {
+
+VkExtent2D extent_of(const Camera& camera) {
+  return {std::uint32_t(camera.width), std::uint32_t(camera.height)};
+}
+
+// Before anything is allocated: a picture that cannot fit is refused at once.
+Device& checked(Device& device, const PreparedScene& scene, const RendererOptions& options) {
+  const Camera& camera = scene.scene.camera;
+  const std::string size = std::to_string(camera.width) + " x " + std::to_string(camera.height);
+  if (std::uint32_t(std::max(camera.width, camera.height)) > device.max_image_size()) {
+    throw InputError("a picture of " + size + " is larger than the device's " +
+                     std::to_string(device.max_image_size()));
+  }
+  device.require_memory(picture_bytes(scene.scene, options), "a picture of " + size);
+  const std::size_t items = scene.layers.size() * scene.meshes.size();
+  if (options.gbuffer_bits == 8 && items > 255) {
+    throw InputError("8-bit targets tell at most 255 objects and terms apart, the scene has " +
+                     std::to_string(items));
+  }
+  if (options.path == Path::forward && scene.layers.size() > 1) {
+    throw InputError("the forward path draws materials of one form; the scene has sums");
+  }
+  return device;
+}
+
+}  // namespace
+
+bool uses_gbuffer(const Scene& scene, const RendererOptions& options) {
+  return scene.shading == Shading::brdf && options.path == Path::deferred;
+}
+
+std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options) {
+  const std::uint64_t pixels = std::uint64_t(scene.camera.width) * std::uint64_t(scene.camera.height);
+  const int targets = uses_gbuffer(scene, options) ? kTargetCount * options.gbuffer_bits / 2 : 0;
+  return pixels * std::uint64_t(targets + texel_size(kColorFormat) + 4);
+}
+
+Renderer::Renderer(Device& device, const PreparedScene& scene, const RendererOptions& options)
+    : device_(&checked(device, scene, options)),
+      scene_(scene),
+      options_(options),
+      gpu_(device, scene),
+      color_(
+          device, kColorFormat, extent_of(scene.scene.camera),
+          VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
+      sky_(device, gpu_) {
+  make_passes();
+}
+
+void Renderer::make_passes() {
+  const VkExtent2D extent = color_.extent();
+  if (uses_gbuffer(scene_.scene, options_)) {
+    if (deferred_) return;
+    gbuffer_.emplace(*device_, extent, options_.gbuffer_bits);
+    deferred_.emplace(*device_, gpu_, *gbuffer_);
+    return;
+  }
+  if (!depth_)
+    depth_ = Image(*device_, VK_FORMAT_D32_SFLOAT, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  if (scene_.scene.shading != Shading::brdf) {
+    if (!classic_) classic_.emplace(*device_, gpu_, options_.lookup);
+  } else if (!forward_) {
+    forward_.emplace(*device_, gpu_);
+  }
+}
+
+void Renderer::update(const PreparedScene& scene) {
+  scene_ = scene;
+  gpu_.update(scene_);
+  make_passes();
+}
+
+void Renderer::record(VkCommandBuffer commands, Timestamps* times) {
+  const auto mark = [&](const char* name) {
+    if (times) times->mark(commands, name);
+  };
+  sky_.record(commands, scene_, gpu_, color_);
+  mark("background");
+  if (scene_.scene.shading != Shading::brdf) {
+    classic_->record(commands, scene_, gpu_, color_, depth_);
+    mark("forward");
+    return;
+  }
+  if (options_.path == Path::forward) {
+    forward_->record(commands, scene_, gpu_, color_, depth_);
+    mark("forward");
+    return;
+  }
+  for (std::size_t layer = 0; layer < scene_.layers.size(); ++layer) {
+    deferred_->record_geometry(commands, scene_, gpu_, layer);
+    mark("geometry");
+    deferred_->record_lighting(commands, scene_, gpu_, layer, color_);
+    mark("lighting");
+  }
+}
+
+void Renderer::draw(Timestamps* times) {
+  device_->run([&](VkCommandBuffer commands) {
+    if (times) times->begin(commands);
+    record(commands, times);
+  });
+}
+
+std::vector<float> Renderer::read_color() {
+  return read_rgba(*device_, color_);
+}
+
+std::vector<float> Renderer::read_target(int target) {
+  if (!uses_gbuffer(scene_.scene, options_))
+    throw InputError("this scene is drawn without the seven targets");
+  if (scene_.layers.size() > 1) {  // later layers have overwritten the first
+    device_->run([&](VkCommandBuffer commands) { deferred_->record_geometry(commands, scene_, gpu_, 0); });
+  }
+  return read_rgba(*device_, gbuffer_->targets[std::size_t(target)]);
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,66 @@
+// Draws a prepared scene without a window; the viewer records the same passes into its own frames.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/gpu/classic_pass.h"
+#include "render/gpu/passes.h"
+#include "render/vulkan/timestamps.h"
+
+namespace brdf::render {
+
+enum class Path { deferred, forward };
+
+struct RendererOptions {
+  int gbuffer_bits = 16;  // 8, 16 or 32
+  Path path = Path::deferred;
+  LookupTexture lookup = {};  // of the shading mode "lookup"
+};
+
+class Renderer {
+ public:
+  // Throws InputError when the picture is too large for the device or for its memory limit.
+  Renderer(Device& device, const PreparedScene& scene, const RendererOptions& options = {});
+  // Camera, lights and items changed; the picture's size, meshes and textures did not.
+  // A change of the shading mode makes the images that it needs.
+  void update(const PreparedScene& scene);
+  // Marks the passes "background", "geometry", "lighting" or "forward" where times are wanted.
+  void record(VkCommandBuffer commands, Timestamps* times = nullptr);
+  // Records, runs and waits.
+  void draw(Timestamps* times = nullptr);
+
+  Image& color() { return color_; }
+  const Image& color() const { return color_; }
+  // Reads the lighting back: RGB, and A = 1 where there is a surface.
+  std::vector<float> read_color();
+  // Reads a target of the first layer back, after draw().
+  // Throws InputError where the scene is drawn without targets.
+  std::vector<float> read_target(int target);
+  Image& target(int k) { return gbuffer_->targets[std::size_t(k)]; }
+  const PreparedScene& scene() const { return scene_; }
+  int gbuffer_bits() const { return options_.gbuffer_bits; }
+
+ private:
+  void make_passes();
+
+  Device* device_;
+  PreparedScene scene_;
+  RendererOptions options_;
+  GpuScene gpu_;
+  Image color_;
+  std::optional<GBuffer> gbuffer_;
+  Image depth_;  // of the forward path
+  SkyPass sky_;
+  std::optional<DeferredPass> deferred_;
+  std::optional<ForwardPass> forward_;
+  std::optional<ClassicPass> classic_;
+};
+
+// Whether the scene is drawn through the seven targets; otherwise forward.
+bool uses_gbuffer(const Scene& scene, const RendererOptions& options);
+// Bytes of device memory that pictures of this size take.
+std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options);
+
+}  // namespace brdf::render

@@ -1,0 +1,132 @@
+#include "render/picture/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brdf::render {
+namespace {
+
+constexpr double kRelMseFloor = 0.01;  // the usual one: keeps black pixels from dominating
+
+float srgb(float x) {
+  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+
+glm::vec3 srgb(glm::vec3 c) {
+  return {srgb(c.r), srgb(c.g), srgb(c.b)};
+}
+
+std::array<std::uint8_t, 3> to_bytes(glm::vec3 c) {
+  std::array<std::uint8_t, 3> out{};
+  for (int k = 0; k < 3; ++k)
+    out[std::size_t(k)] = std::uint8_t(std::lround(glm::clamp(c[k], 0.0f, 1.0f) * 255));
+  return out;
+}
+
+}  // namespace
+
+Picture picture_from(int width, int height, const std::vector<float>& rgba) {
+  Picture picture(width, height);
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+    picture.pixels[k] = {rgba[4 * k], rgba[4 * k + 1], rgba[4 * k + 2], rgba[4 * k + 3]};
+  }
+  return picture;
+}
+
+Difference compare(const Picture& picture, const Picture& reference) {
+  Difference out;
+  double squared = 0, clamped = 0;
+  std::size_t covered = 0, mismatched = 0;
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+    const glm::dvec4 a(picture.pixels[k]), b(reference.pixels[k]);
+    if ((a.a > 0.5) != (b.a > 0.5)) ++mismatched;
+    if (!(a.a > 0.5 && b.a > 0.5)) continue;
+    ++covered;
+    for (int c = 0; c < 3; ++c) {
+      squared += (a[c] - b[c]) * (a[c] - b[c]) / (b[c] * b[c] + kRelMseFloor);
+      const double d = glm::clamp(a[c], 0.0, 1.0) - glm::clamp(b[c], 0.0, 1.0);
+      clamped += d * d;
+    }
+  }
+  if (covered > 0) {
+    out.rel_mse = squared / double(3 * covered);
+    out.psnr = clamped > 0 ? -10 * std::log10(clamped / double(3 * covered))
+                           : std::numeric_limits<double>::infinity();
+  }
+  out.coverage_mismatch = double(mismatched) / double(picture.pixels.size());
+  return out;
+}
+
+glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure) {
+  const glm::vec3 c = glm::max(linear * std::exp2(exposure), glm::vec3(0));
+  switch (tone_map) {
+    case ToneMap::srgb:
+      return srgb(glm::min(c, glm::vec3(1)));
+    case ToneMap::reinhard:
+      return srgb(c / (c + 1.0f));
+    case ToneMap::thesis:
+      return glm::pow(c / (c + 1.0f), glm::vec3(1 / 2.2f));
+    case ToneMap::none:
+      break;
+  }
+  return glm::min(c, glm::vec3(1));
+}
+
+BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure) {
+  BytePicture out(picture.width, picture.height);
+  for (std::size_t k = 0; k < out.pixels.size(); ++k) {
+    out.pixels[k] = to_bytes(tone_mapped(glm::vec3(picture.pixels[k]), tone_map, exposure));
+  }
+  return out;
+}
+
+double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
+  // Curves that never reach 1 clip where rounding to bytes does.
+  const bool clamps = tone_map == ToneMap::none || tone_map == ToneMap::srgb;
+  std::size_t clipped = 0, covered = 0;
+  for (const glm::vec4& p : picture.pixels) {
+    if (p.a < 0.5f) continue;
+    ++covered;
+    const float most = std::max({p.r, p.g, p.b}) * std::exp2(exposure);
+    if (clamps ? most > 1 : tone_mapped(glm::vec3(most), tone_map, 0).r * 255 >= 254.5f) ++clipped;
+  }
+  return covered ? double(clipped) / double(covered) : 0;
+}
+
+glm::vec3 false_color(float relative_difference) {
+  if (!(relative_difference > 0)) return glm::vec3(0);
+  const float t = glm::clamp((std::log10(relative_difference) + 6) / 6, 0.0f, 1.0f) * 3;
+  const glm::vec3 blue(0.1f, 0.2f, 0.8f), green(0.1f, 0.7f, 0.3f), yellow(0.95f, 0.85f, 0.1f),
+      red(0.85f, 0.1f, 0.1f);
+  if (t < 1) return glm::mix(blue, green, t);
+  if (t < 2) return glm::mix(green, yellow, t - 1);
+  return glm::mix(yellow, red, t - 2);
+}
+
+BytePicture difference_picture(const Picture& picture, const Picture& reference) {
+  BytePicture out(picture.width, picture.height);
+  for (std::size_t k = 0; k < out.pixels.size(); ++k) {
+    if (picture.pixels[k].a < 0.5f && reference.pixels[k].a < 0.5f) continue;
+    const glm::vec3 a(picture.pixels[k]), b(reference.pixels[k]);
+    float worst = 0;
+    for (int c = 0; c < 3; ++c)
+      worst = std::max(worst, std::abs(a[c] - b[c]) / std::max(std::abs(b[c]), 1e-6f));
+    out.pixels[k] = to_bytes(false_color(worst));
+  }
+  return out;
+}
+
+BytePicture split(const BytePicture& left, const BytePicture& right, float share) {
+  BytePicture out = left;
+  const int border = int(share * float(out.width));
+  for (int y = 0; y < out.height; ++y) {
+    for (int x = border; x < out.width; ++x) {
+      const std::size_t at = std::size_t(y) * std::size_t(out.width) + std::size_t(x);
+      out.pixels[at] = x == border ? std::array<std::uint8_t, 3>{255, 255, 255} : right.pixels[at];
+    }
+  }
+  return out;
+}
+
+}  // namespace brdf::render

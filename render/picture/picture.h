@@ -1,0 +1,69 @@
+// Pictures in memory: measures between two, tone maps, PNG and EXR files.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "render/scene/scene.h"
+
+namespace brdf::render {
+
+// Linear RGBA, rows from the top. A is 1 where there is a surface.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> pixels;
+
+  Picture() = default;
+  Picture(int w, int h) : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), glm::vec4(0)) {}
+  glm::vec4& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+  const glm::vec4& at(int x, int y) const {
+    return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  }
+};
+Picture picture_from(int width, int height, const std::vector<float>& rgba);
+
+// Bytes as they go into a PNG.
+struct BytePicture {
+  int width = 0, height = 0;
+  std::vector<std::array<std::uint8_t, 3>> pixels;
+
+  BytePicture() = default;
+  BytePicture(int w, int h) : width(w), height(h), pixels(std::size_t(w) * std::size_t(h)) {}
+};
+
+struct Difference {
+  double rel_mse = 0;            // mean over surface pixels and channels of (a - b)^2 / (b^2 + 0.01)
+  double psnr = 0;               // dB, peak 1, both clamped to [0, 1]; infinite where equal
+  double coverage_mismatch = 0;  // share of all pixels that only one of the two covers
+};
+Difference compare(const Picture& picture, const Picture& reference);
+
+// What the screen shows for a linear colour. The same curves in shaders/tone_map.glsl.
+glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure);
+BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure);
+// Share of surface pixels with a channel that the display clips: above 1, or shown as the brightest byte.
+double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
+
+// Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
+glm::vec3 false_color(float relative_difference);
+BytePicture difference_picture(const Picture& picture, const Picture& reference);
+
+// The left share of one, the rest of the other, with a thin line between.
+BytePicture split(const BytePicture& left, const BytePicture& right, float share = 0.5f);
+
+void write_png(const std::filesystem::path& file, const BytePicture& picture);
+
+// Layers named name.R, name.G, name.B (and name.A); the unnamed first layer is R, G, B, A.
+struct Layer {
+  std::string name;
+  const Picture* picture;
+  bool alpha = false;
+};
+void write_exr(const std::filesystem::path& file, const std::vector<Layer>& layers);
+Picture read_exr(const std::filesystem::path& file, const std::string& layer);
+
+}  // namespace brdf::render

@@ -1,0 +1,89 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <stb_image_write.h>
+
+#include "io/error.h"
+#include "io/output.h"
+#include "io/provenance.h"
+#include "render/picture/picture.h"
+
+namespace brdf::render {
+namespace {
+
+std::string channel_name(const std::string& layer, char channel) {
+  return layer.empty() ? std::string(1, channel) : layer + "." + channel;
+}
+
+// OpenEXR addresses pixels from an origin; rows and pixels are contiguous here.
+Imf::Slice slice(const Picture& picture, int channel) {
+  const auto* base = reinterpret_cast<const char*>(picture.pixels.data()) + channel * int(sizeof(float));
+  return Imf::Slice(Imf::FLOAT, const_cast<char*>(base), sizeof(glm::vec4),
+                    sizeof(glm::vec4) * std::size_t(picture.width));
+}
+
+void append_bytes(void* context, void* data, int size) {
+  static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& file, const BytePicture& picture) {
+  std::string bytes;
+  stbi_write_png_to_func(append_bytes, &bytes, picture.width, picture.height, 3, picture.pixels.data(),
+                         picture.width * 3);
+  io::write_file_atomically(file, bytes);
+}
+
+void write_exr(const std::filesystem::path& file, const std::vector<Layer>& layers) {
+  Imf::Header header(layers.at(0).picture->width, layers.at(0).picture->height);
+  Imf::FrameBuffer buffer;
+  for (const Layer& layer : layers) {
+    for (int c = 0; c < (layer.alpha ? 4 : 3); ++c) {
+      const std::string name = channel_name(layer.name, "RGBA"[c]);
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+      buffer.insert(name, slice(*layer.picture, c));
+    }
+  }
+  const io::Provenance made = io::provenance();
+  header.insert("brdf_version", Imf::StringAttribute(made.version));
+  header.insert("command", Imf::StringAttribute(made.command));
+  io::write_path_atomically(file, [&](const std::filesystem::path& temporary) {
+    try {
+      Imf::OutputFile out(temporary.c_str(), header);
+      out.setFrameBuffer(buffer);
+      out.writePixels(layers[0].picture->height);
+    } catch (const std::exception& error) {
+      throw EnvironmentError(file.string() + ": cannot be written: " + error.what());
+    }
+  });
+}
+
+Picture read_exr(const std::filesystem::path& file, const std::string& layer) {
+  try {
+    Imf::InputFile in(file.c_str());
+    const Imath::Box2i window = in.header().dataWindow();
+    Picture picture(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < 4; ++c) {
+      const std::string name = channel_name(layer, "RGBA"[c]);
+      if (!in.header().channels().findChannel(name)) {
+        if (c == 3) continue;
+        throw InputError(file.string() + ": has no channel " + name);
+      }
+      buffer.insert(name, slice(picture, c));
+    }
+    in.setFrameBuffer(buffer);
+    in.readPixels(window.min.y, window.max.y);
+    return picture;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(file.string() + ": cannot be read as OpenEXR: " + error.what());
+  }
+}
+
+}  // namespace brdf::render

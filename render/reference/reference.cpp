@@ -1,0 +1,218 @@
+#include "render/reference/reference.h"
+
+#include <embree3/rtcore.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "io/error.h"
+#include "render/reference/surface_hit.h"
+#include "render/scene/camera_view.h"
+
+namespace brdf::render {
+namespace {
+
+struct DeviceRelease {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneRelease {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+
+// Every object as world-space triangles; geometry ids are object indices.
+class Tracer {
+ public:
+  explicit Tracer(const PreparedScene& scene) : device_(rtcNewDevice(nullptr)) {
+    if (!device_) throw EnvironmentError("Embree cannot be started");
+    scene_.reset(rtcNewScene(device_.get()));
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    for (std::size_t k = 0; k < scene.meshes.size(); ++k) add(*scene.meshes[k], scene.layers[0][k]);
+    rtcCommitScene(scene_.get());
+  }
+
+  RTCRayHit trace(const glm::vec3& origin, const glm::vec3& direction) const {
+    RTCRayHit hit{};
+    hit.ray.org_x = origin.x;
+    hit.ray.org_y = origin.y;
+    hit.ray.org_z = origin.z;
+    hit.ray.dir_x = direction.x;
+    hit.ray.dir_y = direction.y;
+    hit.ray.dir_z = direction.z;
+    hit.ray.tfar = std::numeric_limits<float>::infinity();
+    hit.ray.mask = ~0u;
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene_.get(), &context, &hit);
+    return hit;
+  }
+
+ private:
+  void add(const Mesh& mesh, const Item& item) {
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      vertices[v] = item.origin + item.linear * mesh.vertices[v].position;
+    }
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles()));
+    std::copy(mesh.indices.begin(), mesh.indices.end(), indices);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_.get(), geometry, unsigned(item.object));
+    rtcReleaseGeometry(geometry);
+  }
+
+  std::unique_ptr<RTCDeviceTy, DeviceRelease> device_;
+  std::unique_ptr<RTCSceneTy, SceneRelease> scene_;
+};
+
+struct Lit {
+  glm::vec3 wi;          // unit, world
+  glm::vec3 irradiance;  // on a surface that faces the light
+};
+
+Lit lit_by(const Light& light, const glm::vec3& position) {
+  const glm::vec3 irradiance = light.color * light.intensity;
+  if (!light.point) return {-glm::normalize(light.vector), irradiance};
+  const glm::vec3 to_light = light.vector - position;
+  const float d2 = glm::dot(to_light, to_light);
+  return {to_light / std::sqrt(d2), irradiance / d2};
+}
+
+glm::vec3 sky(const Scene& scene, const glm::vec3& ray) {
+  if (!scene.sky_zenith) return scene.background;
+  return glm::mix(scene.background, *scene.sky_zenith, std::sqrt(std::max(glm::normalize(ray).y, 0.0f)));
+}
+
+glm::vec3 shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
+                const Measured* measured) {
+  const Scene& scene = prepared.scene;
+  glm::vec3 sum(0);
+  for (const auto& layer : prepared.layers) {
+    const Item& item = layer[hit.hit.geomID];
+    if (item.form < 0) continue;
+    const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
+    if (!s.front) return scene.back_color;
+    const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
+    if (!measured) sum += scene.ambient * s.weights[0];
+    for (const Light& light : scene.lights) {
+      const Lit lit = lit_by(light, s.position);
+      const glm::vec3 wi = to_local(lit.wi, s);
+      sum += lit.irradiance * (measured ? (*measured)(wi, wo) : eval_cos_at(item.form, s, wi, wo));
+    }
+    if (measured) break;
+  }
+  return sum;
+}
+
+}  // namespace
+
+namespace {
+
+// Calls visit(x, y, ray, hit) for every pixel, rows shared between threads.
+template <class Visit>
+void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit) {
+  const Camera& camera = prepared.scene.camera;
+  const View view = make_view(camera);
+  const Tracer tracer(prepared);
+  std::atomic<int> next_row = 0;
+  const auto work = [&] {
+    for (int y = next_row++; y < camera.height; y = next_row++) {
+      for (int x = 0; x < camera.width; ++x) {
+        const glm::vec3 ray = view.ray(pixel_center(x, y, camera.width, camera.height));
+        visit(x, y, ray, tracer.trace(camera.position, ray));
+      }
+    }
+  };
+  std::vector<std::jthread> threads_beside;
+  for (unsigned k = 1; k < threads; ++k) threads_beside.emplace_back(work);
+  work();
+}
+
+}  // namespace
+
+Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& options) {
+  Picture picture(prepared.scene.camera.width, prepared.scene.camera.height);
+  for_each_pixel(prepared, options.threads, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
+    picture.at(x, y) = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID
+                           ? glm::vec4(sky(prepared.scene, ray), 0)
+                           : glm::vec4(shade(prepared, hit, ray, options.measured), 1);
+  });
+  return picture;
+}
+
+std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
+  const Scene& scene = prepared.scene;
+  const Camera& camera = scene.camera;
+  const View view = make_view(camera);
+  const Tracer tracer(prepared);
+  std::vector<LitPoint> points;
+  for (int y = 0; y < camera.height; ++y)
+    for (int x = 0; x < camera.width; ++x) {
+      const glm::vec3 ray = view.ray(pixel_center(x, y, camera.width, camera.height));
+      const RTCRayHit hit = tracer.trace(camera.position, ray);
+      if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+      const Item& item = prepared.layers[0][hit.hit.geomID];
+      const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
+      if (!s.front) continue;
+      const glm::vec3 wo = to_local(glm::normalize(camera.position - s.position), s);
+      for (const Light& light : scene.lights) {
+        const Lit lit = lit_by(light, s.position);
+        const glm::vec3 wi = to_local(lit.wi, s);
+        if (wi.z > 0 && wo.z > 0) points.push_back({x, y, item.object, wi, wo, lit.irradiance});
+      }
+    }
+  return points;
+}
+
+Probe probe(const PreparedScene& prepared, int x, int y) {
+  const Scene& scene = prepared.scene;
+  const glm::vec3 ray =
+      make_view(scene.camera).ray(pixel_center(x, y, scene.camera.width, scene.camera.height));
+  const RTCRayHit hit = Tracer(prepared).trace(scene.camera.position, ray);
+  Probe out;
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return out;
+  out.hit = true;
+  out.object = hit.hit.geomID;
+  for (const auto& layer : prepared.layers) {
+    const Item& item = layer[hit.hit.geomID];
+    if (item.form < 0) continue;
+    const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
+    out.position = s.position;
+    out.normal = s.normal;
+    out.wo = to_local(glm::normalize(scene.camera.position - s.position), s);
+    if (scene.lights.empty()) return out;
+    out.wi = to_local(lit_by(scene.lights[0], s.position).wi, s);
+    if (out.wi.z > 0) out.value += eval_cos_at(item.form, s, out.wi, out.wo) / out.wi.z;
+  }
+  return out;
+}
+
+std::vector<std::string> lines(const Probe& p) {
+  if (!p.hit) return {"probe: background"};
+  const auto degrees = [](float cosine) {
+    return double(std::acos(glm::clamp(cosine, -1.0f, 1.0f))) * 180 / kPi;
+  };
+  const auto azimuth = [](const glm::vec3& w) { return double(std::atan2(w.y, w.x)) * 180 / kPi; };
+  const glm::vec3 h = glm::normalize(p.wi + p.wo);
+  std::vector<std::string> out;
+  const auto add = [&](const char* format, auto... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, values...);
+    out.emplace_back(text);
+  };
+  add("probe: object %d at (%.3f, %.3f, %.3f)", int(p.object) + 1, double(p.position.x), double(p.position.y),
+      double(p.position.z));
+  add("theta_i %.2f phi_i %.2f, theta_o %.2f phi_o %.2f deg", degrees(p.wi.z), azimuth(p.wi), degrees(p.wo.z),
+      azimuth(p.wo));
+  add("theta_h %.2f theta_d %.2f deg", degrees(h.z), degrees(glm::dot(p.wi, h)));
+  add("f_r (%.5g, %.5g, %.5g) 1/sr", double(p.value.r), double(p.value.g), double(p.value.b));
+  return out;
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,45 @@
+// The reference: the same scene by Embree, one ray through every pixel's centre, direct light without shadows
+// as in the renderer, materials by libbrdf's own float evaluation.
+#pragma once
+
+#include <functional>
+
+#include "render/picture/picture.h"
+#include "render/scene/prepared.h"
+
+namespace brdf::render {
+
+// Value of f_r cos_i per channel for a pair of directions
+// in the surface's frame; replaces an object's material.
+using Measured = std::function<glm::vec3(const glm::vec3& wi, const glm::vec3& wo)>;
+
+struct ReferenceOptions {
+  unsigned threads = 2;
+  const Measured* measured = nullptr;  // shades every object where set (ambient then has nothing to act on)
+};
+
+Picture render_reference(const PreparedScene& scene, const ReferenceOptions& options = {});
+
+// What the shading of a pixel is asked for: one entry per pixel and light that reaches its surface's front,
+// in the order of the pixels. Directions in the surface's frame.
+struct LitPoint {
+  int x = 0, y = 0;
+  std::size_t object = 0;
+  glm::vec3 wi{0}, wo{0};
+  glm::vec3 irradiance{0};  // on a surface that faces the light
+};
+std::vector<LitPoint> lit_points(const PreparedScene& scene);
+
+// What a ray through the centre of a pixel meets: for the viewer's probe.
+struct Probe {
+  bool hit = false;
+  std::size_t object = 0;
+  glm::vec3 position{0}, normal{0};
+  glm::vec3 wi{0}, wo{0};  // local frame, wi to the first light
+  glm::vec3 value{0};      // f_r of the first light
+};
+Probe probe(const PreparedScene& scene, int x, int y);
+// In words: object, place, angles in degrees, f_r.
+std::vector<std::string> lines(const Probe& probe);
+
+}  // namespace brdf::render

@@ -1,0 +1,95 @@
+#include "render/reference/surface_hit.h"
+
+#include <algorithm>
+
+namespace brdf::render {
+namespace {
+
+constexpr float kLeastFacing = 0.05f;  // as in shaders/surface.glsl
+
+void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const glm::vec3& ray, Surface& s) {
+  glm::vec3 albedo = s.weights[0];
+  if (maps[0]) albedo = maps[0]->sample_srgb(uv);
+  const float roughness = maps[2] ? maps[2]->sample(uv).r : 0;
+  const float metallic = maps[3] ? maps[3]->sample(uv).r : 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (int c = 0; c < 3; ++c) {
+      s.weights[k][c] = driven(item.weight_roles[k], s.weights[k][c], albedo[c], roughness, metallic);
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0f, roughness, metallic);
+  if (maps[1]) {
+    const glm::vec3 m = glm::vec3(maps[1]->sample(uv)) * 2.0f - 1.0f;
+    glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    const glm::vec3 v = -glm::normalize(ray);
+    n = glm::normalize(n + v * std::max(kLeastFacing - glm::dot(n, v), 0.0f));
+    const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
+    s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
+    s.bitangent = glm::cross(n, s.tangent) * hand;
+    s.normal = n;
+  }
+}
+
+// Weights of the corners where the ray from the camera
+// meets the triangle's plane (Moeller and Trumbore 1997).
+std::array<float, 3> barycentric(const PreparedScene& scene, const Item& item,
+                                 const std::array<glm::vec3, 3>& corners, const glm::vec3& ray) {
+  std::array<glm::dvec3, 3> p;
+  for (std::size_t k = 0; k < 3; ++k)
+    p[k] = glm::dvec3(item.origin) + glm::dmat3(item.linear) * glm::dvec3(corners[k]);
+  const glm::dvec3 e1 = p[1] - p[0], e2 = p[2] - p[0], d(ray);
+  const glm::dvec3 s = glm::dvec3(scene.scene.camera.position) - p[0];
+  const glm::dvec3 across = glm::cross(d, e2), q = glm::cross(s, e1);
+  const double scale = 1 / glm::dot(e1, across);
+  const double u = glm::dot(s, across) * scale, v = glm::dot(d, q) * scale;
+  return {float(1 - u - v), float(u), float(v)};
+}
+
+}  // namespace
+
+Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle,
+                   const glm::vec3& ray) {
+  const Mesh& mesh = *scene.meshes[item.object];
+  const Vertex& a = mesh.vertices[mesh.indices[3 * triangle]];
+  const Vertex& b = mesh.vertices[mesh.indices[3 * triangle + 1]];
+  const Vertex& c = mesh.vertices[mesh.indices[3 * triangle + 2]];
+  const auto [w, u, v] = barycentric(scene, item, {a.position, b.position, c.position}, ray);
+  Surface s;
+  s.weights = item.weights;
+  s.shape = item.shape;
+  const glm::vec3 relative = item.linear * (a.position * w + b.position * u + c.position * v);
+  s.position = item.origin + relative;
+  // Counter-clockwise seen from the front, also under a mirroring transform: as the rasteriser decides.
+  const glm::vec3 face =
+      glm::cross(item.linear * (b.position - a.position), item.linear * (c.position - a.position));
+  s.front = glm::dot(face, ray) < 0;
+  s.normal = glm::normalize(item.normals * (a.normal * w + b.normal * u + c.normal * v));
+  const glm::vec4 tangent = a.tangent * w + b.tangent * u + c.tangent * v;
+  const glm::vec3 t = item.linear * glm::vec3(tangent);
+  s.tangent = glm::normalize(t - s.normal * glm::dot(s.normal, t));
+  s.bitangent = glm::cross(s.normal, s.tangent) * (tangent.w < 0 ? -1.0f : 1.0f);
+  const TextureSet& maps = scene.textures[item.object];
+  if (maps[0] || maps[1] || maps[2] || maps[3])
+    apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, ray, s);
+  const glm::vec3 turned = s.tangent * item.cos_turn + s.bitangent * item.sin_turn;
+  s.bitangent = s.bitangent * item.cos_turn - s.tangent * item.sin_turn;
+  s.tangent = turned;
+  return s;
+}
+
+glm::vec3 eval_cos_at(int form, const Surface& s, const glm::vec3& wi, const glm::vec3& wo) {
+  const Vec3<float> i{wi.x, wi.y, wi.z}, o{wo.x, wo.y, wo.z};
+  const auto weights = [&](int channel) {
+    return std::array{s.weights[0][channel], s.weights[1][channel], s.weights[2][channel]};
+  };
+  const std::array first = weights(0);
+  glm::vec3 out;
+  for (int c = 0; c < 3; ++c) {
+    const std::array own = weights(c);
+    catalogue()[std::size_t(form)]->eval_cos({own, first, s.shape, std::size_t(c)}, one_pair(i, o), &out[c]);
+  }
+  return out;
+}
+
+}  // namespace brdf::render

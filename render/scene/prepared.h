@@ -1,0 +1,45 @@
+// A scene made ready to draw: meshes and textures loaded, materials flattened into items. The renderer and
+// the Embree reference both start from it.
+#pragma once
+
+#include <memory>
+
+#include "render/mesh/mesh.h"
+#include "render/scene/scene.h"
+#include "render/scene/texture.h"
+#include "render/scene/texture_rule.h"
+
+namespace brdf::render {
+
+using TextureSet = std::array<std::shared_ptr<const Texture>, 4>;  // by TextureSlot
+
+// One object with one term of its material. A sum of forms becomes one item per term, drawn in layers that
+// are added; shapes that differ between channels become one item per channel.
+struct Item {
+  std::size_t object = 0;  // index into scene.objects, and into meshes and textures
+  glm::mat3 linear{1}, normals{1};
+  glm::vec3 origin{0};
+  float extent = 1;  // no vertex is farther from the origin
+  int form =
+      -1;  // index in Reflectance; -1: only hides what is behind it (an object with fewer terms than layers)
+  float cos_turn = 1, sin_turn = 0;    // of tangent_phi
+  std::array<glm::vec3, 3> weights{};  // in the order of the form's table
+  std::array<float, 4> shape{};
+  std::array<Role, 3> weight_roles{};
+  std::array<Role, 4> shape_roles{};
+};
+
+struct PreparedScene {
+  Scene scene;
+  std::vector<std::shared_ptr<const Mesh>> meshes;  // per object
+  std::vector<TextureSet> textures;                 // per object
+  std::vector<std::vector<Item>> layers;            // every layer has an item per object
+  glm::vec4 bounds{0, 0, 0, 1};                     // sphere round all objects
+};
+
+// Throws InputError on a missing texture, a broken model, a material of other than 1 or 3 channels.
+PreparedScene prepare(Scene scene);
+// After a change of materials or transforms alone (the viewer's sliders): meshes and textures are kept.
+void update_items(PreparedScene& prepared);
+
+}  // namespace brdf::render

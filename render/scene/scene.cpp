@@ -1,0 +1,273 @@
+#include "render/scene/scene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "io/json.h"
+#include "io/material_json.h"
+
+namespace brdf::render {
+namespace {
+
+using io::Json;
+using io::JsonPlace;
+
+glm::vec3 vector(const JsonPlace& place, double low = -1e6, double high = 1e6) {
+  if (place.size() != 3) place.fail("must be an array of three numbers");
+  glm::vec3 v;
+  for (int k = 0; k < 3; ++k) v[k] = float(place.at(std::size_t(k)).number(low, high));
+  return v;
+}
+
+// Reads the key into `out` when it is there.
+void read(const JsonPlace& place, std::string_view key, glm::vec3& out, double low = -1e6,
+          double high = 1e6) {
+  if (place.has(key)) out = vector(place.at(key), low, high);
+}
+void read(const JsonPlace& place, std::string_view key, float& out, double low, double high) {
+  if (place.has(key)) out = float(place.at(key).number(low, high));
+}
+void read(const JsonPlace& place, std::string_view key, int& out, int low, int high) {
+  if (!place.has(key)) return;
+  const JsonPlace value = place.at(key);
+  if (!value.value().is_number_integer()) value.fail("must be an integer");
+  out = int(value.number(low, high));
+}
+void read(const JsonPlace& place, std::string_view key, bool& out) {
+  if (!place.has(key)) return;
+  const JsonPlace value = place.at(key);
+  if (!value.value().is_boolean()) value.fail("must be true or false");
+  out = value.value().get<bool>();
+}
+
+template <class Enum, std::size_t N>
+void read(const JsonPlace& place, std::string_view key, Enum& out, const std::array<const char*, N>& names) {
+  if (!place.has(key)) return;
+  const JsonPlace value = place.at(key);
+  const std::string text = value.text();
+  std::string known;
+  for (std::size_t k = 0; k < N; ++k) {
+    if (text == names[k]) {
+      out = Enum(k);
+      return;
+    }
+    known += (k ? ", " : "") + std::string(names[k]);
+  }
+  value.fail("must be one of " + known);
+}
+
+void require_direction(const JsonPlace& place, const glm::vec3& v) {
+  if (!(glm::length(v) > 1e-6f)) place.fail("must not be zero");
+}
+
+Camera read_camera(const JsonPlace& place) {
+  place.allow_keys({"position", "target", "up", "vertical_fov", "width", "height"});
+  Camera camera;
+  read(place, "position", camera.position);
+  read(place, "target", camera.target);
+  read(place, "up", camera.up);
+  read(place, "vertical_fov", camera.vertical_fov, 1, 170);
+  read(place, "width", camera.width, 1, 16384);
+  read(place, "height", camera.height, 1, 16384);
+  if (!(glm::length(glm::cross(camera.target - camera.position, camera.up)) > 1e-6f)) {
+    place.fail("needs a target away from its position and an up direction across the view");
+  }
+  return camera;
+}
+
+Light read_light(const JsonPlace& place) {
+  place.allow_keys({"type", "direction", "position", "color", "intensity"});
+  Light light;
+  const std::string type = place.at("type").text();
+  if (type != "directional" && type != "point") place.at("type").fail("must be one of directional, point");
+  light.point = type == "point";
+  const char* unused = light.point ? "direction" : "position";
+  if (place.has(unused)) place.at(unused).fail("does not belong to a " + type + " light");
+  const JsonPlace where = place.at(light.point ? "position" : "direction");
+  light.vector = vector(where);
+  if (!light.point) require_direction(where, light.vector);
+  read(place, "color", light.color, 0, 1e6);
+  read(place, "intensity", light.intensity, 0, 1e6);
+  return light;
+}
+
+void read_material_of(Object& object, const JsonPlace& place, const std::filesystem::path& folder) {
+  if (place.value().is_string()) {
+    const std::filesystem::path file = folder / place.text();
+    object.material = io::read_material(file);
+    object.material_name = file.stem().string();
+    return;
+  }
+  object.material = io::material_from_json(place).material;
+  object.material_name = object.material.terms.size() == 1
+                             ? std::string(info(object.material.terms[0].form).name)
+                             : std::string("sum");
+}
+
+Object read_object(const JsonPlace& place, const std::filesystem::path& folder) {
+  place.allow_keys({"mesh", "material", "textures", "position", "rotation", "scale"});
+  Object object;
+  if (place.has("mesh")) object.mesh = place.at("mesh").text();
+  read_material_of(object, place.at("material"), folder);
+  const std::size_t channels = object.material.channels.size();
+  if (channels != 1 && channels != 3) {
+    place.at("material").fail("has " + std::to_string(channels) + " channels; the renderer takes 1 or 3");
+  }
+  if (place.has("textures")) {
+    const JsonPlace textures = place.at("textures");
+    textures.allow_keys({"albedo", "normal", "roughness", "metallic"});
+    for (std::size_t k = 0; k < kTextureNames.size(); ++k) {
+      if (textures.has(kTextureNames[k])) object.textures[k] = textures.at(kTextureNames[k]).text();
+    }
+  }
+  read(place, "position", object.position);
+  read(place, "rotation", object.rotation);
+  if (place.has("scale") && place.at("scale").value().is_number()) {
+    object.scale = glm::vec3(float(place.at("scale").number()));
+  } else {
+    read(place, "scale", object.scale);
+  }
+  if (!(std::abs(object.scale.x * object.scale.y * object.scale.z) > 1e-12f)) {
+    place.at("scale").fail("must not be zero along any axis");
+  }
+  return object;
+}
+
+void read_background(Scene& scene, const JsonPlace& place) {
+  if (place.value().is_array()) {
+    scene.background = vector(place, 0, 1e6);
+    return;
+  }
+  place.allow_keys({"horizon", "zenith"});
+  scene.background = vector(place.at("horizon"), 0, 1e6);
+  scene.sky_zenith = vector(place.at("zenith"), 0, 1e6);
+}
+
+Json json_of(const glm::vec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json json_of(const Object& object) {
+  Json json;
+  json["mesh"] = object.mesh;
+  json["material"] = io::to_json(object.material);
+  for (std::size_t k = 0; k < kTextureNames.size(); ++k) {
+    if (object.textures[k]) json["textures"][kTextureNames[k]] = object.textures[k]->string();
+  }
+  json["position"] = json_of(object.position);
+  json["rotation"] = json_of(object.rotation);
+  json["scale"] = json_of(object.scale);
+  return json;
+}
+
+Json json_of(const Light& light) {
+  Json json;
+  json["type"] = light.point ? "point" : "directional";
+  json[light.point ? "position" : "direction"] = json_of(light.vector);
+  json["color"] = json_of(light.color);
+  json["intensity"] = light.intensity;
+  return json;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& name, const std::filesystem::path& folder) {
+  const Json json = io::parse_json(text, name);
+  const JsonPlace root(json, name);
+  root.allow_keys({"format", "version", "camera", "ambient", "background", "back_color", "lights", "objects",
+                   "shading", "per_vertex", "as_coded", "tone_map", "exposure"});
+  if (root.at("format").text() != "brdf-scene") root.at("format").fail("must be \"brdf-scene\"");
+  if (root.at("version").number() != 1) root.at("version").fail("must be 1");
+  Scene scene;
+  scene.folder = folder;
+  if (root.has("camera")) scene.camera = read_camera(root.at("camera"));
+  read(root, "ambient", scene.ambient, 0, 1e6);
+  if (root.has("background")) read_background(scene, root.at("background"));
+  read(root, "back_color", scene.back_color, 0, 1e6);
+  if (root.has("lights")) {
+    const JsonPlace lights = root.at("lights");
+    if (lights.size() > kMostLights)
+      lights.fail("must have at most " + std::to_string(kMostLights) + " lights");
+    for (std::size_t k = 0; k < lights.size(); ++k) scene.lights.push_back(read_light(lights.at(k)));
+  }
+  const JsonPlace objects = root.at("objects");
+  if (objects.size() == 0 || objects.size() > 200) objects.fail("must have 1 to 200 objects");
+  for (std::size_t k = 0; k < objects.size(); ++k)
+    scene.objects.push_back(read_object(objects.at(k), folder));
+  read(root, "shading", scene.shading, kShadingNames);
+  read(root, "per_vertex", scene.per_vertex);
+  read(root, "as_coded", scene.as_coded);
+  // The articles' modes compute colours to be shown as they are.
+  scene.tone_map = scene.shading == Shading::brdf ? ToneMap::srgb : ToneMap::none;
+  read(root, "tone_map", scene.tone_map, kToneMapNames);
+  read(root, "exposure", scene.exposure, -20, 20);
+  return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file) {
+  return parse_scene(io::read_json(file).dump(), file.string(), file.parent_path());
+}
+
+std::string scene_text(const Scene& scene) {
+  Json json;
+  json["format"] = "brdf-scene";
+  json["version"] = 1;
+  const Camera& camera = scene.camera;
+  json["camera"] = {{"position", json_of(camera.position)},
+                    {"target", json_of(camera.target)},
+                    {"up", json_of(camera.up)},
+                    {"vertical_fov", camera.vertical_fov},
+                    {"width", camera.width},
+                    {"height", camera.height}};
+  json["ambient"] = json_of(scene.ambient);
+  if (scene.sky_zenith) {
+    json["background"] = {{"horizon", json_of(scene.background)}, {"zenith", json_of(*scene.sky_zenith)}};
+  } else {
+    json["background"] = json_of(scene.background);
+  }
+  json["back_color"] = json_of(scene.back_color);
+  json["lights"] = Json::array();
+  for (const Light& light : scene.lights) json["lights"].push_back(json_of(light));
+  json["objects"] = Json::array();
+  for (const Object& object : scene.objects) json["objects"].push_back(json_of(object));
+  json["shading"] = kShadingNames[std::size_t(scene.shading)];
+  json["per_vertex"] = scene.per_vertex;
+  json["as_coded"] = scene.as_coded;
+  json["tone_map"] = kToneMapNames[std::size_t(scene.tone_map)];
+  json["exposure"] = scene.exposure;
+  return io::to_text(json);
+}
+
+Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials) {
+  Scene scene;
+  const auto count = int(materials.size());
+  const float span = 2.2f * float(count - 1);
+  for (int k = 0; k < count; ++k) {
+    Object object;
+    object.material_name = materials[std::size_t(k)].first;
+    object.material = materials[std::size_t(k)].second;
+    object.position.x = 2.2f * float(k) - span / 2;
+    scene.objects.push_back(object);
+  }
+  scene.camera.height = 512;
+  scene.camera.width = std::min(512 * count, 2048);
+  // The whole row fits: its half width against the picture's.
+  const float aspect = float(scene.camera.width) / float(scene.camera.height);
+  const float half_view = std::tan(glm::radians(scene.camera.vertical_fov) / 2);
+  scene.camera.position.z = std::max(4.0f, (span / 2 + 1.15f) / (half_view * aspect));
+  // From the upper left front; irradiance pi shows a Lambertian surface facing it at its reflectance.
+  scene.lights.push_back({false, {1, -1, -1}, glm::vec3(1), 3.14159265f});
+  scene.ambient = glm::vec3(0.03f);
+  scene.background = glm::vec3(0.05f);
+  scene.tone_map = ToneMap::reinhard;
+  return scene;
+}
+
+glm::mat3 linear_part(const Object& object) {
+  glm::mat4 m(1);
+  m = glm::rotate(m, glm::radians(object.rotation.z), {0, 0, 1});
+  m = glm::rotate(m, glm::radians(object.rotation.y), {0, 1, 0});
+  m = glm::rotate(m, glm::radians(object.rotation.x), {1, 0, 0});
+  return glm::mat3(glm::scale(m, object.scale));
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,124 @@
+#include "brdf/forms.h"
+#include "trade/approximations/lobes.h"
+
+#include "trade/questions/picture.h"
+#include "trade/questions/questions.h"
+
+namespace brdf::trade {
+namespace {
+
+// With more digits than any choice has.
+struct long_power {
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    return T(std::pow((long double)(x[0]), (long double)(x[1])));
+  }
+};
+
+template <class Power>
+Choice power_choice(std::string name, Power power, double n, std::string note) {
+  return {std::move(name), kernel(power), std::move(note),
+          kernel(lobe_material<mirror_power<Power>>{{power}, n})};
+}
+
+template <int doublings>
+Question power_question() {
+  constexpr double n = 1 << doublings;
+  const auto at = [](double from, double to) { return Domain{{{"cos", from, to}, {"n", n, n}}, {}, ""}; };
+  Question q{"power of a cosine, n = " + std::to_string(1 << doublings),
+             "cos^n",
+             Measure::absolute,
+             at(0, 1),
+             {at(0.99, 1), at(0, 0.1)},
+             {}};
+  q.choices = {power_choice("pow, own kernels", cosine_power{}, n, "exp(n log c)"),
+               power_choice("pow of the C library", cosine_power_libm{}, n, "does not vectorise"),
+               power_choice("repeated squaring", squared_power<doublings>{}, n, "the exponent must be known"),
+               power_choice("spherical Gaussian", spherical_gaussian{}, n, "Wang et al. 2009"),
+               power_choice("Schlick's rational", schlick_power{}, n, "Schlick 1994")};
+  q.reference = kernel(long_power{});
+  return q;
+}
+
+// A large exponent: squaring is out, and plain cosines lose digits.
+Question large_power_question() {
+  Question q{"power of a cosine, n = 1 .. 1e6",
+             "cos^n",
+             Measure::absolute,
+             {{{"cos", 0.9, 1}, {"n", 1, 1e4, true}}, {}, ""},
+             {{{{"1 - cos, log", 0.999999, 1}, {"n", 1e6, 1e6}}, {}, ""}},
+             {}};
+  const double shown = 1000;
+  q.choices = {power_choice("pow, own kernels", cosine_power{}, shown, ""),
+               power_choice("spherical Gaussian", spherical_gaussian{}, shown, "Wang et al. 2009"),
+               power_choice("Schlick's rational", schlick_power{}, shown, "Schlick 1994")};
+  q.reference = kernel(long_power{});
+  return q;
+}
+
+Domain exponents(double least, double most, double most_theta = 80) {
+  Domain d = direction_domain({"n", least, most, true}, {"-", 0, 0}, most_theta);
+  d.axes.pop_back();
+  d.inputs = [](std::span<const double> at, Row<double>& row) {
+    return direction_row(at[0], at[1], at[2], at[3], 0, row);
+  };
+  return d;
+}
+
+template <class Lobe>
+Choice mirror_choice(std::string name, Lobe lobe, std::string note) {
+  return {std::move(name), kernel(lobe), std::move(note), kernel(lobe_material<Lobe>{lobe, 20})};
+}
+
+Question mirror_question() {
+  Question q{"mirror direction or half vector",
+             "Phong's (r.o)^n",
+             Measure::absolute,
+             exponents(5, 200),
+             {exponents(1e6, 1e6), exponents(5, 200, 89.5)},
+             {}};
+  q.choices = {
+      mirror_choice("mirror direction", mirror_lobe{}, "Phong 1975"),
+      mirror_choice("mirror, by differences", mirror_lobe_stable{}, "accurate at the peak for any n"),
+      mirror_choice("half vector, 4 n", half_lobe{4}, "Blinn 1977, made as narrow"),
+      mirror_choice("half vector, equal n", half_lobe{1}, "Blinn 1977, as the documents compare them")};
+  return q;
+}
+
+Question ggx_question() {
+  const auto domain = [](double least, double most) {
+    Domain d = lobe_domain({"alpha", least, most, true}, {"-", 0, 0});
+    d.axes.pop_back();
+    const auto inputs = d.inputs;
+    d.inputs = [inputs](std::span<const double> at, Row<double>& row) {
+      const std::array<double, 5> five{at[0], at[1], at[2], at[3], 0};
+      const bool valid = inputs(five, row);
+      for (double& value : row) value = as_float(value);  // only the formula's own error counts
+      return valid;
+    };
+    return d;
+  };
+  Question q{"D of GGX in float",
+             "D",
+             Measure::relative,
+             domain(0.01, 1),
+             {domain(1e-3, 1e-3), domain(1e-4, 1e-4)},
+             {}};
+  const auto choice = [](const char* name, auto d, const char* note) {
+    return Choice{name, kernel(d), note, kernel(distribution_material<decltype(d)>{d, 0.01})};
+  };
+  q.choices = {choice("half vector not normalised", ggx_stable{}, "this library's"),
+               choice("through (n.h)^2 - 1", ggx_naive{}, "as printed nearly everywhere")};
+  for (Choice& c : q.choices) c.error = Precision::single_;
+  q.reference = kernel(ggx_stable{});
+  return q;
+}
+
+}  // namespace
+
+std::vector<Question> lobe_questions() {
+  return {power_question<3>(), power_question<5>(), large_power_question(), mirror_question(),
+          ggx_question()};
+}
+
+}  // namespace brdf::trade

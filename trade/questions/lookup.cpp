@@ -1,0 +1,68 @@
+#include "trade/approximations/lookup.h"
+
+#include "trade/questions/questions.h"
+
+namespace brdf::trade {
+namespace {
+
+// The specular term as f_r for the picture, with the article's Lambert term under it.
+template <class L>
+struct lookup_material {
+  L lookup;
+  template <class T>
+  T operator()(const Row<T>& x) const {
+    return T(0.5 / kPi) + T(0.5) * lookup(x) / at_least(x[2], T(1e-6));
+  }
+};
+
+template <class L>
+void add(Question& q, std::string name, L lookup, std::string note) {
+  Kernel picture = kernel(lookup_material<L>{lookup});
+  q.choices.push_back({std::move(name), kernel(std::move(lookup)), std::move(note), std::move(picture)});
+}
+
+template <class Texel>
+void add_tables(Question& q, const LookupMaterial& m, int size, const std::string& bits) {
+  const std::string name = std::to_string(size) + "^2, " + bits;
+  add(q, name + ", nearest", lookup_article<Texel, false>(m, size), "(n.h, n.l), clamped to 1");
+  add(q, name + ", bilinear", lookup_article<Texel, true>(m, size), "(n.h, n.l), clamped to 1");
+}
+template <class Texel>
+void add_scaled_tables(Question& q, const LookupMaterial& m, int size, const std::string& bits) {
+  const std::string name = std::to_string(size) + "^2, " + bits;
+  add(q, name + ", nearest, scaled", lookup_scaled<Texel, false>(m, size), "(tan/alpha, wi.h), G computed");
+  add(q, name + ", bilinear, scaled", lookup_scaled<Texel, true>(m, size), "(tan/alpha, wi.h), G computed");
+}
+
+Question lookup_question(const LookupMaterial& m) {
+  char alpha[16];
+  std::snprintf(alpha, sizeof alpha, "%g", m.alpha);
+  Question q{std::string("lookup texture, alpha ") + alpha,
+             "specular f_r cos_i, 1/sr",
+             Measure::absolute,
+             pairs_domain(0, 80),
+             {pairs_domain(80, 89), pairs_domain(0, 20)},
+             {}};
+  add(q, "exact", lookup_exact{m}, "Beckmann, V-cavities, exact Fresnel");
+  add(q, "H = N, evaluated", lookup_collapsed<false>{m}, "the article's assumption alone");
+  add(q, "H = N, clamped to 1", lookup_collapsed<true>{m}, "and the texel's range");
+  for (int size = 32; size <= 1024; size *= 2) {
+    add_tables<std::uint8_t>(q, m, size, "8 bit");
+    add_tables<std::uint16_t>(q, m, size, "16 bit");
+    add_tables<float>(q, m, size, "32 bit");
+  }
+  for (int size = 32; size <= 128; size *= 2) {
+    add_scaled_tables<std::uint8_t>(q, m, size, "8 bit");
+    add_scaled_tables<std::uint16_t>(q, m, size, "16 bit");
+    add_scaled_tables<float>(q, m, size, "32 bit");
+  }
+  return q;
+}
+
+}  // namespace
+
+std::vector<Question> lookup_questions() {
+  return {lookup_question({1.5, 0.3}), lookup_question({1.5, 0.05})};
+}
+
+}  // namespace brdf::trade

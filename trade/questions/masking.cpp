@@ -1,0 +1,104 @@
+#include "brdf/forms.h"
+#include "trade/questions/picture.h"
+#include "trade/questions/questions.h"
+
+namespace brdf::trade {
+namespace {
+
+const Axis kAlpha{"alpha", 0.05, 1, true};
+const Axis kNone{"-", 0, 0};
+
+// Directions and alpha, without a second parameter.
+Domain directions(Axis alpha, double most_theta) {
+  Domain d = direction_domain(std::move(alpha), kNone, most_theta);
+  d.axes.pop_back();
+  d.inputs = [](std::span<const double> at, Row<double>& row) {
+    return direction_row(at[0], at[1], at[2], at[3], 0, row);
+  };
+  return d;
+}
+Domain grazing(Axis alpha) {
+  Domain d = directions(std::move(alpha), 89.43);
+  d.axes[0].min = d.axes[1].min = 85;
+  return d;
+}
+
+template <class V>
+Choice masking_choice(std::string name, V v, std::string note) {
+  return {std::move(name), kernel(visibility<V>{v}), std::move(note), picture_of_masking(v)};
+}
+
+Question ggx_question() {
+  Question q{"masking for GGX",
+             "G of both directions",
+             Measure::relative,
+             directions(kAlpha, 85),
+             {directions({"alpha", 1e-4, 1e-4}, 85), grazing(kAlpha)},
+             {}};
+  q.choices = {
+      masking_choice("Smith, correlated", smith_correlated{}, "Heitz 2014"),
+      masking_choice("Smith, separable", smith_separable{}, "Walter et al. 2007"),
+      masking_choice("Hammon", hammon_correlated{}, "Hammon 2017: square roots made linear"),
+      masking_choice("Schlick-GGX, k = alpha/2", schlick_ggx_half{}, "Karis 2013, image-based light"),
+      masking_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic{},
+                     "Karis 2013, analytic light; the thesis's listing"),
+      masking_choice("V-cavities", v_shaped_cavities{}, "Torrance and Sparrow 1967"),
+      masking_choice("G dropped", masking_dropped{}, "the lookup-texture article: G is meaningless")};
+  return q;
+}
+
+Question g1_question() {
+  const auto domain = [](double least_cos, Axis alpha) {
+    return Domain{{{"cos", least_cos, 1}, std::move(alpha)}, {}, ""};
+  };
+  Question q{"masking of one direction, GGX",
+             "G1",
+             Measure::relative,
+             domain(0.01, {"alpha", 0.0036, 1, true}),
+             {domain(0.01, {"alpha", 1e-4, 1e-4}), domain(1e-4, {"alpha", 0.0036, 1, true})},
+             {}};
+  // The picture has both directions' product.
+  q.choices = {{"Smith", kernel(g1_smith_ggx{}), "", picture_of_masking(smith_separable{})},
+               {"Schlick-GGX, k = alpha/2", kernel(g1_schlick_half{}), "Karis 2013, image-based light",
+                picture_of_masking(schlick_ggx_half{})},
+               {"Schlick-GGX, k = (roughness+1)^2/8", kernel(g1_schlick_analytic{}),
+                "the thesis's listing, roughness = sqrt(alpha)", picture_of_masking(schlick_ggx_analytic{})},
+               {"Schlick-GGX, k = (alpha+1)^2/8", kernel(g1_schlick_printed{}), "the thesis's equation",
+                picture_of_masking(schlick_ggx_printed{})}};
+  return q;
+}
+
+Question beckmann_question() {
+  Question q{"masking for Beckmann",
+             "G of both directions",
+             Measure::relative,
+             directions(kAlpha, 85),
+             {directions({"alpha", 1e-4, 1e-4}, 85), grazing(kAlpha)},
+             {}};
+  q.choices = {masking_choice("Smith, exact", smith_beckmann{}, "by a polynomial for erfcx"),
+               masking_choice("rational", rational_beckmann{}, "Walter et al. 2007")};
+  return q;
+}
+
+Question beckmann_g1_question() {
+  const Domain domain{{{"cos", 0.01, 1}, {"alpha", 0.05, 1, true}}, {}, ""};
+  Question q{"masking of one direction, Beckmann",
+             "G1",
+             Measure::relative,
+             domain,
+             {{{{"cos", 0.01, 1}, {"alpha", 1e-4, 1e-4}}, {}, ""},
+              {{{"cos", 1e-4, 0.01}, {"alpha", 0.05, 1, true}}, {}, ""}},
+             {}};
+  q.choices = {{"Smith, exact", kernel(g1_smith_beckmann{}), "", picture_of_masking(smith_beckmann{})},
+               {"rational", kernel(g1_rational_beckmann{}), "Walter et al. 2007",
+                picture_of_masking(rational_beckmann{})}};
+  return q;
+}
+
+}  // namespace
+
+std::vector<Question> masking_questions() {
+  return {ggx_question(), g1_question(), beckmann_question(), beckmann_g1_question()};
+}
+
+}  // namespace brdf::trade

@@ -1,0 +1,104 @@
+#include "trade/recommend/reasons.h"
+
+#include <algorithm>
+
+namespace brdf::trade {
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+void give_reasons(Recommendation& r, const RecommendOptions& options) {
+  for (std::size_t k = 0; k < r.candidates.size(); ++k) {
+    Candidate& c = r.candidates[k];
+    const double error = judged(c, options.judge);
+    if (r.chosen == k)
+      c.reason = "the cheapest that meets the tolerance: error " + number(error);
+    else if (c.rendered_error && options.judge == Judge::image && *c.rendered_error > options.tolerance &&
+             error <= options.tolerance)
+      c.reason = "error " + number(*c.rendered_error) + " in the rendered picture is above the tolerance";
+    else if (error > options.tolerance)
+      c.reason = "error " + number(error) + " is above the tolerance";
+    else if (options.max_cost_ns > 0 && c.cost_ns > options.max_cost_ns)
+      c.reason = "meets the tolerance, but " + number(c.cost_ns) + " ns is above the limit";
+    else if (r.chosen)
+      c.reason = "meets the tolerance, but costs " + number(c.cost_ns) + " ns against " +
+                 number(r.candidates[*r.chosen].cost_ns);
+  }
+}
+
+// Smallest error among candidates that `of` admits.
+double best_error(const Recommendation& r, Judge judge, const std::function<bool(const Candidate&)>& of) {
+  double best = 1e300;
+  for (const Candidate& c : r.candidates)
+    if (of(c)) best = std::min(best, judged(c, judge));
+  return best;
+}
+
+void find_unneeded(Recommendation& r, const RecommendOptions& options) {
+  const Coverage& v = r.coverage;
+  const auto say = [&](const std::string& text) { r.unneeded.push_back(text); };
+  if (v.most_theta_o < 75)
+    say("no pixel sees theta_o above " + number(v.most_theta_o) + " degrees: grazing accuracy is not needed");
+  if (v.most_theta_i < 75)
+    say("no lit pixel has theta_i above " + number(v.most_theta_i) + " degrees: grazing light is not shown");
+  if (v.most_theta_d < 40)
+    say("theta_d stays below " + number(v.most_theta_d) +
+        " degrees: the Fresnel rise is not shown, f0 and ks cannot be told apart");
+  if (v.least_theta_h > 5)
+    say("no half vector comes closer to the normal than " + number(v.least_theta_h) +
+        " degrees: the highlight's peak is not shown");
+  if (v.most_theta_h < 20)
+    say("no half vector is farther from the normal than " + number(v.most_theta_h) +
+        " degrees: the lobe's tail is not shown");
+  if (v.azimuth_spread < 30)
+    say("half vectors stay within " + number(v.azimuth_spread) + " degrees of azimuth " +
+        number(v.azimuth_of_h) +
+        ": the view never leaves one direction of the grain, anisotropy is not identifiable");
+  const auto with = [&](auto test) { return best_error(r, options.judge, test); };
+  const auto is_diffuse = [](const Candidate& c) {
+    return c.form == "lambert" || c.form.rfind("oren_nayar", 0) == 0;
+  };
+  const double diffuse = with(is_diffuse),
+               isotropic = with([](const Candidate& c) { return !c.anisotropic; });
+  const double anisotropic = with([](const Candidate& c) { return c.anisotropic; });
+  if (diffuse <= options.tolerance)
+    say("a diffuse model already has error " + number(diffuse) + ": no specular lobe is needed");
+  if (isotropic <= options.tolerance && anisotropic < 1e300 &&
+      !(r.chosen && r.candidates[*r.chosen].anisotropic))
+    say("two widths instead of one change the best error from " + number(isotropic) + " to " +
+        number(std::min(anisotropic, isotropic)) + ": anisotropy is not needed");
+  else if (isotropic <= options.tolerance && r.chosen)
+    say("a model of one width has error " + number(isotropic) +
+        " at a higher cost: the two widths of the chosen one make a cheaper formula fit and are no property "
+        "of the "
+        "reference");
+  const double no_fresnel =
+      with([](const Candidate& c) { return c.choice.find("no Fresnel") != std::string::npos; });
+  if (no_fresnel <= options.tolerance)
+    say("without any Fresnel term the GGX model has error " + number(no_fresnel) + ": it is not needed");
+  const double no_masking = with([](const Candidate& c) { return c.choice == "masking dropped"; });
+  if (no_masking <= options.tolerance)
+    say("with masking dropped the GGX model has error " + number(no_masking) + ": it is not needed");
+}
+
+}  // namespace
+
+double judged(const Candidate& c, Judge judge) {
+  return judge == Judge::image ? c.image_error : c.brdf_error;
+}
+
+void explain(Recommendation& r, const RecommendOptions& options) {
+  give_reasons(r, options);
+  find_unneeded(r, options);
+  if (!r.chosen) return;
+  const Candidate& chosen = r.candidates[*r.chosen];
+  for (const Violation& v : info(*find_form(chosen.form)).violations)
+    r.warnings.push_back(chosen.form + " is known to violate " + std::string(v.check) + ": " +
+                         std::string(v.statement));
+}
+
+}  // namespace brdf::trade
