@@ -12,10 +12,15 @@ namespace brdf::cli {
 namespace {
 
 io::Json parameter_json(const ParameterInfo& p, const char* kind) {
-  return {{"name", p.name},       {"kind", kind},
-          {"min", p.min},         {"max", p.max},
-          {"default", p.initial}, {"usual_max", p.usual_max},
-          {"unit", p.unit},       {"log_scale", p.log_scale},
+  return {{"name", p.name},
+          {"kind", kind},
+          {"role", name_of(p.role)},
+          {"min", p.min},
+          {"max", p.max},
+          {"default", p.initial},
+          {"usual_max", p.usual_max},
+          {"unit", p.unit},
+          {"log_scale", p.log_scale},
           {"doc", p.doc}};
 }
 
@@ -44,27 +49,32 @@ std::string range(const ParameterInfo& p) {
   return std::string(p.name) + " " + io::to_text(p.min) + ".." + io::to_text(p.max) + unit;
 }
 
-// Forms under their families: parameters with range and unit, then one line of what is known to be violated.
-void print_list(const std::vector<ReflectanceInfo>& forms) {
-  std::string_view family;
-  for (const ReflectanceInfo& form : forms) {
-    if (form.family != family) std::cout << (family.empty() ? "" : "\n") << form.family << '\n';
-    family = form.family;
-    std::cout << "  " << std::left << std::setw(27) << form.name
-              << (form.fittable() ? "fittable  " : "          ");
-    const char* separator = "";
-    for (const auto table : {form.weights, form.shape})
-      for (const ParameterInfo& p : table) {
-        std::cout << separator << range(p);
-        separator = ", ";
-      }
-    std::cout << "\n      violates: ";
-    separator = "";
-    for (const Violation& v : form.violations) {
-      std::cout << separator << v.check << " (" << v.statement << ")";
-      separator = "; ";
+// One form of the list: parameters with range and unit, then one line of what is known to be violated.
+void print_line(const ReflectanceInfo& form) {
+  std::cout << "  " << std::left << std::setw(27) << form.name
+            << (form.fittable() ? "fittable  " : "          ");
+  const char* separator = "";
+  for (const auto table : {form.weights, form.shape})
+    for (const ParameterInfo& p : table) {
+      std::cout << separator << range(p);
+      separator = ", ";
     }
-    std::cout << (form.violations.empty() ? "nothing known" : "") << '\n';
+  std::cout << "\n      violates: ";
+  separator = "";
+  for (const Violation& v : form.violations) {
+    std::cout << separator << v.check << " (" << v.statement << ")";
+    separator = "; ";
+  }
+  std::cout << (form.violations.empty() ? "nothing known" : "") << '\n';
+}
+
+// Forms under their families.
+void print_list() {
+  const char* separator = "";
+  for (const std::vector<Reflectance>& family : families()) {
+    std::cout << separator << info(family.front()).family << '\n';
+    for (const Reflectance& form : family) print_line(info(form));
+    separator = "\n";
   }
 }
 
@@ -107,7 +117,7 @@ void add_models(CLI::App& app) {
       for (const ReflectanceInfo& form : forms) json["forms"].push_back(form_json(form));
       std::cout << io::to_text(json);
     } else if (options->form.empty()) {
-      print_list(forms);
+      print_list();
     } else {
       print_form(forms[0]);
     }

@@ -46,8 +46,7 @@ std::vector<std::string> read_channels(const JsonPlace& place) {
 void check_parameter_names(const JsonPlace& place, std::span<const ParameterInfo> table) {
   if (!place.value().is_object()) place.fail("must be an object");
   for (const auto& [key, value] : place.value().items()) {
-    const auto same = [&](const ParameterInfo& p) { return p.name == key; };
-    if (std::any_of(table.begin(), table.end(), same)) continue;
+    if (parameter_index(table, key) >= 0) continue;
     std::string known;
     for (const ParameterInfo& p : table) (known += known.empty() ? "" : ", ") += p.name;
     throw InputError(place.file() + ": " + place.path() + ": unknown key \"" + key +

@@ -47,6 +47,18 @@ struct ParameterInfo {
   Map map = Map::none;
 };
 
+// The place in a table, by name or role; -1 where there is no such parameter.
+constexpr int parameter_index(std::span<const ParameterInfo> table, std::string_view name) {
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].name == name) return int(k);
+  return -1;
+}
+constexpr int parameter_index(std::span<const ParameterInfo> table, Role role) {
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].role == role) return int(k);
+  return -1;
+}
+
 template <class P, class T>
 struct Field {
   T P::*member;

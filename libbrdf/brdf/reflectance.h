@@ -171,6 +171,8 @@ inline const ReflectanceInfo& info(const Reflectance& reflectance) {
 
 // The forms of the catalogue (brdf/forms.h), in its order.
 std::span<const Reflectance> catalogue();
+// The same, one group per family.
+std::vector<std::vector<Reflectance>> families();
 // A form of the catalogue by its name.
 std::optional<Reflectance> find_form(std::string_view name);
 // Its place there; -1 for what is not in it.

@@ -261,4 +261,33 @@ const ReflectanceModel& reflectance_of() {
   return model;
 }
 
+// A string as a template's argument.
+template <std::size_t N>
+struct FixedName {
+  char text[N];
+  consteval FixedName(const char (&literal)[N]) { std::copy_n(literal, N, text); }
+};
+
+namespace detail {
+
+template <FixedName kName, template <class> class WeightsOf, template <class> class ShapeOf, class Lobes>
+struct LobesForm : Takes<WeightsOf, ShapeOf> {
+  static constexpr std::string_view name = kName.text;
+  static constexpr std::string_view family = kName.text;
+
+  template <class S, class G>
+  static auto lobes(const ShapeOf<S>& shape, const Geometry<G>& g) {
+    return Lobes{}(shape, g);
+  }
+};
+
+}  // namespace detail
+
+// A reflectance from a function without captures, lobes(shape, geometry) as in a form's struct:
+//   reflectance_from<"velvet", LobeWeights, Exponent>([](const auto& shape, const auto& g) { ... })
+template <FixedName kName, template <class> class WeightsOf, template <class> class ShapeOf, class Lobes>
+Reflectance reflectance_from(Lobes) {
+  return detail::LobesForm<kName, WeightsOf, ShapeOf, Lobes>{};
+}
+
 }  // namespace brdf

@@ -9,17 +9,6 @@
 namespace brdf {
 namespace {
 
-int index_of(std::span<const ParameterInfo> table, std::string_view name) {
-  for (std::size_t k = 0; k < table.size(); ++k)
-    if (table[k].name == name) return int(k);
-  return -1;
-}
-int index_of(std::span<const ParameterInfo> table, Role role) {
-  for (std::size_t k = 0; k < table.size(); ++k)
-    if (table[k].role == role) return int(k);
-  return -1;
-}
-
 // Evaluates in double and rounds, a block at a time.
 template <class Evaluate>
 void by_double(const ParameterValues<float>& p, const Directions<float>& d, float* out, Evaluate&& evaluate) {
@@ -51,16 +40,16 @@ bool ReflectanceInfo::violates(std::string_view check) const {
 }
 
 int ReflectanceInfo::shape_index(std::string_view parameter) const {
-  return index_of(shape, parameter);
+  return parameter_index(shape, parameter);
 }
 int ReflectanceInfo::weight_index(std::string_view parameter) const {
-  return index_of(weights, parameter);
+  return parameter_index(weights, parameter);
 }
 int ReflectanceInfo::shape_index(Role role) const {
-  return index_of(shape, role);
+  return parameter_index(shape, role);
 }
 int ReflectanceInfo::weight_index(Role role) const {
-  return index_of(weights, role);
+  return parameter_index(weights, role);
 }
 
 ReflectanceInfo::Axes ReflectanceInfo::axes() const {
@@ -129,6 +118,21 @@ std::optional<Reflectance> find_form(std::string_view name) {
   for (const Reflectance& form : catalogue())
     if (form.info().name == name) return form;
   return std::nullopt;
+}
+
+std::vector<std::vector<Reflectance>> families() {
+  std::vector<std::vector<Reflectance>> groups;
+  for (const Reflectance& form : catalogue()) {
+    const auto same = [&](const std::vector<Reflectance>& g) {
+      return g.front().info().family == form.info().family;
+    };
+    const auto group = std::find_if(groups.begin(), groups.end(), same);
+    if (group == groups.end())
+      groups.push_back({form});
+    else
+      group->push_back(form);
+  }
+  return groups;
 }
 
 int catalogue_index(const Reflectance& reflectance) {

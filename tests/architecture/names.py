@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Checks that only the forms' headers know forms and parameters by name.
+
+    names.py ROOT BRDF
+
+Outside libbrdf's forms and parameter sets no source holds a form's or a parameter's name (as a string or, of a form,
+as an identifier), compares the name of a form or a parameter, or indexes a parameter table with a constant. The names
+come from `BRDF models --json`. Exempt places are counted and printed; an exemption that nothing needs is a fault.
+"""
+import collections
+import json
+import os
+import re
+import subprocess
+import sys
+
+ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "render", "micro", "trade", "cli", "docs", "bench")
+FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
+EXEMPT = {
+    "trade/questions/": "the trade's questions",
+    "trade/approximations/": "the trade's questions",
+    "bench/": "measured examples",
+    "libbrdf/src/reflectance.cpp": "finding by name",
+    "libbrdf/brdf/reflectance_of.h": "finding by name",
+}
+# Words that are a parameter's or a form's name and have a meaning of their own in that file.
+HOMONYMS = {
+    ("io/rgl.cpp", "sigma"): "a field of RGL's files",
+    ("cli/verb_fit.cpp", "sigma"): "a weighting",
+    ("cli/verb_albedo.cpp", "albedo"): "the verb",
+}
+
+
+def names_of(brdf):
+    models = json.loads(subprocess.run([brdf, "models", "--json"], check=True, capture_output=True, text=True).stdout)
+    forms = models["forms"]
+    parameters = {p["name"] for f in forms for p in f["parameters"]}
+    return {f["form"] for f in forms}, parameters
+
+
+TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((?:.*?)\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\])\'', re.S)
+INDEXED = re.compile(r"(?:\binfo(?:\([^()]*\))?|\btable)(?:\.|->)(?:shape|weights)\[\d+\]|\b(?:shape|weights)\[\d+\]\[\d+\]")
+WHOSE = r"(?:\binfo(?:\([^()]*\))?|\b(?:form|parameter|table|p|f)|\(\))(?:\.|->)"
+COMPARED = re.compile(rf"{WHOSE}name\s*[!=]=|[!=]=\s*{WHOSE}name\b|\bfamily\s*[!=]=|[!=]=\s*(?:\w+\.)?family\b")
+
+
+def split(text):
+    """The code without comments and strings (same lines), and the strings with their line."""
+    strings = []
+
+    def replace(match):
+        token = match.group(0)
+        line = text.count("\n", 0, match.start()) + 1
+        if token.startswith(('"', "R")):
+            strings.append((line, token.strip('R"')))
+        return re.sub(r"[^\n]", " ", token) if not token.startswith("'") else "' '"
+
+    return TOKEN.sub(replace, text), strings
+
+
+def is_example(string):
+    """A command for people: help texts, sentences that say what to type."""
+    return re.search(r"\bbrdf \w|--\w", string) is not None
+
+
+def faults_of(text, forms, parameters):
+    code, strings = split(text)
+    for line, string in strings:
+        if string in forms or string in parameters:
+            yield line, string, f'names "{string}"'
+    for match in re.finditer(r"\b[a-z]\w*\b", code):
+        if match.group(0) in forms and not code[:match.start()].rstrip().endswith(("include", ".", "->")):
+            yield code.count("\n", 0, match.start()) + 1, match.group(0), f"uses the form {match.group(0)}"
+    for pattern, what in ((COMPARED, "compares a name"), (INDEXED, "indexes a table with a constant")):
+        for match in pattern.finditer(code):
+            yield code.count("\n", 0, match.start()) + 1, "", f"{what}: {' '.join(match.group(0).split())}"
+
+
+def main():
+    root, brdf = sys.argv[1], sys.argv[2]
+    forms, parameters = names_of(brdf)
+    exempt, faults, used = collections.Counter(), [], set()
+    checked = 0
+    for folder, folders, files in os.walk(root):
+        folders[:] = [f for f in folders if not f.startswith(".") and (folder != root or f in ROOMS)]
+        for name in files:
+            path = os.path.relpath(os.path.join(folder, name), root)
+            if not name.endswith((".h", ".cpp")) or path.startswith(FORMS) or path.split("/")[0] not in ROOMS:
+                continue
+            checked += 1
+            text = open(os.path.join(root, path), encoding="utf-8").read()
+            exempt["examples in texts"] += sum(is_example(s) for _, s in split(text)[1])
+            for line, word, what in faults_of(text, forms, parameters):
+                place = next((p for p in EXEMPT if path.startswith(p)), None)
+                if place or (path, word) in HOMONYMS:
+                    exempt[EXEMPT[place] if place else HOMONYMS[path, word]] += 1
+                    used.add(place or (path, word))
+                else:
+                    faults.append(f"{path}:{line}: {what}")
+    faults += [f"{key}: exempt, but nothing there needs it" for key in [*EXEMPT, *HOMONYMS] if key not in used]
+    print("\n".join(faults) or "only the forms know their names")
+    print(f"{checked} files; {len(forms)} forms, {len(parameters)} parameters; exempt: "
+          + ", ".join(f"{count} {why}" for why, count in sorted(exempt.items())))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
