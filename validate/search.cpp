@@ -23,8 +23,8 @@ bool explore(const Objective& f, std::vector<double>& point, double& value, doub
   bool moved = false;
   for (double& x : point) {
     const double here = x;
-    for (const double direction : {1.0, -1.0}) {
-      x = std::clamp(here + direction * step, 0.0, 1.0);
+    for (const double sign : {1.0, -1.0}) {
+      x = std::clamp(here + sign * step, 0.0, 1.0);
       if (x == here) continue;
       ++calls;
       const double there = safe(f(point));
@@ -63,6 +63,14 @@ Best climb(const Objective& f, std::vector<double> point, double value, double s
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> cube_corners(std::size_t dimensions, std::size_t most) {
+  std::vector<std::vector<double>> points(std::size_t{1} << std::min(dimensions, most),
+                                          std::vector<double>(dimensions));
+  for (std::size_t c = 0; c < points.size(); ++c)
+    for (std::size_t d = 0; d < std::min(dimensions, most); ++d) points[c][d] = double(c >> d & 1);
+  return points;
+}
 
 std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint64_t seed) {
   std::vector<double> point = additive_recurrence_steps(dimensions);
