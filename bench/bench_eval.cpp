@@ -10,7 +10,6 @@
 #include <barrier>
 #include <cstdio>
 #include <functional>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,7 +18,8 @@
 #include "bench/operations.h"
 #include "bench/scalar_code.h"
 #include "bench/throughput.h"
-#include "brdf/forms.h"
+#include "brdf/facets.h"
+#include "brdf/random.h"
 #include "trade/measure/timing.h"
 
 namespace brdf::bench {
@@ -108,10 +108,10 @@ class Pair {
 
 template <class T>
 DirectionArrays<T> random_directions() {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> uniform;
+  Random random(1);
   const auto one = [&] {
-    const Vec3<double> w = direction(radians(1.4 * uniform(random)), radians(2 * kPi * uniform(random)));
+    const double theta = 1.4 * random.uniform(), phi = 2 * kPi * random.uniform();
+    const Vec3<double> w = direction(radians(theta), radians(phi));
     return Vec3<T>{T(w.x), T(w.y), T(w.z)};
   };
   DirectionArrays<T> directions(kPairs);
@@ -121,7 +121,7 @@ DirectionArrays<T> random_directions() {
 
 // Nanoseconds per evaluation; the textbook's is 0 where it has no such form.
 struct Row {
-  std::string_view form;
+  Reflectance form;
   double textbook, scalar, batch, limit, two_threads;
 };
 
@@ -157,7 +157,7 @@ Row measure(const Reflectance& form) {
   const double divider =
       n.divides * ns(t[3].best, kThroughputCount) + n.roots * ns(t[4].best, kThroughputCount);
   const double arithmetic = n.arithmetic * ns(t[5].best, 2.0 * kFmaPerValue * kThroughputCount);
-  return {about.name,
+  return {form,
           by_textbook ? ns(t[0].best, kPairs) : 0,
           ns(t[1].best, kPairs),
           ns(t[2].best, kPairs),
@@ -166,7 +166,7 @@ Row measure(const Reflectance& form) {
 }
 
 void print(const Row& r) {
-  std::printf("%-26s", std::string(r.form).c_str());
+  std::printf("%-26s", std::string(r.form.info().name).c_str());
   if (r.textbook > 0)
     std::printf("%9.2f", r.textbook);
   else
@@ -187,34 +187,30 @@ void goal(const std::string& what, double measured, double wanted, bool at_least
               met ? "yes" : "NO");
 }
 
-const Row* find(const std::vector<Row>& rows, std::string_view form) {
+// The first form with these facets.
+const Row* find(const std::vector<Row>& rows, const FacetFacts& facets) {
   for (const Row& r : rows)
-    if (r.form == form) return &r;
+    if (r.form.info().facets == &facets) return &r;
   return nullptr;
 }
 
 void print_goals(const std::vector<Row>& in_double, const std::vector<Row>& in_float) {
-  const auto share = [&](const char* form, double wanted_double, double wanted_float) {
-    if (const Row* r = find(in_double, form))
-      goal(std::string(form) + ", share of the limit, double", r->limit / r->batch, wanted_double, true);
-    if (const Row* r = find(in_float, form))
-      goal(std::string(form) + ", share of the limit, float", r->limit / r->batch, wanted_float, true);
-  };
-  share("cook_torrance", 0.85, 0.75);
-  share("ward", 0.4, 0.4);
-  share("cook_torrance_vcavity", 0.4, 0.4);
-  const Row* ggx = find(in_double, "cook_torrance");
-  const Row* beckmann = find(in_double, "cook_torrance_beckmann");
-  if (ggx && beckmann)
-    goal("cook_torrance_beckmann over cook_torrance, double", beckmann->batch / ggx->batch, 7, false);
+  if (const Row *ggx = find(in_double, Facets<GgxSlopes, SmithGgx>::facts),
+      *beckmann = find(in_double, Facets<BeckmannSlopes, SmithBeckmann>::facts);
+      ggx && beckmann)
+    goal("Beckmann's facets over GGX's, double", beckmann->batch / ggx->batch, 7, false);
   const double times = __builtin_cpu_supports("avx512vl") ? 6 : 3;
-  for (const Row& r : in_double) {
-    const std::string name(r.form);
-    const Row& f = *find(in_float, r.form);
-    if (!r.textbook || name == "lambert") continue;  // lambert is bound by memory
-    goal(name + ", float over double", r.batch / f.batch, name == "oren_nayar" ? 1.4 : 2, true);
+  for (std::size_t k = 0; k < in_double.size(); ++k) {
+    const Row &r = in_double[k], &f = in_float[k];
+    const std::string name(r.form.info().name);
+    const Goals wanted = goals_of(r.form);
+    if (wanted.float_over_double == 0) continue;
+    goal(name + ", float over double", r.batch / f.batch, wanted.float_over_double, true);
     for (const Row* row : {&r, &f}) {
-      const char* scalar = row == &r ? "double" : "float";
+      const bool is_double = row == &r;
+      const std::string scalar = is_double ? "double" : "float";
+      if (const double share = is_double ? wanted.of_limit_in_double : wanted.of_limit_in_float; share > 0)
+        goal(name + ", share of the limit, " + scalar, row->limit / row->batch, share, true);
       goal(name + ", batch over the scalar template, " + scalar, row->scalar / row->batch, times, true);
       goal(name + ", two threads over one, " + scalar, row->batch / row->two_threads, 1.9, true);
     }

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace brdf::micro;
+using brdf::Random;
 
 void RaysAt60Degrees(benchmark::State& state) {
   Simulation simulation;
@@ -17,7 +18,7 @@ void RaysAt60Degrees(benchmark::State& state) {
   simulation.geometry = HeightField{.alpha_x = alpha, .alpha_y = alpha, .size = 1000};
   const Surface surface = make_surface(simulation, state.thread_index());
   Tracer tracer(surface);
-  Random random(1, state.thread_index(), Stream::scatter);
+  Random random = random_for(1, state.thread_index(), Purpose::scatter);
   Account account{.escaped = std::vector<double>(64)};
   const Vec wi = brdf::direction(brdf::degrees(60), {});
   for (auto _ : state) {

@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "brdf/forms.h"
+#include "brdf/material.h"
 #include "io/error.h"
+#include "io/numbers.h"
 #include "render/gpu/renderer.h"
 #include "render/gpu/shader_code.h"
 #include "render/picture/picture.h"
@@ -34,9 +35,11 @@ double processor_milliseconds() {
   return ms(usage.ru_utime) + ms(usage.ru_stime);
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
+// The catalogue's first form of which that is true.
+template <class Is>
+Reflectance first_form(Is&& is) {
+  const auto all = catalogue();
+  return *std::find_if(all.begin(), all.end(), [&](const Reflectance& form) { return is(form.info()); });
 }
 
 // Runs the works one after the other, `runs` times after one warm-up; medians in milliseconds, by the clock
@@ -55,12 +58,18 @@ std::vector<Medians> interleaved(int runs, const std::vector<std::function<void(
     }
   }
   std::vector<Medians> medians;
-  for (std::size_t k = 0; k < works.size(); ++k) medians.push_back({median(wall[k]), median(processor[k])});
+  for (std::size_t k = 0; k < works.size(); ++k)
+    medians.push_back({io::median(wall[k]), io::median(processor[k])});
   return medians;
 }
 
-PreparedScene sphere(int width, int height, const char* form = "cook_torrance") {
-  Scene scene = material_scene({{form, make_material(*find_form(form))}});
+Reflectance microfacets() {
+  return first_form([](const ReflectanceInfo& f) { return f.facets != nullptr; });
+}
+
+PreparedScene sphere(int width, int height) {
+  const Reflectance form = microfacets();
+  Scene scene = material_scene({{std::string(form.info().name), make_material(form)}});
   scene.camera.width = width;
   scene.camera.height = height;
   return prepare(std::move(scene));
@@ -163,7 +172,7 @@ void first_frame() {
 
 void frames(int runs) {
   Device device;
-  std::printf("\nframe of %d triangles, seven 16-bit targets, cook_torrance, one light (ms, median of %d)\n",
+  std::printf("\nframe of %d triangles, seven 16-bit targets, microfacets, one light (ms, median of %d)\n",
               kSphereTriangles, runs);
   std::printf("%12s %8s %10s %10s %8s %8s | on the processor %8s %8s %8s\n", "picture", "frame", "geometry",
               "lighting", "least", "ratio", "frame", "least", "ratio");
@@ -182,8 +191,8 @@ void frames(int runs) {
     };
     const std::vector<Medians> ms = interleaved(runs, {frame, [&] { floor.draw(); }});
     std::printf("%6dx%-5d %8.1f %10.1f %10.1f %8.1f %8.2f | %25.1f %8.1f %8.2f\n", width, height, ms[0].wall,
-                median(geometry), median(lighting), ms[1].wall, ms[0].wall / ms[1].wall, ms[0].processor,
-                ms[1].processor, ms[0].processor / ms[1].processor);
+                io::median(geometry), io::median(lighting), ms[1].wall, ms[0].wall / ms[1].wall,
+                ms[0].processor, ms[1].processor, ms[0].processor / ms[1].processor);
   }
   std::printf(
       "least: a pass that clears the seven targets and runs the vertex shader of the same mesh, a pass that "
@@ -198,7 +207,7 @@ Scene crowd(int lights) {
     for (int x = 0; x < 5; ++x) {
       Object object;
       object.mesh = "sphere:5120";
-      object.material = make_material(cook_torrance{});
+      object.material = make_material(microfacets());
       object.position = {1.6f * float(x - 2), 0.3f * float(z) - 0.4f, 1.5f * float(z) - 3};
       scene.objects.push_back(object);
     }
@@ -223,11 +232,16 @@ void forward_against_deferred(int runs) {
   }
 }
 
-float highlight_peak(Device& device, const char* form, double exponent) {
-  Material material = make_material(*find_form(form));
-  material.terms[0].shape[0][0] = exponent;
-  for (auto& weights : material.terms[0].weights) weights = {0, 1};
-  Scene scene = material_scene({{form, material}});
+// Of the lobe alone.
+float highlight_peak(Device& device, const Reflectance& form, double exponent) {
+  const ReflectanceInfo& about = form.info();
+  Material material = make_material(form);
+  Term& term = material.terms.front();
+  term.shape.front()[std::size_t(about.shape_index(brdf::Role::exponent))] = exponent;
+  for (auto& weights : term.weights)
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      weights[k] = about.weights[k].role == brdf::Role::diffuse ? 0 : 1;
+  Scene scene = material_scene({{std::string(about.name), material}});
   scene.ambient = scene.background = glm::vec3(0);
   Renderer renderer(device, prepare(std::move(scene)), {.gbuffer_bits = 32});
   renderer.draw();
@@ -239,13 +253,20 @@ float highlight_peak(Device& device, const char* form, double exponent) {
 
 void highlight_peaks() {
   Device device;
-  std::printf("\nbrightest pixel of a sphere, kd 0, ks 1\n%10s %10s %14s %8s\n", "exponent", "phong",
-              "blinn_phong", "ratio");
+  // A cosine's power about the mirror direction, and of the half vector.
+  const auto canonical = [](const ReflectanceInfo& f) {
+    return f.canonical && f.shape_index(brdf::Role::exponent) >= 0;
+  };
+  const Reflectance about_mirror =
+      first_form([&](const ReflectanceInfo& f) { return canonical(f) && f.kink == Kink::mirror_edge; });
+  const Reflectance of_half =
+      first_form([&](const ReflectanceInfo& f) { return canonical(f) && f.kink != Kink::mirror_edge; });
+  std::printf("\nbrightest pixel of a sphere, the lobe alone\n%10s %10s %14s %8s\n", "power",
+              std::string(about_mirror.info().name).c_str(), std::string(of_half.info().name).c_str(),
+              "ratio");
   for (const double n : {5.0, 20.0, 100.0, 500.0}) {
-    const float phong_peak = highlight_peak(device, "phong", n),
-                blinn = highlight_peak(device, "blinn_phong", n);
-    std::printf("%10.0f %10.4f %14.4f %8.3f\n", n, double(phong_peak), double(blinn),
-                double(blinn / phong_peak));
+    const double mirror = highlight_peak(device, about_mirror, n), half = highlight_peak(device, of_half, n);
+    std::printf("%10.0f %10.4f %14.4f %8.3f\n", n, mirror, half, half / mirror);
   }
 }
 

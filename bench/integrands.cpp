@@ -4,13 +4,12 @@
 
 #include <chrono>
 #include <cmath>
-#include <random>
 
-#include "brdf/forms.h"
 #include "brdf/integrals.h"
 #include "brdf/quadrature.h"
+#include "brdf/random.h"
 #include "brdf/reflectance.h"
-#include "brdf/sampling.h"
+#include "brdf/samplers.h"
 
 namespace brdf::bench {
 namespace {
@@ -141,24 +140,30 @@ Results adaptive_cubature(const Lobe& lobe) {
 }
 
 Results visible_normals(const Lobe& lobe) {
-  const auto shape = from_values<Roughness<double>>(lobe.term.shape_of(0));
-  const auto weights = from_values<SchlickWeights<double>>(std::span<const double>(lobe.term.weights[0]));
+  constexpr std::size_t kBatch = 1000;
+  const auto [along, across] = info(lobe.term.form).axes();
+  const std::span<const double> shape = lobe.term.shape_of(0);
+  const Roughness<double> widths{shape[std::size_t(along)], shape[std::size_t(across)]};
   const Vec3<double> wo = direction(radians(lobe.theta), {});  // the lobe is reciprocal
-  std::mt19937_64 random(1);
-  const auto uniform = [&] { return double(random() >> 11) * 0x1p-53; };
+  Random random(1);
   Milestones milestones;
+  DirectionArrays<double> directions(kBatch);
+  std::array<double, kBatch> values, density;
   double sum = 0, sum2 = 0;
   for (long count = 0; count < kMostEvaluations && !milestones.done();) {
-    for (int k = 0; k < 1000; ++k) {
-      const double u1 = uniform(), u2 = uniform();
-      const Vec3<double> wi = mirrored(wo, sample_visible_ggx(shape, u1, u2, wo));
-      if (!(wi.z > 0)) continue;
-      const Geometry<double> g = geometry(wi, wo);
-      const double x = eval_cos(cook_torrance{}, weights, weights, shape, g) / pdf_visible_ggx(shape, g);
+    for (std::size_t k = 0; k < kBatch; ++k) {
+      const double u1 = random.uniform(), u2 = random.uniform();
+      const Vec3<double> wi = mirrored(wo, sample_visible_ggx(widths, u1, u2, wo));
+      directions.set(k, wi, wo);
+      density[k] = wi.z > 0 ? pdf_visible_ggx(widths, geometry(wi, wo)) : 1;
+    }
+    eval_cos_batch(lobe.term, 0, directions.view(), values.data());
+    for (std::size_t k = 0; k < kBatch; ++k) {
+      const double x = values[k] / density[k];
       sum += x;
       sum2 += x * x;
     }
-    count += 1000;
+    count += long(kBatch);
     const double mean = sum / double(count);
     const double error = std::sqrt(std::max(sum2 / double(count) - mean * mean, 0.0) / double(count - 1));
     milestones.at(mean, 2 * error, count);

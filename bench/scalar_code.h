@@ -17,4 +17,11 @@ Scalar<T> scalar_template(const Reflectance& form);
 template <class T>
 Scalar<T> textbook(const Reflectance& form);
 
+// What the project wants of the batches of a form that textbooks have; 0: nothing.
+struct Goals {
+  double of_limit_in_double = 0, of_limit_in_float = 0;  // share of the machine's limit
+  double float_over_double = 2;                          // 0: bound by memory, no goal at all
+};
+Goals goals_of(const Reflectance& form);
+
 }  // namespace brdf::bench

@@ -1,5 +1,5 @@
+#include <array>
 #include <cmath>
-#include <map>
 #include <string_view>
 
 #include "bench/scalar_code.h"
@@ -133,23 +133,44 @@ void evaluate(std::span<const T> weights, std::span<const T> shape, const Direct
     out[i] = kShade(weights.data(), shape.data(), Shading<T>(d.wi(i), d.wo(i)));
 }
 
+// The textbooks' models by the catalogue's names.
+template <class T>
+struct Known {
+  std::string_view name;
+  Scalar<T> code;
+  Goals goals{};
+};
+template <class T>
+constexpr std::array<Known<T>, 8> kKnown{
+    {{"lambert", &evaluate<T, lambert_textbook<T>>, {0, 0, 0}},
+     {"oren_nayar", &evaluate<T, oren_nayar_textbook<T>>, {0, 0, 1.4}},
+     {"phong", &evaluate<T, phong_textbook<T>>},
+     {"blinn_phong", &evaluate<T, blinn_phong_textbook<T>>},
+     {"ward", &evaluate<T, ward_textbook<T>>, {0.4, 0.4}},
+     {"cook_torrance", &evaluate<T, ggx_textbook<T>>, {0.85, 0.75}},
+     {"cook_torrance_beckmann", &evaluate<T, beckmann_textbook<T>>},
+     {"cook_torrance_vcavity", &evaluate<T, vcavity_textbook<T>>, {0.4, 0.4}}}};
+
+template <class T>
+const Known<T>* find(const Reflectance& form) {
+  for (const Known<T>& known : kKnown<T>)
+    if (known.name == form.info().name) return &known;
+  return nullptr;
+}
+
 }  // namespace
 
 template <class T>
 Scalar<T> textbook(const Reflectance& form) {
-  static const std::map<std::string_view, Scalar<T>> known{
-      {"lambert", &evaluate<T, lambert_textbook<T>>},
-      {"oren_nayar", &evaluate<T, oren_nayar_textbook<T>>},
-      {"phong", &evaluate<T, phong_textbook<T>>},
-      {"blinn_phong", &evaluate<T, blinn_phong_textbook<T>>},
-      {"ward", &evaluate<T, ward_textbook<T>>},
-      {"cook_torrance", &evaluate<T, ggx_textbook<T>>},
-      {"cook_torrance_beckmann", &evaluate<T, beckmann_textbook<T>>},
-      {"cook_torrance_vcavity", &evaluate<T, vcavity_textbook<T>>}};
-  const auto found = known.find(info(form).name);
-  return found == known.end() ? nullptr : found->second;
+  const Known<T>* known = find<T>(form);
+  return known ? known->code : nullptr;
 }
 template Scalar<float> textbook(const Reflectance&);
 template Scalar<double> textbook(const Reflectance&);
+
+Goals goals_of(const Reflectance& form) {
+  const Known<double>* known = find<double>(form);
+  return known ? known->goals : Goals{0, 0, 0};
+}
 
 }  // namespace brdf::bench

@@ -18,7 +18,7 @@
 #include "io/output.h"
 #include "io/samples.h"
 #include "io/text.h"
-#include "validate/bound_pairs.h"
+#include "validate/error_bounds.h"
 #include "validate/integrators.h"
 #include "validate/numerics.h"
 #include "validate/report.h"
@@ -93,7 +93,7 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
 Exit judge(const std::vector<validate::Finding>& findings, const std::vector<std::string>& require) {
   for (const validate::Finding& f : findings) {
     const bool needed = std::find(require.begin(), require.end(), f.check) != require.end();
-    if (needed ? f.verdict != validate::Verdict::pass : f.verdict == validate::Verdict::fail)
+    if (needed ? f.outcome != validate::Outcome::pass : f.outcome == validate::Outcome::fail)
       return Exit::failed;
   }
   return Exit::good;

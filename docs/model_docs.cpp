@@ -12,6 +12,7 @@
 
 #include "brdf/material.h"
 #include "brdf/trace.h"
+#include "io/numbers.h"
 #include "validate/numerics.h"
 
 namespace {
@@ -27,10 +28,18 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string number(double x, const char* format = "%.6g") {
+std::string number(double x) {
+  return io::short_number(x, 6);
+}
+
+std::string formatted(const char* format, double x) {
   char text[32];
   std::snprintf(text, sizeof text, format, x);
   return text;
+}
+// As many decimals as a picture needs.
+std::string pixels(double x) {
+  return formatted("%.1f", x);
 }
 
 // The comment above `struct <form>` in one of the forms' headers.
@@ -113,18 +122,16 @@ std::string accuracy_text(const Forms& forms) {
   for (const Reflectance& form : forms) {
     const auto rows = validate::measure_numerics(form);
     text += "| `" + std::string(info(form).name) + "`";
-    for (const validate::NumericsRow* row : {&rows[1], &rows[0]})
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row)  // double first
       for (double error : {row->max_error, row->faint_error, row->tail_error})
-        text += error == 0 ? " | 0" : " | " + number(error, "%.1e");
+        text += error == 0 ? " | 0" : " | " + formatted("%.1e", error);
     text += " |\n";
   }
   return text;
 }
 
-// --- Pictures: f in the plane of incidence as a polar plot, for light at 30 and 70 degrees
-// -------------------
+// --- Pictures: f in the plane of incidence as a polar plot, light at 30 and 70 degrees --------------------
 
-constexpr double kDegree = kPi / 180;
 constexpr double kRadius = 130, kCentre = 160, kBase = 150;
 
 std::vector<double> values_in_plane(const Material& material, double theta_i) {
@@ -142,16 +149,17 @@ std::string curve(const std::vector<double>& values, double scale, const char* s
   std::string points;
   for (int k = -89; k <= 89; ++k) {
     const double r = kRadius * std::max(0.0, values[std::size_t(k + 89)]) / scale;
-    points += number(kCentre + r * std::sin(k * kDegree), "%.1f") + "," +
-              number(kBase - r * std::cos(k * kDegree), "%.1f") + " ";
+    points += pixels(kCentre + r * std::sin(degrees(k).radians())) + "," +
+              pixels(kBase - r * std::cos(degrees(k).radians())) + " ";
   }
   return "<polyline fill=\"none\" " + std::string(style) + " points=\"" + points + "\"/>\n";
 }
 
 std::string light(double theta_i, const char* colour) {
-  return "<line x1=\"" + number(kCentre - 1.05 * kRadius * std::sin(theta_i * kDegree), "%.1f") + "\" y1=\"" +
-         number(kBase - 1.05 * kRadius * std::cos(theta_i * kDegree), "%.1f") + "\" x2=\"" + number(kCentre) +
-         "\" y2=\"" + number(kBase) + "\" stroke=\"" + colour + "\" stroke-dasharray=\"4 3\"/>\n";
+  return "<line x1=\"" + pixels(kCentre - 1.05 * kRadius * std::sin(degrees(theta_i).radians())) +
+         "\" y1=\"" + pixels(kBase - 1.05 * kRadius * std::cos(degrees(theta_i).radians())) + "\" x2=\"" +
+         number(kCentre) + "\" y2=\"" + number(kBase) + "\" stroke=\"" + colour +
+         "\" stroke-dasharray=\"4 3\"/>\n";
 }
 
 std::string picture_of(const Reflectance& form) {
@@ -166,7 +174,7 @@ std::string picture_of(const Reflectance& form) {
          curve(steep, scale, "stroke=\"#1f77b4\" stroke-width=\"1.5\"") +
          curve(flat, scale, "stroke=\"#d62728\" stroke-width=\"1.5\"") +
          "<text x=\"20\" y=\"170\">light at 30 (blue) and 70 degrees (red); largest f " +
-         number(scale, "%.3g") + " / sr</text>\n</svg>\n";
+         io::short_number(scale, 3) + " / sr</text>\n</svg>\n";
 }
 
 // --- Files -----------------------------------------------------------------------------------------------

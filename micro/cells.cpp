@@ -11,10 +11,6 @@ double Cell::projected_solid_angle() const {
   return (phi_high - phi_low) * (square(std::sin(theta_high)) - square(std::sin(theta_low))) / 2;
 }
 
-Vec Cell::centre() const {
-  return direction(radians(centre_theta()), radians(centre_phi()));
-}
-
 Vec Cell::point(double u, double v) const {
   const double low = square(std::sin(theta_low)), high = square(std::sin(theta_high));
   const double sine_squared = low + u * (high - low);
@@ -22,8 +18,8 @@ Vec Cell::point(double u, double v) const {
   return direction(radians(theta), radians(phi_low + v * (phi_high - phi_low)));
 }
 
-Cells::Cells(double width) {
-  const int rows = std::max(1, static_cast<int>(std::lround(kPi / 2 / width)));
+Cells::Cells(Angle width) {
+  const int rows = std::max(1, static_cast<int>(std::lround(kPi / 2 / width.radians())));
   height_ = kPi / 2 / rows;
   for (int row = 0; row < rows; ++row) {
     row_begin_.push_back(size());
@@ -37,12 +33,12 @@ Cells::Cells(double width) {
   row_begin_.push_back(size());
 }
 
-int Cells::find(const Vec& w, double phi_zero) const {
+int Cells::find(const Vec& w, Angle phi_zero) const {
   const double theta = std::atan2(std::hypot(w.x, w.y), w.z);
   const int rows = static_cast<int>(row_begin_.size()) - 1;
   const int row = std::clamp(static_cast<int>(theta / height_), 0, rows - 1);
   const int count = row_begin_[row + 1] - row_begin_[row];
-  const double share = (std::atan2(w.y, w.x) - phi_zero) / (2 * kPi) * count + 0.5;
+  const double share = (std::atan2(w.y, w.x) - phi_zero.radians()) / (2 * kPi) * count + 0.5;
   const int column = static_cast<int>(std::floor(share)) % count;
   return row_begin_[row] + (column < 0 ? column + count : column);
 }

@@ -10,7 +10,7 @@ struct Estimate {
   double standard_error = 0;  // of the mean, from the scatter between surfaces
 };
 
-/// Collects one value per surface (Welford's update: no cancellation).
+// Collects one value per surface (Welford's update: no cancellation).
 class Collector {
  public:
   void add(double value) {
@@ -19,7 +19,7 @@ class Collector {
     mean_ += difference / count_;
     squares_ += difference * (value - mean_);
   }
-  /// Needs at least two values; the standard error of one is not a number.
+  // Needs at least two values; the standard error of one is not a number.
   Estimate estimate() const { return {mean_, std::sqrt(squares_ / (count_ * (count_ - 1)))}; }
 
  private:

@@ -28,7 +28,7 @@ Vec cosine_direction(const Facet& facet, Random& random) {
   return length > 1e-9 ? sum * (1 / length) : normal(facet);
 }
 
-Scattered scatter(const Facets& facets, const Facet& facet, const Vec& incoming, Random& random) {
+Scattered scatter(const FacetOptics& facets, const Facet& facet, const Vec& incoming, Random& random) {
   if (facets.reflection == Reflection::lambert) return {cosine_direction(facet, random), facets.rho};
   const Vec n = normal(facet);
   const double cosine = -dot(n, incoming);

@@ -28,18 +28,15 @@ struct SurfaceScatter {
   std::vector<Account> accounts;
 };
 
-SurfaceScatter scatter_on(const Simulation& s, int index, const std::vector<Incidence>& incidences,
-                          const Cells& cells) {
-  const Surface surface = make_surface(s, index);
-  Tracer tracer(surface);
-  Random random(s.seed, index, Stream::scatter);
+SurfaceScatter scatter_on(Tracer& tracer, Random& random, const Simulation& s,
+                          const std::vector<Incidence>& incidences, const Cells& cells) {
   SurfaceScatter result;
   const double share = 1.0 / strata_count(s.rays);
   for (const Incidence& from : incidences) {
     Energies energies;
     energies.fill(std::vector<double>(cells.size()));
     Account account = empty_account(s), shares;
-    const Vec wi = direction(radians(from.theta), radians(from.phi));
+    const Vec wi = direction(from.theta, from.phi);
     for_each_stratum(s.rays, random, [&](double u, double v) {
       walk(tracer, s.facets, wi, u, v, random, account, [&](int order, const Vec& wo, double weight) {
         energies[order_class(order)][cells.find(wo, from.phi)] += weight * share;
@@ -109,7 +106,7 @@ void view_path(Tracer& tracer, const Simulation& s, const Vec& wo, const std::ve
 }  // namespace
 
 Surface make_surface(const Simulation& simulation, int index) {
-  Random random(simulation.seed, index, Stream::geometry);
+  Random random = random_for(simulation.seed, index, Purpose::geometry);
   if (const auto* field = std::get_if<HeightField>(&simulation.geometry))
     return make_height_field(*field, random);
   return make_grooves(std::get<Grooves>(simulation.geometry), random);
@@ -118,8 +115,9 @@ Surface make_surface(const Simulation& simulation, int index) {
 std::vector<Scatter> measure_scatter(const Simulation& s, const std::vector<Incidence>& incidences,
                                      const Cells& cells, const Progress& progress) {
   std::vector<ScatterCollector> collectors(incidences.size());
-  io::parallel_in_order(
-      s.surfaces, s.threads, progress, [&](int index) { return scatter_on(s, index, incidences, cells); },
+  on_each_surface(
+      s, Purpose::scatter, progress,
+      [&](Tracer& tracer, Random& random) { return scatter_on(tracer, random, s, incidences, cells); },
       [&](const SurfaceScatter& one) {
         for (std::size_t k = 0; k < incidences.size(); ++k) {
           collectors[k].add(one.energies[k], one.accounts[k], cells, 1.0 / s.surfaces);
@@ -143,20 +141,17 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
                                                     const std::vector<Incidence>& views,
                                                     const Progress& progress) {
   std::vector<Vec> sources;
-  for (const Incidence& i : incidences) sources.push_back(direction(radians(i.theta), radians(i.phi)));
+  for (const Incidence& i : incidences) sources.push_back(direction(i.theta, i.phi));
   struct Collected {
     std::array<Collector, kOrderClasses> f;
     Collector total;
   };
   std::vector<std::vector<Collected>> collected(sources.size(), std::vector<Collected>(views.size()));
   const double share = 1.0 / strata_count(s.rays);
-  const auto job = [&](int index) {
-    const Surface surface = make_surface(s, index);
-    Tracer tracer(surface);
-    Random random(s.seed, index, Stream::radiance);
+  const auto job = [&](Tracer& tracer, Random& random) {
     std::vector<Shares> result;
     for (const Incidence& view : views) {
-      const Vec wo = direction(radians(view.theta), radians(view.phi));
+      const Vec wo = direction(view.theta, view.phi);
       Shares shares(sources.size());
       for_each_stratum(s.rays, random,
                        [&](double u, double v) { view_path(tracer, s, wo, sources, u, v, random, shares); });
@@ -164,7 +159,7 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
     }
     return result;
   };
-  io::parallel_in_order(s.surfaces, s.threads, progress, job, [&](const std::vector<Shares>& one) {
+  on_each_surface(s, Purpose::radiance, progress, job, [&](const std::vector<Shares>& one) {
     for (std::size_t v = 0; v < views.size(); ++v) {
       for (std::size_t k = 0; k < sources.size(); ++k) {
         double sum = 0;
@@ -209,12 +204,9 @@ Exchange measure_exchange(const Simulation& s, const Cell& a, const Cell& b, con
     return power * share / to.projected_solid_angle();
   };
   Collector forward, backward;
-  io::parallel_in_order(
-      s.surfaces, s.threads, progress,
-      [&](int index) {
-        const Surface surface = make_surface(s, index);
-        Tracer tracer(surface);
-        Random random(s.seed, index, Stream::exchange);
+  on_each_surface(
+      s, Purpose::exchange, progress,
+      [&](Tracer& tracer, Random& random) {
         const double there = one_way(tracer, random, a, b);
         return std::pair{there, one_way(tracer, random, b, a)};
       },

@@ -17,19 +17,19 @@ namespace brdf::micro {
 
 using io::Progress;
 
-/// Orders of reflection are kept apart as 1, 2, and 3 or more.
+// Orders of reflection are kept apart as 1, 2, and 3 or more.
 constexpr int kOrderClasses = 3;
 inline int order_class(int order) {
   return order < kOrderClasses ? order - 1 : kOrderClasses - 1;
 }
 
 struct Incidence {
-  double theta, phi;  // radians
+  Angle theta, phi;
 };
 
 struct Simulation {
   std::variant<HeightField, Grooves> geometry;
-  Facets facets;
+  FacetOptics facets;
   int surfaces = 8;           // independent surfaces; at least 8 for a standard error worth its name
   std::int64_t rays = 65536;  // per surface and direction of incidence (or view)
   int max_bounces = 64;
@@ -37,10 +37,25 @@ struct Simulation {
   int threads = 2;
 };
 
-/// The surface with that index among the simulation's independent surfaces.
+// The surface with that index among the simulation's independent surfaces.
 Surface make_surface(const Simulation& simulation, int index);
 
-/// Light from one direction, the whole outgoing hemisphere: mean f_r over each cell (1/sr).
+// Runs job(tracer, random) on every surface and hands the results to `consume` in order.
+template <class Job, class Consume>
+void on_each_surface(const Simulation& s, Purpose purpose, const Progress& progress, const Job& job,
+                     const Consume& consume) {
+  io::parallel_in_order(
+      s.surfaces, s.threads, progress,
+      [&](int index) {
+        const Surface surface = make_surface(s, index);
+        Tracer tracer(surface);
+        Random random = random_for(s.seed, index, purpose);
+        return job(tracer, random);
+      },
+      consume);
+}
+
+// Light from one direction, the whole outgoing hemisphere: mean f_r over each cell (1/sr).
 struct Scatter {
   Incidence incidence;
   std::vector<Estimate> f[kOrderClasses];  // [order class][cell]
@@ -49,25 +64,25 @@ struct Scatter {
   Estimate albedo;
 };
 
-/// Power of the rays that leave through a cell, divided by the incident power and by the cell's integral of
-/// cos theta: the mean of f_r over the cell, weighted by cos theta, exactly. Azimuths of cells count from the
-/// incidence's phi.
+// Power of the rays that leave through a cell, divided by the incident power and by the cell's integral of
+// cos theta: the mean of f_r over the cell, weighted by cos theta, exactly. Azimuths of cells count from the
+// incidence's phi.
 std::vector<Scatter> measure_scatter(const Simulation& simulation, const std::vector<Incidence>& incidences,
                                      const Cells& cells, const Progress& progress = {});
 
-/// f_r (1/sr) between exact directions, for Lambertian facets only: rays from the viewer, and at each facet
-/// the light that comes straight from every source.
+// f_r (1/sr) between exact directions, for Lambertian facets only: rays from the viewer, and at each facet
+// the light that comes straight from every source.
 struct Radiance {
   Estimate f[kOrderClasses];
   Estimate total;
 };
-/// [incidence][view].
+// [incidence][view].
 std::vector<std::vector<Radiance>> measure_radiance(const Simulation& simulation,
                                                     const std::vector<Incidence>& incidences,
                                                     const std::vector<Incidence>& views,
                                                     const Progress& progress = {});
 
-/// Mean f_r between two cells, in one direction and in the other: equal in a reciprocal world.
+// Mean f_r between two cells, in one direction and in the other: equal in a reciprocal world.
 struct Exchange {
   Estimate forward, backward;
 };

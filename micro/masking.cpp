@@ -81,18 +81,14 @@ Slopes measure_slopes(const Simulation& s, const std::vector<double>& q, const P
   return result;
 }
 
-std::vector<Masking> measure_masking(const Simulation& s, const std::vector<double>& thetas,
+std::vector<Masking> measure_masking(const Simulation& s, const std::vector<Angle>& thetas,
                                      const Progress& progress) {
   std::vector<MaskingCollector> collectors(thetas.size());
-  io::parallel_in_order(
-      s.surfaces, s.threads, progress,
-      [&](int index) {
-        const Surface surface = make_surface(s, index);
-        Tracer tracer(surface);
-        Random random(s.seed, index, Stream::masking);
+  on_each_surface(
+      s, Purpose::masking, progress,
+      [&](Tracer& tracer, Random& random) {
         std::vector<Counts> counts;
-        for (const double theta : thetas)
-          counts.push_back(look(tracer, direction(radians(theta), {}), s.rays, random));
+        for (const Angle theta : thetas) counts.push_back(look(tracer, direction(theta, {}), s.rays, random));
         return counts;
       },
       [&](const std::vector<Counts>& counts) {
@@ -107,8 +103,8 @@ std::vector<Masking> measure_masking(const Simulation& s, const std::vector<doub
   return result;
 }
 
-double smith_lambda(double alpha, double theta) {
-  const double a = 1 / (alpha * std::tan(theta));
+double smith_lambda(double alpha, Angle theta) {
+  const double a = 1 / (alpha * std::tan(theta.radians()));
   return (std::exp(-a * a) / (a * std::sqrt(kPi)) - std::erfc(a)) / 2;
 }
 

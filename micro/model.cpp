@@ -3,17 +3,49 @@
 #include <stdexcept>
 #include <string>
 
-namespace brdf::micro {
+#include "brdf/facets.h"
 
-Material model(std::string_view form, const std::vector<std::pair<std::string_view, double>>& parameters) {
-  const auto found = find_form(form);
-  if (!found) throw std::invalid_argument("no form " + std::string(form));
-  Material material = make_material(*found, {"fr"});
-  const ReflectanceInfo& table = info(*found);
+namespace brdf::micro {
+namespace {
+
+template <class Is>
+Reflectance first_form(const char* what, Is&& is) {
+  for (const Reflectance& form : catalogue())
+    if (is(form.info())) return form;
+  throw std::invalid_argument(std::string("the catalogue has no form of ") + what);
+}
+
+bool by_slope_angle(const ReflectanceInfo& form) {
+  return form.shape_index(Role::slope) >= 0 && form.weight_index(Role::specular) < 0;
+}
+
+}  // namespace
+
+Reflectance form_of_rough_mirrors() {
+  return first_form("Gaussian slopes with Smith's masking", [](const ReflectanceInfo& f) {
+    return f.facets == &Facets<BeckmannSlopes, SmithBeckmann>::facts;
+  });
+}
+Reflectance form_of_mirror_grooves() {
+  return first_form("V-cavities with an index", [](const ReflectanceInfo& f) {
+    return f.facets == &Facets<BeckmannSlopes, VCavities>::facts && f.shape_index(Role::index) >= 0;
+  });
+}
+Reflectance form_of_lambert_grooves() {
+  return first_form("Lambertian grooves",
+                    [](const ReflectanceInfo& f) { return by_slope_angle(f) && f.fittable(); });
+}
+Reflectance form_with_interreflection() {
+  return first_form("interreflecting grooves",
+                    [](const ReflectanceInfo& f) { return by_slope_angle(f) && !f.fittable(); });
+}
+
+Material model(const Reflectance& form, const std::vector<std::pair<Role, double>>& values) {
+  Material material = make_material(form, {"fr"});
   Term& term = material.terms.front();
-  for (const auto& [name, number] : parameters) {
-    if (const int k = table.weight_index(name); k >= 0) term.weights[0][k] = number;
-    if (const int k = table.shape_index(name); k >= 0) term.shape[0][k] = number;
+  for (const auto& [role, number] : values) {
+    if (const int k = form.info().weight_index(role); k >= 0) term.weights[0][k] = number;
+    if (const int k = form.info().shape_index(role); k >= 0) term.shape[0][k] = number;
   }
   return material;
 }
@@ -26,11 +58,12 @@ double value(const Material& material, const Vec& wi, const Vec& wo) {
 
 double cell_mean(const Material& material, const Incidence& from, const Cell& cell) {
   constexpr int kPoints = 8;
-  const Vec wi = direction(radians(from.theta), radians(from.phi));
+  const Vec wi = direction(from.theta, from.phi);
   double sum = 0;
   for (int j = 0; j < kPoints; ++j) {
     for (int i = 0; i < kPoints; ++i) {
-      sum += value(material, wi, turned(cell.point((i + 0.5) / kPoints, (j + 0.5) / kPoints), from.phi));
+      sum += value(material, wi,
+                   turned(cell.point((i + 0.5) / kPoints, (j + 0.5) / kPoints), from.phi.radians()));
     }
   }
   return sum / (kPoints * kPoints);

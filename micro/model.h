@@ -1,7 +1,6 @@
 // Forms to hold against traced surfaces.
 #pragma once
 
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,15 +10,21 @@
 
 namespace brdf::micro {
 
-/// One channel of a form of the catalogue with the given parameters; those that it does not have are ignored,
-/// so that one list serves several forms. `form` must be in the catalogue.
-Material model(std::string_view form, const std::vector<std::pair<std::string_view, double>>& parameters);
+// The catalogue's forms for what is traced, found by what they stand for.
+Reflectance form_of_rough_mirrors();      // Gaussian slopes, Smith's masking
+Reflectance form_of_mirror_grooves();     // V-cavities with the Fresnel reflectance of an index
+Reflectance form_of_lambert_grooves();    // facets by their slope angle; linear in the albedo
+Reflectance form_with_interreflection();  // the same, not linear in the albedo: light is reflected twice
 
-/// f_r in 1/sr between two directions.
+// One channel of a form with the given values, by role; roles that it does not have are ignored, so that one
+// list serves several forms.
+Material model(const Reflectance& form, const std::vector<std::pair<Role, double>>& values);
+
+// f_r in 1/sr between two directions.
 double value(const Material& material, const Vec& wi, const Vec& wo);
 
-/// Mean f_r over the cell weighted by cos theta, as measure_scatter measures it; azimuths of cells count from
-/// `from.phi`. Midpoint rule, 8 x 8 points of equal projected solid angle.
+// Mean f_r over the cell weighted by cos theta, as measure_scatter measures it; azimuths of cells count from
+// `from.phi`. Midpoint rule, 8 x 8 points of equal projected solid angle.
 double cell_mean(const Material& material, const Incidence& from, const Cell& cell);
 
 }  // namespace brdf::micro

@@ -5,20 +5,18 @@
 #include <optional>
 
 #include "io/error.h"
+#include "io/numbers.h"
 #include "io/provenance.h"
 #include "io/text.h"
+#include "micro/model.h"
 
 namespace brdf::micro {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 struct Range {
-  const char* name;
+  std::string name;
   double min, max;
 };
-constexpr Range kAlpha{"alpha", 0.01, 1.5}, kAlphaX{"alpha_x", 0.01, 1.5}, kAlphaY{"alpha_y", 0.01, 1.5};
-constexpr Range kSigma{"sigma", 0.001, 1.2}, kEta{"eta", 1, 5}, kRho{"rho", 0, 1};
 
 struct Kind {
   const char* name;
@@ -26,26 +24,45 @@ struct Kind {
   std::vector<Range> parameters;
 };
 
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
-      {"gaussian", false, false, {kAlpha, kAlphaX, kAlphaY, kEta}},
-      {"lambert_gaussian", false, true, {kAlpha, kAlphaX, kAlphaY, kRho}},
-      {"mirror_grooves", true, false, {kAlpha, kEta}},
-      {"lambert_grooves", true, true, {kSigma, kRho}},
-  };
+// What the parameters of surfaces are called: as the forms for them call theirs.
+struct Names {
+  std::string width, along, across, slope, index, albedo;
+};
+
+const Names& names() {
+  static const Names all = [] {
+    const ReflectanceInfo mirrors = form_of_mirror_grooves().info(),
+                          lambert = form_of_lambert_grooves().info();
+    const auto shape = [](const ReflectanceInfo& form, Role role) {
+      return std::string(form.shape[std::size_t(form.shape_index(role))].name);
+    };
+    return Names{std::string(mirrors.tied_name()),
+                 shape(mirrors, Role::width),
+                 shape(mirrors, Role::width_across),
+                 shape(lambert, Role::slope),
+                 shape(mirrors, Role::index),
+                 std::string(lambert.weights[std::size_t(lambert.weight_index(Role::diffuse))].name)};
+  }();
   return all;
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = [] {
+    const Range width{names().width, 0.01, 1.5}, along{names().along, 0.01, 1.5},
+        across{names().across, 0.01, 1.5}, slope{names().slope, 0.001, 1.2}, index{names().index, 1, 5},
+        albedo{names().albedo, 0, 1};
+    return std::vector<Kind>{{"gaussian", false, false, {width, along, across, index}},
+                             {"lambert_gaussian", false, true, {width, along, across, albedo}},
+                             {"mirror_grooves", true, false, {width, index}},
+                             {"lambert_grooves", true, true, {slope, albedo}}};
+  }();
+  return all;
 }
 
 std::string listed(const std::vector<double>& numbers) {
   std::vector<std::string> words;
   for (const double number : numbers) words.push_back(io::to_text(number));
-  return listed(words);
+  return io::joined(words);
 }
 
 [[noreturn]] void refuse(const std::string& option, double value, double min, double max) {
@@ -61,7 +78,7 @@ const Kind& find_kind(const std::string& name) {
   for (const Kind& kind : kinds()) {
     if (name == kind.name) return kind;
   }
-  throw InputError("--microsurface " + name + ": must be one of " + listed(surface_names()));
+  throw InputError("--microsurface " + name + ": must be one of " + io::joined(surface_names()));
 }
 
 void check(const SampleSettings& s, const Kind& kind) {
@@ -69,9 +86,9 @@ void check(const SampleSettings& s, const Kind& kind) {
     const auto found = std::find_if(kind.parameters.begin(), kind.parameters.end(),
                                     [&, parameter = name](const Range& r) { return parameter == r.name; });
     if (found == kind.parameters.end()) {
-      std::vector<std::string> names;
-      for (const Range& r : kind.parameters) names.emplace_back(r.name);
-      throw InputError("--set " + name + ": " + kind.name + " has " + listed(names));
+      std::vector<std::string> known;
+      for (const Range& r : kind.parameters) known.push_back(r.name);
+      throw InputError("--set " + name + ": " + kind.name + " has " + io::joined(known));
     }
     require("--set " + name, value, found->min, found->max);
   }
@@ -95,18 +112,18 @@ std::optional<double> parameter(const SampleSettings& s, const std::string& name
 
 Simulation simulation(const SampleSettings& s, const Kind& kind) {
   Simulation result;
-  const double alpha = parameter(s, "alpha").value_or(0.3);
+  const double alpha = parameter(s, names().width).value_or(0.3);
   if (kind.grooves && kind.lambert)
-    result.geometry = Grooves{GrooveAngles::oren_nayar, parameter(s, "sigma").value_or(0.35), 1024};
+    result.geometry = Grooves{GrooveAngles::oren_nayar, parameter(s, names().slope).value_or(0.35), 1024};
   else if (kind.grooves)
     result.geometry = Grooves{GrooveAngles::beckmann, alpha, 1024};
   else
-    result.geometry = HeightField{.alpha_x = parameter(s, "alpha_x").value_or(alpha),
-                                  .alpha_y = parameter(s, "alpha_y").value_or(alpha),
+    result.geometry = HeightField{.alpha_x = parameter(s, names().along).value_or(alpha),
+                                  .alpha_y = parameter(s, names().across).value_or(alpha),
                                   .size = s.size};
   result.facets.reflection = kind.lambert ? Reflection::lambert : Reflection::mirror;
-  result.facets.eta = parameter(s, "eta").value_or(0);
-  result.facets.rho = parameter(s, "rho").value_or(1);
+  result.facets.eta = parameter(s, names().index).value_or(0);
+  result.facets.rho = parameter(s, names().albedo).value_or(1);
   result.surfaces = s.surfaces > 0 ? s.surfaces : kind.grooves && !kind.lambert ? 512 : 16;
   // A mirror groove shines in two directions only, so that many grooves with few rays each are worth most.
   result.rays = s.rays > 0 ? s.rays : kind.lambert ? 1 << 12 : kind.grooves ? 1 << 13 : 1 << 18;
@@ -141,8 +158,8 @@ class TableWriter {
 
   void add(double theta_i, double phi_i, int cell, const Estimate (&f)[kOrderClasses],
            const Estimate& total) {
-    table.add_directions(theta_i, phi_i, rounded(cells_[cell].centre_theta() / kDegree),
-                         in_turn(phi_i + rounded(cells_[cell].centre_phi() / kDegree)));
+    table.add_directions(theta_i, phi_i, rounded(cells_[cell].centre_theta().degrees()),
+                         in_turn(phi_i + rounded(cells_[cell].centre_phi().degrees())));
     for (std::size_t c = 0; c < table.channels.size(); ++c) {
       const Estimate& e = orders_ ? f[c] : total;
       table.values[c].push_back(e.mean);
@@ -154,7 +171,7 @@ class TableWriter {
 
  private:
   // Centres are simple fractions of a degree; radians blur their last digits.
-  static double rounded(double degrees) { return std::round(degrees * 1e9) / 1e9; }
+  static double rounded(double angle) { return std::round(angle * 1e9) / 1e9; }
 
   bool orders_;
   const Cells& cells_;
@@ -163,18 +180,17 @@ class TableWriter {
 // One incidence: polar angle and azimuth in degrees, as the table has them.
 struct Light {
   double theta, phi;
-  Incidence radians() const { return {theta * kDegree, phi * kDegree}; }
 };
 
-std::vector<Incidence> radians(const std::vector<Light>& lights) {
+std::vector<Incidence> incidences(const std::vector<Light>& lights) {
   std::vector<Incidence> all;
-  for (const Light& light : lights) all.push_back(light.radians());
+  for (const Light& light : lights) all.push_back({degrees(light.theta), degrees(light.phi)});
   return all;
 }
 
 void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vector<Light>& lights,
                  const Cells& cells, const Progress& progress, TableWriter& writer) {
-  const std::vector<Scatter> measured = measure_scatter(sim, radians(lights), cells, progress);
+  const std::vector<Scatter> measured = measure_scatter(sim, incidences(lights), cells, progress);
   double lost = 0;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Scatter& one = measured[i];
@@ -200,9 +216,9 @@ void add_lambert(const Simulation& sim, const std::vector<Light>& lights, const 
     const std::vector<Light> turn(lights.begin() + begin, lights.begin() + end);
     std::vector<Incidence> views;
     for (int c = 0; c < cells.size(); ++c) {
-      views.push_back({cells[c].centre_theta(), cells[c].centre_phi() + turn[0].phi * kDegree});
+      views.push_back({cells[c].centre_theta(), cells[c].centre_phi() + degrees(turn[0].phi)});
     }
-    const auto measured = measure_radiance(sim, radians(turn), views, progress);
+    const auto measured = measure_radiance(sim, incidences(turn), views, progress);
     for (std::size_t i = 0; i < turn.size(); ++i) {
       for (int c = 0; c < cells.size(); ++c) {
         writer.add(turn[i].theta, turn[i].phi, c, measured[i][c].f, measured[i][c].total);
@@ -222,17 +238,19 @@ void record(const SampleSettings& s, const Simulation& sim, double cell, io::Sam
   for (auto& field : io::provenance_fields(io::provenance(s.seed))) table.metadata.push_back(field);
   std::string truth = s.surface;
   if (const auto* field = std::get_if<HeightField>(&sim.geometry)) {
-    truth += " alpha_x=" + io::to_text(field->alpha_x) + " alpha_y=" + io::to_text(field->alpha_y) +
-             " size=" + std::to_string(field->size) +
+    truth += " " + names().along + "=" + io::to_text(field->alpha_x) + " " + names().across + "=" +
+             io::to_text(field->alpha_y) + " size=" + std::to_string(field->size) +
              " correlation_length=" + io::to_text(field->correlation_length);
   } else {
     const Grooves& grooves = std::get<Grooves>(sim.geometry);
-    truth += (grooves.angles == GrooveAngles::oren_nayar ? " sigma=" : " alpha=") +
+    truth += " " + (grooves.angles == GrooveAngles::oren_nayar ? names().slope : names().width) + "=" +
              io::to_text(grooves.width) + " grooves=" + std::to_string(grooves.count);
   }
-  if (sim.facets.reflection == Reflection::lambert) truth += " rho=" + io::to_text(sim.facets.rho);
+  if (sim.facets.reflection == Reflection::lambert)
+    truth += " " + names().albedo + "=" + io::to_text(sim.facets.rho);
   if (sim.facets.reflection == Reflection::mirror)
-    truth += sim.facets.eta == 0 ? " perfect reflector" : " eta=" + io::to_text(sim.facets.eta);
+    truth +=
+        sim.facets.eta == 0 ? " perfect reflector" : " " + names().index + "=" + io::to_text(sim.facets.eta);
   add("truth", truth);
   add("theta_i", listed(s.theta_i));
   add("azimuths", listed(s.azimuths));
@@ -256,7 +274,7 @@ io::SampleTable trace_samples(const SampleSettings& s, const Progress& progress)
   check(s, kind);
   const Simulation sim = simulation(s, kind);
   const double width = cell_width(s, kind, sim);
-  const Cells cells(width * kDegree);
+  const Cells cells(degrees(width));
   TableWriter writer(s.orders, cells);
   std::vector<Light> lights;
   for (const double azimuth : s.azimuths) {

@@ -11,12 +11,11 @@
 namespace brdf::micro {
 
 struct SampleSettings {
-  /// gaussian, lambert_gaussian    height field of slope width alpha (or alpha_x, alpha_y); mirrors of index
-  /// eta (none:
-  ///                               perfect reflectors) or Lambertian facets of albedo rho
-  /// mirror_grooves                V-grooves with the slope distribution of width alpha; mirrors of index eta
-  /// lambert_grooves               V-grooves with angles as Oren and Nayar have them (sigma, radians); albedo
-  /// rho
+  // gaussian          height field of slope width alpha (or alpha_x, alpha_y);
+  //                   mirrors of index eta (none: perfect reflectors)
+  // lambert_gaussian  the same; Lambertian facets of albedo rho
+  // mirror_grooves    V-grooves with slopes of width alpha; mirrors of index eta
+  // lambert_grooves   V-grooves with Oren and Nayar's angles (sigma, radians); albedo rho
   std::string surface = "gaussian";
   std::vector<std::pair<std::string, double>> parameters;
   std::vector<double> theta_i = {0, 15, 30, 45, 60, 75};  // degrees
@@ -33,13 +32,13 @@ struct SampleSettings {
   int threads = 2;
 };
 
-/// Traces the surface. Light comes from phi 180 before the sample is turned, as in the other grids. Each
-/// row's value is the mean of f_r over a cell of the outgoing hemisphere (mirrors) or f_r at the cell's
-/// centre (Lambertian facets), its sigma the standard error over independent surfaces; the direction is the
-/// cell's centre. Throws InputError on a name or value out of range.
+// Traces the surface. Light comes from phi 180 before the sample is turned, as in the other grids. Each
+// row's value is the mean of f_r over a cell of the outgoing hemisphere (mirrors) or f_r at the cell's
+// centre (Lambertian facets), its sigma the standard error over independent surfaces; the direction is the
+// cell's centre. Throws InputError on a name or value out of range.
 io::SampleTable trace_samples(const SampleSettings& settings, const Progress& progress = {});
 
-/// The names that `surface` may have.
+// The names that `surface` may have.
 std::vector<std::string> surface_names();
 
 }  // namespace brdf::micro

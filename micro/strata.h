@@ -13,15 +13,15 @@ inline int strata_side(std::int64_t points) {
   return std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(points)))));
 }
 
-/// The number of points that for_each_stratum makes of `points`: the nearest square.
+// The number of points that for_each_stratum makes of `points`: the nearest square.
 inline std::int64_t strata_count(std::int64_t points) {
   const std::int64_t side = strata_side(points);
   return side * side;
 }
 
-/// Calls visit(u, v) with one random point in each of side x side equal parts of [0, 1)^2, row by row: the
-/// plane is covered evenly, and neighbouring rays meet neighbouring triangles while those are still in the
-/// cache.
+// Calls visit(u, v) with one random point in each of side x side equal parts of [0, 1)^2, row by row: the
+// plane is covered evenly, and neighbouring rays meet neighbouring triangles while those are still in the
+// cache.
 template <class Visit>
 void for_each_stratum(std::int64_t points, Random& random, const Visit& visit) {
   const int side = strata_side(points);

@@ -43,7 +43,8 @@ std::vector<TheoryRow> compare_slopes(const TheoryOptions& options) {
     s.threads = options.threads;
     const Slopes slopes = measure_slopes(s, {1, 3});
     const std::string name =
-        ax == ay ? gaussian_name(ax) : "gaussian alpha_x " + text(ax) + " alpha_y " + text(ay);
+        ax == ay ? gaussian_name(ax)
+                 : "gaussian alpha_x " + io::short_number(ax) + " alpha_y " + io::short_number(ay);
     rows.push_back(theory_row(name, "alpha_x of the mesh", slopes.alpha_x, ax, true));
     rows.push_back(theory_row(name, "alpha_y of the mesh", slopes.alpha_y, ay, true));
     rows.push_back(theory_row(name, "share of slopes beyond alpha", slopes.outside[0], std::exp(-1.0), true));
@@ -62,13 +63,13 @@ std::vector<TheoryRow> compare_masking(const TheoryOptions& options) {
     s.rays = 1 << 14;
     s.seed = options.seed;
     s.threads = options.threads;
-    const double degree = kPi / 180;
-    for (const Masking& m : measure_masking(s, {30 * degree, 60 * degree, 75 * degree, 85 * degree})) {
+    for (const Masking& m : measure_masking(s, {30_deg, 60_deg, 75_deg, 85_deg})) {
+      const double cosine = std::cos(m.theta.radians());
       const double g1 = 1 / (1 + smith_lambda(alpha, m.theta));
-      const std::string name = gaussian_name(alpha), at = "theta " + text(m.theta / degree) + ": ";
-      rows.push_back(theory_row(name, at + "projected area seen", m.projected_area, std::cos(m.theta), true));
-      rows.push_back(
-          theory_row(name, at + "projected area facing", m.facing_area, std::cos(m.theta) / g1, true));
+      const std::string name = gaussian_name(alpha),
+                        at = "theta " + io::short_number(m.theta.degrees()) + ": ";
+      rows.push_back(theory_row(name, at + "projected area seen", m.projected_area, cosine, true));
+      rows.push_back(theory_row(name, at + "projected area facing", m.facing_area, cosine / g1, true));
       rows.push_back(
           theory_row(name, at + "facing points that see, against Smith's G1", m.visible_points, g1, false));
       rows.push_back(theory_row(name, at + "the same, facets tilted towards", m.visible_towards, g1, false));
@@ -89,14 +90,14 @@ std::vector<TheoryRow> compare_reciprocity(const TheoryOptions& options) {
     s.threads = options.threads;
     s.surfaces = 16 * options.effort;
     s.rays = 1 << 14;
-    const Cells cells(15 * kPi / 180);
+    const Cells cells(15_deg);
     const Cell& a = cells[cells.find(direction(radians(0.38), {}))];
-    for (const double phi : {0.0, kPi / 2, kPi}) {
-      const Cell& b = cells[cells.find(direction(radians(1.18), radians(phi)))];
+    for (const Angle phi : {0_deg, 90_deg, 180_deg}) {
+      const Cell& b = cells[cells.find(direction(radians(1.18), phi))];
       const Exchange e = measure_exchange(s, a, b);
       const Estimate forward{e.forward.mean, std::hypot(e.forward.standard_error, e.backward.standard_error)};
       const std::string quantity =
-          "f_r theta 22 to theta 67, phi " + text(phi * 180 / kPi) + ", against the way back";
+          "f_r theta 22 to theta 67, phi " + io::short_number(phi.degrees()) + ", against the way back";
       rows.push_back(theory_row(name, quantity, forward, e.backward.mean, true));
     }
   };
@@ -116,14 +117,15 @@ std::vector<TheoryRow> compare_energy(const TheoryOptions& options) {
     s.threads = options.threads;
     s.surfaces = 8 * options.effort;
     for (const Scatter& one :
-         measure_scatter(s, {{kPi / 6, 0}, {kPi / 3, 0}, {85 * kPi / 180, 0}}, Cells(0.3))) {
-      const std::string at = "theta_i " + text(one.incidence.theta * 180 / kPi) + ": ";
+         measure_scatter(s, {{30_deg, {}}, {60_deg, {}}, {85_deg, {}}}, Cells(radians(0.3)))) {
+      const std::string at = "theta_i " + io::short_number(one.incidence.theta.degrees()) + ": ";
       rows.push_back(
           theory_row(gaussian_name(alpha), at + "albedo, up to 64 reflections", one.albedo, 1, true));
       rows.push_back(
           theory_row(gaussian_name(alpha), at + "share of rays lost", {one.account.lost(), kNone}, 0, true));
       for (const int order : {1, 2, 3}) {
-        rows.push_back(theory_row(gaussian_name(alpha), at + "share after " + text(order) + " reflection(s)",
+        rows.push_back(theory_row(gaussian_name(alpha),
+                                  at + "share after " + io::short_number(order) + " reflection(s)",
                                   {one.account.escaped[order - 1], kNone}, kNone, false));
       }
     }
@@ -138,15 +140,15 @@ std::vector<TheoryRow> compare_with_theory(const TheoryOptions& options, const P
   for (const double alpha : {0.1, 0.3, 0.5}) {
     for (const double theta_i : {30.0, 60.0}) {
       parts.push_back(
-          [&, alpha, theta_i] { return compare_single_bounce(options, alpha, theta_i * kPi / 180); });
+          [&, alpha, theta_i] { return compare_single_bounce(options, alpha, degrees(theta_i)); });
     }
   }
-  parts.push_back([&] { return compare_single_bounce(options, 1, kPi / 3); });  // the retro direction is lit
+  parts.push_back([&] { return compare_single_bounce(options, 1, 60_deg); });  // the retro direction is lit
   for (const double theta_i : {30.0, 60.0}) {
-    parts.push_back([&, theta_i] { return compare_mirror_grooves(options, theta_i * kPi / 180); });
+    parts.push_back([&, theta_i] { return compare_mirror_grooves(options, degrees(theta_i)); });
   }
   for (const double sigma : {10.0, 20.0, 30.0}) {
-    parts.push_back([&, sigma] { return compare_lambert_grooves(options, sigma * kPi / 180); });
+    parts.push_back([&, sigma] { return compare_lambert_grooves(options, degrees(sigma)); });
   }
   parts.push_back([&] { return compare_reciprocity(options); });
   parts.push_back([&] { return compare_energy(options); });

@@ -10,11 +10,10 @@
 namespace brdf::micro {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-constexpr double kLeastPower = 1e-4;     // cells with less are not judged
-constexpr double kRetro = 20 * kDegree;  // about this direction masking and shadowing are one event
-constexpr double kApart = 0.05;          // relative difference that counts,
-constexpr double kSignificance = 2;      // by more than so many standard errors
+constexpr double kLeastPower = 1e-4;  // cells with less are not judged
+constexpr Angle kRetro = 20_deg;      // about this direction masking and shadowing are one event
+constexpr double kApart = 0.05;       // relative difference that counts,
+constexpr double kSignificance = 2;   // by more than so many standard errors
 
 Simulation with(const TheoryOptions& options) {
   Simulation s;
@@ -24,31 +23,35 @@ Simulation with(const TheoryOptions& options) {
 }
 
 // Cells whose side is small against the lobe's width (2 alpha in the outgoing angle).
-double cell_width(double alpha) {
-  return std::clamp(alpha * 25, 2.0, 5.0) * kDegree;
+Angle cell_width(double alpha) {
+  return degrees(std::clamp(alpha * 25, 2.0, 5.0));
 }
 
-std::string in_plane(double theta_o, bool forward) {
-  return std::string("theta_o ") + text(theta_o / kDegree) + (forward ? " forward" : " backward");
+std::string in_words(Angle angle) {
+  return io::short_number(angle.degrees());
+}
+
+std::string in_plane(Angle theta_o, bool forward) {
+  return "theta_o " + in_words(theta_o) + (forward ? " forward" : " backward");
 }
 
 // One row for every cell of the plane of incidence that holds enough power.
 void add_in_plane(std::vector<TheoryRow>& rows, const std::string& surface, const Scatter& scatter,
                   const Cells& cells, const Material& form, bool exact, double least_power) {
   for (int c = 0; c < cells.size(); ++c) {
-    const bool back = std::abs(cells[c].centre_phi()) < 1e-9,
-               forward = std::abs(cells[c].centre_phi() - kPi) < 1e-9;
+    const bool back = std::abs(cells[c].centre_phi().radians()) < 1e-9,
+               forward = std::abs((cells[c].centre_phi() - 180_deg).radians()) < 1e-9;
     const Estimate& f = scatter.f[0][c];
     if (!(back || forward) || f.mean * cells[c].projected_solid_angle() < least_power) continue;
     rows.push_back(theory_row(surface,
-                              "f_r theta_i " + text(scatter.incidence.theta / kDegree) + ", " +
+                              "f_r theta_i " + in_words(scatter.incidence.theta) + ", " +
                                   in_plane(cells[c].centre_theta(), forward) + ", single",
                               f, cell_mean(form, scatter.incidence, cells[c]), exact));
   }
 }
 
 double model_albedo(const Material& form, const Incidence& from) {
-  const Cells fine(1 * kDegree);
+  const Cells fine(1_deg);
   double sum = 0;
   for (int c = 0; c < fine.size(); ++c)
     sum += cell_mean(form, from, fine[c]) * fine[c].projected_solid_angle();
@@ -57,7 +60,7 @@ double model_albedo(const Material& form, const Incidence& from) {
 
 // Single-reflection albedo with its standard error, from a simulation stopped after one reflection.
 TheoryRow albedo_row(const std::string& surface, const Scatter& scatter, const Material& form, bool exact) {
-  return theory_row(surface, "albedo theta_i " + text(scatter.incidence.theta / kDegree) + ", single",
+  return theory_row(surface, "albedo theta_i " + in_words(scatter.incidence.theta) + ", single",
                     scatter.albedo, model_albedo(form, scatter.incidence), exact);
 }
 
@@ -65,14 +68,14 @@ TheoryRow albedo_row(const std::string& surface, const Scatter& scatter, const M
 
 CellAgreement agreement(const Scatter& scatter, const Cells& cells, const Material& form) {
   CellAgreement a;
-  const Vec wi = direction(radians(scatter.incidence.theta), {});
+  const Vec wi = direction(scatter.incidence.theta, {});
   for (int c = 0; c < cells.size(); ++c) {
     const Estimate& f = scatter.f[0][c];
     const double solid = cells[c].projected_solid_angle();
     if (f.mean * solid < kLeastPower) continue;
     const double m = cell_mean(form, scatter.incidence, cells[c]);
     const bool apart = std::abs(f.mean - m) - kApart * m > kSignificance * f.standard_error;
-    if (std::acos(std::min(dot(wi, cells[c].centre()), 1.0)) < kRetro) {
+    if (std::acos(std::min(dot(wi, cells[c].centre()), 1.0)) < kRetro.radians()) {
       ++a.retro_cells;
       a.retro_apart += apart;
       a.worst_retro = std::max(a.worst_retro, f.mean / m - 1);
@@ -92,17 +95,20 @@ CellAgreement agreement(const Scatter& scatter, const Cells& cells, const Materi
   return a;
 }
 
-std::vector<TheoryRow> compare_single_bounce(const TheoryOptions& options, double alpha, double theta_i) {
+std::vector<TheoryRow> compare_single_bounce(const TheoryOptions& options, double alpha, Angle theta_i) {
   Simulation s = with(options);
   s.geometry = HeightField{.alpha_x = alpha, .alpha_y = alpha};
   s.surfaces = 16 * options.effort;
   s.rays = 1 << 18;
   s.max_bounces = 1;
   const Cells cells(cell_width(alpha));
-  const Scatter scatter = measure_scatter(s, {{theta_i, 0}}, cells)[0];
-  const Material form = model("cook_torrance_beckmann",
-                              {{"kd", 0}, {"ks", 1}, {"f0", 1}, {"alpha_x", alpha}, {"alpha_y", alpha}});
-  const std::string name = gaussian_name(alpha), at = "theta_i " + text(theta_i / kDegree) + ": ";
+  const Scatter scatter = measure_scatter(s, {{theta_i, {}}}, cells)[0];
+  const Material form = model(form_of_rough_mirrors(), {{Role::diffuse, 0},
+                                                        {Role::specular, 1},
+                                                        {Role::f0, 1},
+                                                        {Role::width, alpha},
+                                                        {Role::width_across, alpha}});
+  const std::string name = gaussian_name(alpha), at = "theta_i " + in_words(theta_i) + ": ";
 
   std::vector<TheoryRow> rows{albedo_row(name, scatter, form, false)};
   const CellAgreement a = agreement(scatter, cells, form);
@@ -114,8 +120,8 @@ std::vector<TheoryRow> compare_single_bounce(const TheoryOptions& options, doubl
   add("share of cells not significantly beyond 5 %", 1 - a.apart / std::max<double>(a.cells, 1));
   add("share of their power in such cells", 1 - a.power_apart / std::max(a.power, 1e-300));
   if (a.apart > 0)
-    add("greatest relative difference of the others, at theta_o " + text(a.worst_apart_at.theta / kDegree) +
-            " phi " + text(a.worst_apart_at.phi / kDegree),
+    add("greatest relative difference of the others, at theta_o " + in_words(a.worst_apart_at.theta) +
+            " phi " + in_words(a.worst_apart_at.phi),
         a.worst_apart);
   add("cells within 20 degrees of the retro direction", a.retro_cells);
   add("of these significantly beyond 5 %", a.retro_apart);
@@ -130,7 +136,7 @@ std::vector<TheoryRow> compare_single_bounce(const TheoryOptions& options, doubl
   return rows;
 }
 
-std::vector<TheoryRow> compare_mirror_grooves(const TheoryOptions& options, double theta_i) {
+std::vector<TheoryRow> compare_mirror_grooves(const TheoryOptions& options, Angle theta_i) {
   constexpr double kAlpha = 0.4, kEta = 1.5;
   Simulation s = with(options);
   s.geometry = Grooves{GrooveAngles::beckmann, kAlpha, 1024};
@@ -138,69 +144,78 @@ std::vector<TheoryRow> compare_mirror_grooves(const TheoryOptions& options, doub
   s.surfaces = 512 * options.effort;
   s.rays = 1 << 13;
   s.max_bounces = 1;
-  const Cells cells(10 * kDegree);
-  const Scatter scatter = measure_scatter(s, {{theta_i, 0}}, cells)[0];
-  const Material form =
-      model("cook_torrance_vcavity",
-            {{"kd", 0}, {"ks", 1}, {"alpha_x", kAlpha}, {"alpha_y", kAlpha}, {"eta", kEta}});
-  const std::string name = "mirror grooves alpha " + text(kAlpha) + " eta " + text(kEta);
+  const Cells cells(10_deg);
+  const Scatter scatter = measure_scatter(s, {{theta_i, {}}}, cells)[0];
+  const Material form = model(form_of_mirror_grooves(), {{Role::diffuse, 0},
+                                                         {Role::specular, 1},
+                                                         {Role::width, kAlpha},
+                                                         {Role::width_across, kAlpha},
+                                                         {Role::index, kEta}});
+  const std::string name =
+      "mirror grooves alpha " + io::short_number(kAlpha) + " eta " + io::short_number(kEta);
   std::vector<TheoryRow> rows{albedo_row(name, scatter, form, true)};
   add_in_plane(rows, name, scatter, cells, form, true, kLeastPower);
   return rows;
 }
 
-std::vector<TheoryRow> compare_lambert_grooves(const TheoryOptions& options, double sigma) {
+std::vector<TheoryRow> compare_lambert_grooves(const TheoryOptions& options, Angle sigma) {
   constexpr double kRho = 0.9;
   constexpr double kThin = 1e-6;  // so little albedo that interreflection vanishes: the form's direct term
   Simulation s = with(options);
-  s.geometry = Grooves{GrooveAngles::oren_nayar, sigma, 1024};
+  s.geometry = Grooves{GrooveAngles::oren_nayar, sigma.radians(), 1024};
   s.facets = {.reflection = Reflection::lambert, .rho = kRho};
   s.surfaces = 32 * options.effort;
   s.rays = 1 << 14;
-  const std::vector<Incidence> from{{30 * kDegree, 0}, {60 * kDegree, 0}, {75 * kDegree, 0}};
-  std::vector<Incidence> views{{0, 0}};
-  for (const double theta : {30.0, 60.0, 75.0}) {
-    for (const double phi : {0.0, 90.0, 180.0}) views.push_back({theta * kDegree, phi * kDegree});
+  const std::vector<Incidence> from{{30_deg, {}}, {60_deg, {}}, {75_deg, {}}};
+  std::vector<Incidence> views{{}};
+  for (const Angle theta : {30_deg, 60_deg, 75_deg}) {
+    for (const Angle phi : {0_deg, 90_deg, 180_deg}) views.push_back({theta, phi});
   }
   const auto measured = measure_radiance(s, from, views);
-  const std::string name = "Lambertian grooves sigma " + text(sigma / kDegree) + " rho " + text(kRho);
-  const Material full = model("oren_nayar_full", {{"rho", kRho}, {"sigma", sigma}});
-  const Material direct = model("oren_nayar_full", {{"rho", kThin}, {"sigma", sigma}});
-  const Material qualitative = model("oren_nayar", {{"rho", kRho}, {"sigma", sigma}});
+  const std::string name = "Lambertian grooves sigma " + in_words(sigma) + " rho " + io::short_number(kRho);
+  const auto with_albedo = [&](const Reflectance& form, double albedo) {
+    return model(form, {{Role::diffuse, albedo}, {Role::slope, sigma.radians()}});
+  };
+  const Reflectance full_form = form_with_interreflection(), qualitative_form = form_of_lambert_grooves();
+  const Material full = with_albedo(full_form, kRho), direct = with_albedo(full_form, kThin),
+                 qualitative = with_albedo(qualitative_form, kRho);
+  const std::string full_name(full_form.info().name), qualitative_name(qualitative_form.info().name);
 
   std::vector<TheoryRow> rows;
   double full_difference = 0, qualitative_difference = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const Vec wi = direction(radians(from[i].theta), {});
+    const Vec wi = direction(from[i].theta, {});
     for (std::size_t v = 0; v < views.size(); ++v) {
-      const Vec wo = direction(radians(views[v].theta), radians(views[v].phi));
+      const Vec wo = direction(views[v].theta, views[v].phi);
       const Radiance& f = measured[i][v];
       const double f_full = value(full, wi, wo), f_qualitative = value(qualitative, wi, wo);
       const double share = 1 / (static_cast<double>(from.size()) * views.size() * f.total.mean);
       full_difference += std::abs(f.total.mean - f_full) * share;
       qualitative_difference += std::abs(f.total.mean - f_qualitative) * share;
-      const bool normal = views[v].theta == 0, in_line = views[v].theta == from[i].theta;
-      if (!normal && (!in_line || std::abs(views[v].phi - kPi / 2) < 0.1)) continue;
-      const std::string where = "f_r theta_i " + text(from[i].theta / kDegree) + " " +
-                                (normal             ? "normal"
-                                 : views[v].phi > 3 ? "forward"
-                                                    : "retro");
+      const bool normal = views[v].theta == Angle{}, in_line = views[v].theta == from[i].theta;
+      if (!normal && (!in_line || views[v].phi == 90_deg)) continue;
+      const std::string where = "f_r theta_i " + in_words(from[i].theta) + " " +
+                                (normal                    ? "normal"
+                                 : views[v].phi == 180_deg ? "forward"
+                                                           : "retro");
       const double f_direct = value(direct, wi, wo) / kThin * kRho;
-      rows.push_back(theory_row(name, where + ", against oren_nayar_full", f.total, f_full, false));
-      rows.push_back(theory_row(name, where + ", against oren_nayar", f.total, f_qualitative, false));
+      rows.push_back(theory_row(name, where + ", against " + full_name, f.total, f_full, false));
+      rows.push_back(
+          theory_row(name, where + ", against " + qualitative_name, f.total, f_qualitative, false));
       rows.push_back(theory_row(name, where + ", one reflection, against the cavity integral", f.f[0],
-                                kRho * groove_single_reflection(sigma, wi, wo), true));
-      rows.push_back(theory_row(name, where + ", one reflection, against oren_nayar_full's direct term",
+                                kRho * groove_single_reflection(sigma.radians(), wi, wo), true));
+      rows.push_back(theory_row(name, where + ", one reflection, against " + full_name + "'s direct term",
                                 f.f[0], f_direct, false));
-      rows.push_back(theory_row(name, where + ", two reflections, against oren_nayar_full's interreflection",
+      rows.push_back(theory_row(name,
+                                where + ", two reflections, against " + full_name + "'s interreflection",
                                 f.f[1], f_full - f_direct, false));
     }
   }
   const auto add = [&](const std::string& quantity, double number) {
     rows.push_back(theory_row(name, quantity, {number, kNone}, kNone, false));
   };
-  add("mean relative difference to oren_nayar_full over 30 pairs", full_difference);
-  add("mean relative difference to oren_nayar over 30 pairs", qualitative_difference);
+  add("mean relative difference to " + full_name + " over 30 pairs", full_difference);
+  add("mean relative difference to " + qualitative_name + " over 30 pairs", qualitative_difference);
   explain(
       rows,
       "both forms are fits to the cavity integral (Oren and Nayar 1994): the direct term was fitted, the "

@@ -10,7 +10,7 @@
 
 namespace brdf::micro {
 
-/// Shares of the incident power; they sum to 1. Orders count reflections.
+// Shares of the incident power; they sum to 1. Orders count reflections.
 struct Account {
   std::vector<double> escaped;  // [order - 1], up to the bounce limit
   double absorbed = 0;          // taken by facets that do not reflect everything
@@ -21,10 +21,10 @@ struct Account {
   double lost() const { return beyond + leaked; }
 };
 
-/// Follows one ray of weight 1 that comes in from `wi` (unit, towards the source) over the share (u, v) of
-/// the period; adds to the account, and calls leave(order, wo, weight) if it leaves the surface.
+// Follows one ray of weight 1 that comes in from `wi` (unit, towards the source) over the share (u, v) of
+// the period; adds to the account, and calls leave(order, wo, weight) if it leaves the surface.
 template <class Leave>
-void walk(Tracer& tracer, const Facets& facets, const Vec& wi, double u, double v, Random& random,
+void walk(Tracer& tracer, const FacetOptics& facets, const Vec& wi, double u, double v, Random& random,
           Account& account, const Leave& leave) {
   const int limit = static_cast<int>(account.escaped.size());
   Vec position = tracer.entry(u, v);

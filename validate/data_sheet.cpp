@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "io/numbers.h"
 #include "io/text.h"
 #include "validate/sheet_checks.h"
 
@@ -12,9 +13,7 @@ namespace {
 std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable& t) {
   const std::set<double> lights(t.theta_i.begin(), t.theta_i.end()), turns(t.phi_i.begin(), t.phi_i.end());
   std::vector<std::pair<std::string, std::string>> facts{{"rows", std::to_string(t.rows())}};
-  std::string channels;
-  for (const std::string& c : t.channels) channels += (channels.empty() ? "" : ", ") + c;
-  facts.emplace_back("channels", channels);
+  facts.emplace_back("channels", io::joined(t.channels));
   facts.emplace_back("angles of the light", std::to_string(lights.size()) + " from " +
                                                 io::to_text(*lights.begin()) + " to " +
                                                 io::to_text(*lights.rbegin()) + " degrees");
@@ -35,18 +34,18 @@ std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable&
 DataSheet data_sheet(const io::SampleTable& t) {
   DataSheet sheet;
   if (t.rows() == 0) {
-    sheet.findings.push_back(not_applicable(t, "missing", "the table has no rows"));
-    sheet.findings.back().verdict = Verdict::fail;
+    sheet.findings.push_back(not_applicable(t.source, "missing", "the table has no rows"));
+    sheet.findings.back().outcome = Outcome::fail;
     return sheet;
   }
   sheet.facts = facts_of(t);
   const auto pairs = interpolated_pairs(t);
   const Finding cosine = cosine_factor(t, pairs);
   Finding noise = noise_floor(t, pairs), reciprocity = exact_reciprocity(t);
-  if (cosine.verdict == Verdict::fail)  // one fault, one name
+  if (cosine.outcome == Outcome::fail)  // one fault, one name
     for (Finding* f : {&noise, &reciprocity})
-      if (f->verdict != Verdict::not_applicable)
-        *f = not_applicable(t, f->check.c_str(),
+      if (f->outcome != Outcome::not_applicable)
+        *f = not_applicable(t.source, f->check,
                             "light and viewer cannot be exchanged while a cosine is left in the values");
   // Integrals at up to 60 angles of the light: a large table has thousands.
   const auto groups = by_light(t);
@@ -55,7 +54,7 @@ DataSheet data_sheet(const io::SampleTable& t) {
   for (const auto& [light, rows] : groups)
     if (index++ % stride == 0)
       sheet.albedo.push_back(
-          integrate(t, rows, noise.verdict == Verdict::not_applicable ? 0.1 : noise.value));
+          integrate(t, rows, noise.outcome == Outcome::not_applicable ? 0.1 : noise.value));
   sheet.findings = {negative(t),
                     missing(t),
                     duplicates(t),
@@ -78,7 +77,7 @@ std::vector<std::string> data_sheet_names() {
 DataSheet exchanged_columns(const io::SampleTable& t, const std::string& why) {
   DataSheet sheet;
   sheet.findings.push_back(start(t, "directions"));
-  sheet.findings.back().verdict = Verdict::fail;
+  sheet.findings.back().outcome = Outcome::fail;
   sheet.findings.back().statement = why;
   return sheet;
 }

@@ -38,7 +38,8 @@ double worst_error(const Term& term, const Pair& pair) {
     const double scale = std::max(std::abs(f[1 + k]), 1e-3 * std::abs(f[0]) / size);
     // Where the differences themselves have not settled nothing can be said.
     if (scale < 1e-12 || !std::isfinite(best) || std::abs(fine - coarse) > 1e-3 * scale) continue;
-    worst = std::max(worst, std::abs(f[1 + k] - best) / scale);
+    const double error = std::abs(f[1 + k] - best) / scale;
+    if (is_worst(error, worst)) worst = error;
   }
   return worst;
 }
@@ -46,12 +47,11 @@ double worst_error(const Term& term, const Pair& pair) {
 }  // namespace
 
 Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
+  if (!subject.of_form())
+    return not_applicable(subject.name(), "derivatives", "derivatives are a property of forms");
+  if (!info(*subject.of_form()).differentiable)
+    return not_applicable(subject.name(), "derivatives", "no derivatives of its own");
   Finding finding{subject.name(), "derivatives"};
-  if (!subject.of_form()) {
-    finding.verdict = Verdict::not_applicable;
-    finding.statement = "derivatives are a property of forms";
-    return finding;
-  }
   const std::size_t count = options.effort == Effort::full ? 20000 : 2000,
                     dimensions = pair_dimensions(subject);
   for (std::size_t k = 0; k < count; ++k) {
@@ -62,16 +62,14 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
     const Material m = subject.at(x);
     const Pair pair = pair_of(subject, x);
     const double error = worst_error(m.terms[0], pair);
-    if (error < finding.value) continue;
+    if (!is_worst(error, finding.value)) continue;
     finding.value = error;
     finding.witness = pair_witness(subject, m, pair);
   }
   finding.evaluations = long(count * (4 * subject.dimensions() + 1));
   finding.bound = kBound;
-  finding.verdict = finding.value <= kBound ? Verdict::pass : Verdict::fail;
-  finding.statement = finding.verdict == Verdict::pass
-                          ? "derivatives by dual numbers agree with differences"
-                          : "derivatives by dual numbers disagree with differences";
+  finding.conclude(finding.value <= kBound, "derivatives by dual numbers agree with differences",
+                   "derivatives by dual numbers disagree with differences");
   return finding;
 }
 

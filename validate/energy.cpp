@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "brdf/integrals.h"
+#include "io/numbers.h"
 #include "io/text.h"
 #include "validate/checks.h"
 #include "validate/search.h"
@@ -11,16 +10,15 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kRadians = kPi / 180;
 constexpr double kSlack = 1e-9;  // an albedo of exactly 1 may come out this much above
 
 // The elevation at x in [0, 1]: from the normal to max_theta, closer together towards grazing.
 double elevation_at(double x, double max_theta) {
-  const double lowest = (90 - max_theta) * kRadians;
+  const double lowest = degrees(90 - max_theta).radians();
   return lowest + (kPi / 2 - lowest) * (1 - x) * (1 - x);
 }
 
-struct Albedo {
+struct WorstAlbedo {
   double value = -HUGE_VAL, bound = 0;
   bool converged = true;
   std::size_t channel = 0;
@@ -30,17 +28,18 @@ struct Albedo {
 
 // Largest albedo over the weights that a form may have. Albedo is linear in each weight, so the worst weights
 // are corners of their domain.
-Albedo over_weights(const Reflectance& form, std::span<const double> shape, double theta, double phi,
-                    const AlbedoOptions& options) {
-  Albedo worst;
-  const auto lobes = lobe_albedos(form, shape, radians(theta), radians(phi), options);
-  const ReflectanceInfo& f = info(form);
-  const int kd = f.weight_index(Role::diffuse), ks = f.weight_index(Role::specular);
+WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, double theta, double phi,
+                         const AlbedoOptions& options) {
+  WorstAlbedo worst;
+  const auto lobes = lobe_albedos(*subject.of_form(), shape, radians(theta), radians(phi), options);
+  const ReflectanceInfo& f = info(*subject.of_form());
   for (std::size_t corner = 0; corner < std::size_t{1} << f.weights.size(); ++corner) {
     std::vector<double> w;
     for (std::size_t k = 0; k < f.weights.size(); ++k)
       w.push_back(corner >> k & 1 ? std::min(f.weights[k].max, 1.0) : f.weights[k].min);
-    if (kd >= 0 && ks >= 0 && w[std::size_t(kd)] + w[std::size_t(ks)] > 1) continue;
+    double shared = 0;
+    for (const std::size_t k : subject.shared_weights()) shared += w[k];
+    if (shared > 1) continue;
     const std::vector<double> linear = linear_weights(f, w);
     double value = 0, bound = 0;
     for (std::size_t k = 0; k < linear.size(); ++k) {
@@ -58,8 +57,8 @@ Albedo over_weights(const Reflectance& form, std::span<const double> shape, doub
   return worst;
 }
 
-Albedo over_channels(const Material& m, double theta, double phi, const AlbedoOptions& options) {
-  Albedo worst;
+WorstAlbedo over_channels(const Material& m, double theta, double phi, const AlbedoOptions& options) {
+  WorstAlbedo worst;
   const auto results = directional_albedo(m, radians(theta), radians(phi), options);
   for (std::size_t c = 0; c < results.size(); ++c)
     if (results[c].value > worst.value)
@@ -97,9 +96,7 @@ class EnergySearch {
   // normal and at the largest angle, and points near there.
   std::vector<std::vector<double>> corners(std::size_t dimensions) const {
     std::vector<std::vector<double>> points;
-    for (std::size_t c = 0; c < std::size_t{1} << std::min<std::size_t>(dimensions, 6); ++c) {
-      std::vector<double> point(dimensions);
-      for (std::size_t d = 0; d < dimensions; ++d) point[d] = double(c >> d & 1);
+    for (std::vector<double> point : cube_corners(dimensions, 6)) {
       points.push_back(point);
       if (parameters_ == 0) continue;
       for (std::size_t d = 0; d < parameters_; ++d) point[d] = 0.2 + 0.6 * point[d];
@@ -111,12 +108,14 @@ class EnergySearch {
   // The subject's coordinates of a point of the search.
   std::vector<double> padded(std::span<const double> point) const {
     std::vector<double> p(point.begin(), point.begin() + long(parameters_));
-    if (tied_) p.insert(p.begin() + tied_at(), point[std::size_t(tied_at() - 1)]);
+    if (tied_) {
+      const auto [along, across] = info(*subject_.of_form()).axes();
+      p.insert(p.begin() + across, 0);
+      p[std::size_t(across)] = p[std::size_t(along)];
+    }
     p.resize(subject_.dimensions(), 1.0);
     return p;
   }
-  // alpha_y follows alpha_x in every table.
-  long tied_at() const { return info(*subject_.of_form()).shape_index("alpha_y"); }
   double elevation(std::span<const double> point) const {
     return elevation_at(point[parameters_], options_.max_theta);
   }
@@ -124,43 +123,39 @@ class EnergySearch {
     return turns_ ? kPi / 2 * point[parameters_ + 1] : 0;
   }
 
-  Albedo albedo(std::span<const double> point, double tolerance, double lift = 1) {
+  WorstAlbedo albedo(std::span<const double> point, double tolerance, double lift = 1) {
     AlbedoOptions options;
     options.tolerance = tolerance;
     const double theta = kPi / 2 - elevation(point) * lift;
     const Material m = subject_.at(padded(point));
-    Albedo found = linear_ ? over_weights(*subject_.of_form(), m.terms.front().shape.front(), theta,
-                                          azimuth(point), options)
-                           : over_channels(m, theta, azimuth(point), options);
+    WorstAlbedo found =
+        linear_ ? over_weights(subject_, m.terms.front().shape.front(), theta, azimuth(point), options)
+                : over_channels(m, theta, azimuth(point), options);
     evaluations_ += found.evaluations;
     return found;
   }
 
   Finding judge(const std::vector<double>& point) {
-    const Albedo worst = albedo(point, 1e-9);
+    const WorstAlbedo worst = albedo(point, 1e-9);
     Finding finding{subject_.name(), "energy"};
     finding.value = worst.value;
     finding.bound = 1;
     const bool above = worst.value - worst.bound > 1 + kSlack;
-    finding.verdict = above ? Verdict::fail : Verdict::pass;
-    const double theta = 90 - elevation(point) / kRadians, phi = azimuth(point) / kRadians;
+    const double theta = 90 - radians(elevation(point)).degrees(), phi = radians(azimuth(point)).degrees();
     Material at = subject_.at(padded(point));
     if (linear_) at.terms.front().weights.front() = worst.weights;
     Witness w;
     w.parameters = subject_.parameters(at);
     w.angles = {{"theta", theta}, {"phi", phi}};
     w.channel = at.channels[worst.channel];
-    w.command = "brdf albedo " + subject_.selector(at) + " --theta " + io::to_text(theta) + " --phi " +
-                io::to_text(phi) + " --tolerance 1e-9";
+    w.command = subject_.command(
+        "albedo", at, "--theta " + io::to_text(theta) + " --phi " + io::to_text(phi) + " --tolerance 1e-9");
     finding.witness = w;
-    std::ostringstream text;
-    text.precision(7);
-    text << (above ? "reflects up to " : "albedo at most ") << worst.value << " (+-";
-    text.precision(2);
-    text << worst.bound << ") up to " << io::to_text(options_.max_theta) << " degrees";
-    if (above) text << growth(point, worst.value);
-    if (!worst.converged) text << "; the integral did not reach 1e-9";
-    finding.statement = text.str();
+    const std::string size = io::short_number(worst.value, 7) + " (+-" + io::short_number(worst.bound, 2) +
+                             ") up to " + io::to_text(options_.max_theta) + " degrees";
+    finding.conclude(!above, "albedo at most " + size, "reflects up to " + size);
+    if (above) finding.statement += growth(point, worst.value);
+    if (!worst.converged) finding.statement += "; the integral did not reach 1e-9";
     finding.evaluations = evaluations_;
     return finding;
   }
@@ -169,14 +164,9 @@ class EnergySearch {
   std::string growth(const std::vector<double>& point, double here) {
     if (point[parameters_] < 1 || options_.max_theta >= 90) return "";
     const double nearer = albedo(point, 1e-6, 0.01).value, nearest = albedo(point, 1e-6, 1e-4).value;
-    std::ostringstream text;
     const double power = std::log(nearest / nearer) / std::log(100.0);
-    if (power > 0.05)
-      text << std::setprecision(2) << "; beyond, it grows as 1/cos^" << power << " without limit";
-    else
-      text << std::setprecision(5) << "; beyond, it tends to " << nearest
-           << (nearest > here ? "" : " (no higher)");
-    return text.str();
+    if (power > 0.05) return "; beyond, it grows as 1/cos^" + io::short_number(power, 2) + " without limit";
+    return "; beyond, it tends to " + io::short_number(nearest, 5) + (nearest > here ? "" : " (no higher)");
   }
 
   const Subject& subject_;
@@ -196,13 +186,11 @@ Finding check_energy(const Subject& subject, const CheckOptions& options) {
   const Finding equal = EnergySearch(subject, options, true).run();
   finding.tied = Restricted{equal.value, *equal.witness};
   finding.evaluations += equal.evaluations;
-  std::ostringstream text;
-  text.precision(5);
-  text << "; with equal widths at most " << equal.value << " (alpha ";
-  for (const auto& [name, value] : equal.witness->parameters)
-    if (name == "alpha_x") text << std::setprecision(3) << value;
-  text << ", " << io::to_text(float(equal.witness->angles.front().second)) << " degrees)";
-  finding.statement += text.str();
+  const ReflectanceInfo& f = info(*subject.of_form());
+  const std::size_t told = f.weights.size() + std::size_t(f.axes().along);  // weights are told first
+  finding.statement += "; with equal widths at most " + io::short_number(equal.value, 5) + " (" +
+                       tied_name(f) + " " + io::short_number(equal.witness->parameters[told].second, 3) +
+                       ", " + io::to_text(float(equal.witness->angles.front().second)) + " degrees)";
   return finding;
 }
 

@@ -1,61 +1,99 @@
 #include "validate/extremes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "brdf/material.h"
 
 namespace brdf::validate {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
-std::vector<double> extreme_values(const ParameterInfo& p) {
-  if (p.name == "exponent") return {0, 1, 5.3, 50, 1e6};
-  if (p.name == "eta") return {1, 1.0001, 1.5, 5};
-  if (p.name == "sigma") return {0, 0.1985, 0.9, kPi / 2};
-  std::vector<double> values{p.min, p.initial};
-  if (p.initial != p.max) values.push_back(p.max);
+std::vector<double> inside(const ParameterInfo& p, std::vector<double> values) {
+  std::erase_if(values, [&](double v) { return v < p.min || v > p.max; });
   return values;
 }
 
-// Pairs of widths instead of their product.
-const std::vector<std::array<double, 2>> kAlphas{{1e-4, 1e-4}, {3e-3, 3e-3}, {0.1, 0.1}, {0.4, 0.4},
-                                                 {1, 1},       {1e-4, 0.1},  {1, 1e-3}};
+std::vector<double> extreme_values(const ParameterInfo& p) {
+  switch (p.role) {
+    case Role::exponent:
+    case Role::exponent_across:
+      return inside(p, {p.min, 1, 5.3, 50, p.max});
+    case Role::index:
+      return inside(p, {p.min, 1.0001, 1.5, p.max});
+    case Role::slope:
+      return inside(p, {p.min, 0.1985, 0.9, p.max});
+    case Role::width:
+    case Role::width_across:
+      return inside(p, {p.min, 3e-3, 0.1, 0.4, p.max});
+    default:
+      return p.initial == p.max ? std::vector{p.min, p.max} : std::vector{p.min, p.initial, p.max};
+  }
+}
 
-std::vector<std::vector<double>> extreme_shapes(std::span<const ParameterInfo> table) {
-  std::vector<std::vector<double>> sets{{}};
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const bool widths = table[k].name == "alpha_x";
+// Along and across the tangent: equal ones, then far apart, instead of all pairs.
+std::vector<std::array<double, 2>> extreme_pairs(const ParameterInfo& along, const ParameterInfo& across) {
+  std::vector<std::array<double, 2>> pairs;
+  for (const double v : extreme_values(along))
+    if (v >= across.min && v <= across.max) pairs.push_back({v, v});
+  const bool widths = along.role == Role::width;
+  const auto limited = [&](double v) { return std::clamp(v, across.min, across.max); };
+  pairs.push_back({along.min, limited(widths ? 0.1 : across.max)});
+  pairs.push_back({along.max, limited(widths ? 1e-3 : across.min)});
+  return pairs;
+}
+
+std::vector<std::vector<double>> extreme_shapes(const ReflectanceInfo& form) {
+  const auto [along, across] = form.axes();
+  std::vector<std::vector<double>> sets{std::vector<double>(form.shape.size())};
+  for (std::size_t k = 0; k < form.shape.size(); ++k) {
+    if (int(k) == across) continue;  // goes with the one along
     std::vector<std::vector<double>> longer;
-    for (const auto& set : sets) {
-      const auto extend = [&](std::initializer_list<double> values) {
+    for (auto set : sets) {
+      if (int(k) != along) {
+        for (const double v : extreme_values(form.shape[k])) longer.emplace_back(set)[k] = v;
+        continue;
+      }
+      for (const auto& [x, y] : extreme_pairs(form.shape[k], form.shape[std::size_t(across)])) {
+        set[k] = x;
+        set[std::size_t(across)] = y;
         longer.push_back(set);
-        longer.back().insert(longer.back().end(), values);
-      };
-      if (widths)
-        for (const auto& a : kAlphas) extend({a[0], a[1]});
-      else
-        for (double v : extreme_values(table[k])) extend({v});
+      }
     }
     sets = std::move(longer);
-    if (widths) ++k;  // alpha_y went with alpha_x
   }
   return sets;
 }
 
-std::vector<std::vector<double>> extreme_weights(std::span<const ParameterInfo> table) {
-  if (table.size() == 3) return {{0, 1, 1}, {0, 1, 0}, {0.5, 0.5, 0.04}};  // kd, ks, f0
-  if (table.size() == 2) return {{0, 1}, {0.5, 0.5}};                      // kd, ks
-  return {{1}, {0.01}};                                                    // rho or albedo
+std::vector<std::vector<double>> extreme_weights(const ReflectanceInfo& form) {
+  const int f0 = form.weight_index(Role::f0);
+  std::vector<std::vector<double>> sets{lobe_alone(form)};
+  if (f0 >= 0) {
+    sets.push_back(sets.front());
+    sets.back()[std::size_t(f0)] = form.weights[std::size_t(f0)].min;
+  }
+  const std::size_t terms = form.weights.size() - (f0 >= 0);
+  const double share = terms == 1 ? 0.01 : 1 / double(terms);
+  std::vector<double>& all = sets.emplace_back();
+  for (const ParameterInfo& p : form.weights)
+    all.push_back(p.role == Role::f0 ? p.initial : std::clamp(share, p.min, p.max));
+  return sets;
 }
 
 }  // namespace
 
+std::vector<double> lobe_alone(const ReflectanceInfo& form) {
+  const auto counts = [](const ParameterInfo& p) { return p.role != Role::diffuse && p.role != Role::f0; };
+  const bool has_lobe = std::any_of(form.weights.begin(), form.weights.end(), counts);
+  std::vector<double> weights;
+  for (const ParameterInfo& p : form.weights)
+    weights.push_back(p.role == Role::diffuse && has_lobe ? p.min : std::min(p.max, 1.0));
+  return weights;
+}
+
 ParameterGrid extreme_parameters(const Reflectance& form) {
-  const ReflectanceInfo& f = info(form);
-  return {extreme_weights(f.weights), extreme_shapes(f.shape)};
+  return {extreme_weights(form.info()), extreme_shapes(form.info())};
 }
 
 std::vector<Vec3<double>> extreme_lights() {
@@ -90,12 +128,13 @@ std::vector<Vec3<double>> extreme_views(const Vec3<double>& wi, double width_x, 
 }
 
 LobeWidth lobe_width(const ReflectanceInfo& form, const std::vector<double>& shape) {
-  if (const int x = form.shape_index("alpha_x"); x >= 0)
-    return {shape[std::size_t(x)], shape[std::size_t(form.shape_index("alpha_y"))]};
-  if (const int n = form.shape_index("exponent"); n >= 0) {
-    const double width = std::sqrt(2 / (shape[std::size_t(n)] + 2));
-    return {width, width};
-  }
+  const auto [along, across] = form.axes();
+  const auto of = [&](int k, Role role) {
+    const double value = shape[std::size_t(k)];
+    return role == Role::width ? value : std::sqrt(2 / (value + 2));
+  };
+  for (const Role role : {Role::width, Role::exponent})
+    if (const int k = form.shape_index(role); k >= 0) return {of(k, role), of(k == along ? across : k, role)};
   return {0.3, 0.3};
 }
 

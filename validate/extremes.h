@@ -12,10 +12,14 @@ struct ParameterGrid {
   std::vector<std::vector<double>> shapes;
 };
 
-// The ends of every range, the default, and the values at which formulas are known to break: alpha 1e-4,
-// 1:1000 anisotropy, exponent 1e6, eta next to 1, f0 0 and 1. Weights without the diffuse term, which would
-// hide the lobe's error, and with it.
+// The ends of every range, the default, and the values at which formulas are known to break: 1:1000
+// anisotropy, an index of refraction next to 1, f0 0 and 1. Weights: the lobe alone comes first (the diffuse
+// term would hide its error), all terms together last.
 ParameterGrid extreme_parameters(const Reflectance& form);
+
+// Weights at which a form shows its lobe: nothing diffuse where there is something else, all others (f0 too)
+// at 1.
+std::vector<double> lobe_alone(const ReflectanceInfo& form);
 
 // Light directions: the normal, ordinary angles, 89.9 and 89.99 degrees, exact grazing.
 std::vector<Vec3<double>> extreme_lights();

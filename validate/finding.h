@@ -1,13 +1,16 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "brdf/names.h"
+
 namespace brdf::validate {
 
-enum class Verdict { pass, known_violation, fail, not_applicable };
+enum class Outcome { pass, known_violation, fail, not_applicable };
 
 // Where the worst value was found, so that `brdf eval` or `brdf albedo` reproduces it.
 struct Witness {
@@ -15,7 +18,7 @@ struct Witness {
   std::vector<std::pair<std::string, double>>
       angles;  // degrees: theta_i, phi_i, theta_o, phi_o or theta, phi
   std::string channel;
-  std::string command;
+  std::string command;  // empty where no command knows the subject
 };
 
 // The worst of a search that was restricted to part of the parameters.
@@ -27,15 +30,36 @@ struct Restricted {
 // What one check found out about one subject.
 struct Finding {
   std::string subject, check;
-  Verdict verdict = Verdict::pass;
+  Outcome outcome = Outcome::pass;
   double value = 0;  // the worst found
   double bound = 0;  // what it may be
   std::string statement;
   std::optional<Witness> witness;
   std::optional<Restricted> tied;  // of an anisotropic form's energy: equal widths
   long evaluations = 0;            // of the subject's f
+
+  // Passes or fails, and says why.
+  void conclude(bool good, const std::string& if_good, const std::string& if_not) {
+    outcome = good ? Outcome::pass : Outcome::fail;
+    statement = good ? if_good : if_not;
+  }
 };
 
-std::string verdict_name(Verdict verdict);
+// Whether this value is worse than the worst so far; one that is no number is the worst of all, and stays.
+inline bool is_worst(double value, double worst) {
+  return !std::isnan(worst) && !(value < worst);
+}
+
+inline Finding not_applicable(std::string subject, std::string check, std::string why) {
+  return {std::move(subject), std::move(check), Outcome::not_applicable, 0, 0, std::move(why), {}, {}, 0};
+}
 
 }  // namespace brdf::validate
+
+namespace brdf {
+
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<validate::Outcome>{"pass", "known_violation", "fail",
+                                                                           "not_applicable"};
+
+}  // namespace brdf

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
+
+#include "io/numbers.h"
+#include "validate/degrees.h"
+#include "validate/extremes.h"
 
 namespace brdf::validate {
 namespace {
@@ -13,18 +16,15 @@ Term lobe_of(const Reflectance& form, std::vector<double> shape, bool schlick) {
   Term term = make_term(form, 1);
   term.shape = {std::move(shape)};
   const ReflectanceInfo& f = info(form);
-  for (std::size_t k = 0; k < f.weights.size(); ++k)
-    term.weights[0][k] = f.weights[k].role == Role::diffuse         ? 0
-                         : f.weights[k].role == Role::f0 && schlick ? 0.04
-                                                                    : 1;
+  term.weights = {lobe_alone(f)};
+  if (const int f0 = f.weight_index(Role::f0); f0 >= 0 && schlick) term.weights[0][std::size_t(f0)] = 0.04;
   return term;
 }
 
 // Half of the angles over the whole range, half within ten degrees of its end.
 double half_grazing(Random& random) {
   const bool grazing = random.uniform() < 0.5;
-  const double degrees = grazing ? 90 - random.log_uniform(0.1, 10) : random.uniform(0, 89.9);
-  return degrees * kPi / 180;
+  return in_radians(grazing ? 90 - random.log_uniform(0.1, 10) : random.uniform(0, 89.9));
 }
 
 std::vector<double> shape_with(const Reflectance& form, double along, double across) {
@@ -77,13 +77,15 @@ std::vector<Set> all_sets() {
 }  // namespace
 
 std::string place_of(const IntegralCase& c) {
-  std::ostringstream text;
-  text << info(c.term.form).name;
-  text.precision(10);
-  for (std::size_t k = 0; k < c.term.shape[0].size(); ++k)
-    text << ' ' << info(c.term.form).shape[k].name << '=' << c.term.shape[0][k];
-  text << " theta=" << c.theta * 180 / kPi << " phi=" << c.phi * 180 / kPi;
-  return text.str();
+  const ReflectanceInfo& f = info(c.term.form);
+  std::string text(f.name);
+  const auto add = [&](std::string_view name, double value) {
+    text += " " + std::string(name) + "=" + io::short_number(value, 10);
+  };
+  for (std::size_t k = 0; k < f.shape.size(); ++k) add(f.shape[k].name, c.term.shape[0][k]);
+  add("theta", in_degrees(c.theta));
+  add("phi", in_degrees(c.phi));
+  return text;
 }
 
 std::vector<std::string> integral_sets() {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <mutex>
 #include <numeric>
-#include <sstream>
 
 #include "io/parallel.h"
 #include "validate/checks.h"
@@ -36,34 +35,20 @@ bool inside(const Violation& v, const CheckOptions& options) {
 }
 
 void judge(Finding& finding, const Subject& subject, const CheckOptions& options) {
-  if (!subject.of_form() || finding.verdict == Verdict::not_applicable) return;
+  if (!subject.of_form() || finding.outcome == Outcome::not_applicable) return;
   const auto declared = subject.declared();
   const auto found = std::find_if(declared.begin(), declared.end(),
                                   [&](const Violation& v) { return v.check == finding.check; });
   if (found == declared.end()) return;
-  if (finding.verdict == Verdict::fail) {
-    finding.verdict = Verdict::known_violation;
+  if (finding.outcome == Outcome::fail) {
+    finding.outcome = Outcome::known_violation;
   } else if (inside(*found, options)) {
-    finding.verdict = Verdict::fail;
+    finding.outcome = Outcome::fail;
     finding.statement = "declared, but not found: " + std::string(found->statement);
   }
 }
 
 }  // namespace
-
-std::string verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::known_violation:
-      return "known_violation";
-    case Verdict::fail:
-      return "fail";
-    case Verdict::not_applicable:
-      break;
-  }
-  return "not_applicable";
-}
 
 std::vector<std::string> check_names() {
   std::vector<std::string> names;

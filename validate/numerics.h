@@ -15,8 +15,8 @@ namespace brdf::validate {
 // near grazing magnifies the difference of their lengths by 1/(alpha cos): where that alone moves the exact
 // value by more than a quarter of the budget, the exact value at the vectors as they stand is the truth
 // instead. Where a value is the difference of larger terms the error is relative to those: to the lobe at f0
-// = 1 for f0 = 0, to the lobe's peak where the mirror lobe's cosine is below 1/2, to |f| + rho/pi for
-// oren_nayar_full, whose direct term changes sign.
+// = 1 for f0 = 0, to the lobe's peak where the mirror lobe's cosine is below 1/2, to |f| + the diffuse weight
+// over pi for a form that declares negative values, as its terms change sign.
 struct NumericsRow {
   std::string form;
   std::string scalar;    // float | double
@@ -30,9 +30,11 @@ struct NumericsRow {
   std::size_t count = 0;      // values
   std::size_t as_stored = 0;  // of them judged at the vectors as they stand
   std::size_t nan = 0, inf = 0, negative = 0;
+  bool may_be_negative = false;  // the form declares it
 };
 
-// One row per scalar, float first.
+// One row per scalar, float first; none of what is not in the catalogue: there is no template to run in 50
+// digits.
 std::vector<NumericsRow> measure_numerics(const Reflectance& form);
 
 // What every form promises (the largest error is a row's own fact, asserted on both sides in the tests).
@@ -45,7 +47,8 @@ NumericsBudget numerics_budget(const std::string& scalar);
 bool meets_budget(const NumericsRow& row);
 
 // Prints the rows of these forms, as a table while they are measured (half a second a form)
-// or as {"rows": [...], "provenance": ...}. True where all meet their budgets.
+// or as {"rows": [...], "provenance": ...}, and names those that cannot be measured. True where all others
+// meet their budgets.
 bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostream& out,
                      const std::function<void(int done, int total)>& progress);
 

@@ -1,9 +1,11 @@
 #include <cmath>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 #include <ostream>
 
 #include "io/json.h"
+#include "io/numbers.h"
 #include "io/parallel.h"
 #include "validate/numerics.h"
 
@@ -31,10 +33,8 @@ io::Json json_of(const NumericsRow& row) {
 
 // "60,17.2": polar angle and azimuth in degrees.
 std::string angles_of(const Vec3<double>& w) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g,%.4g", std::atan2(std::hypot(w.x, w.y), w.z) * (180 / kPi),
-                std::atan2(w.y, w.x) * (180 / kPi));
-  return text;
+  const Angle theta = radians(std::atan2(std::hypot(w.x, w.y), w.z)), phi = radians(std::atan2(w.y, w.x));
+  return io::short_number(theta.degrees()) + "," + io::short_number(phi.degrees());
 }
 
 std::string line_of(const NumericsRow& row) {
@@ -50,8 +50,9 @@ std::string line_of(const NumericsRow& row) {
 
 bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostream& out,
                      const std::function<void(int done, int total)>& progress) {
-  std::vector<std::vector<NumericsRow>> rows(forms.size());
+  std::vector<std::optional<std::vector<NumericsRow>>> rows(forms.size());
   io::Json all = io::Json::array();
+  std::vector<std::string> unmeasured;
   std::size_t reported = 0;
   int done = 0, over_budget = 0;
   const auto report = [&](const NumericsRow& row) {
@@ -69,12 +70,16 @@ bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostr
     auto measured = measure_numerics(forms[k]);
     const std::lock_guard lock(mutex);
     rows[k] = std::move(measured);
-    for (; reported < rows.size() && !rows[reported].empty(); ++reported)
-      for (const NumericsRow& row : rows[reported]) report(row);
+    for (; reported < rows.size() && rows[reported]; ++reported) {
+      for (const NumericsRow& row : *rows[reported]) report(row);
+      if (rows[reported]->empty()) unmeasured.emplace_back(forms[reported].info().name);
+    }
     progress(++done, int(forms.size()));
   });
   if (json) {
-    out << io::to_text(io::Json{{"rows", all}, {"provenance", io::to_json(io::provenance())}}) << '\n';
+    io::Json document{{"rows", all}, {"provenance", io::to_json(io::provenance())}};
+    if (!unmeasured.empty()) document["not_applicable"] = unmeasured;
+    out << io::to_text(document) << '\n';
     return over_budget == 0;
   }
   const NumericsBudget f = numerics_budget("float"), d = numerics_budget("double");
@@ -82,6 +87,8 @@ bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostr
   std::snprintf(budgets, sizeof budgets, "%-33s  %8.1e  %8.1e  %8.1e\n%-33s  %8.1e  %8.1e  %8.1e\n",
                 "budget in float", f.max_error, f.faint_error, f.tail_error, "budget in double", d.max_error,
                 d.faint_error, d.tail_error);
+  for (const std::string& name : unmeasured)
+    out << name << ": not applicable, it is not in the catalogue and there is no 50-digit evaluation of it\n";
   out << budgets
       << "Largest errors against 50 digits where f is at least 1e-6 (body), 1e-12 (faint), 1e-30 (tail) of "
          "the lobe's peak. "

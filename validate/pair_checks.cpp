@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
 
 #include "brdf/geometry.h"
+#include "io/numbers.h"
 #include "validate/checks.h"
+#include "validate/degrees.h"
 #include "validate/pair_search.h"
 
 namespace brdf::validate {
@@ -13,7 +13,6 @@ namespace {
 constexpr double kReciprocityBound = 1e-10;  // rounding: the form sees the same numbers in another order
 constexpr double kIsotropyBound = 1e-6;  // a tangent frame rounds the directions, which narrow lobes magnify
 constexpr double kFaint = 0.01;          // 1/sr: differences below it are judged against it
-constexpr double kTiny = 1e-30;          // below this a value is an underflowing tail
 
 // Channel with the largest |measure(values)|.
 template <class Measure>
@@ -21,11 +20,6 @@ double worst_channel(const Material& m, Measure&& measure) {
   double worst = -HUGE_VAL;
   for (std::size_t c = 0; c < m.channels.size(); ++c) worst = std::max(worst, measure(c));
   return worst;
-}
-
-double difference(double a, double b, double least) {
-  const double scale = std::max(std::abs(a), std::abs(b));
-  return scale < kTiny ? 0 : std::abs(a - b) / std::max(scale, least);
 }
 
 double asymmetry(const Material& m, const Vec3<double>& i1, const Vec3<double>& o1, const Vec3<double>& i2,
@@ -48,30 +42,19 @@ Finding from_best(const Subject& subject, std::string check, const Best& best, d
   return finding;
 }
 
-std::string in_words(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 }  // namespace
 
 Finding check_finite(const Subject& subject, const CheckOptions&) {
   Finding finding{subject.name(), "finite"};
   std::vector<Vec3<double>> directions;
   for (const double z : {1.0, 0.7, 0.1, 1e-3, 1e-6, 1e-9, 1e-13, 1e-300, 0.0, -1e-300, -1e-9, -0.5, -1.0})
-    for (const double phi : {0.0, 1.0, kPi / 2, kPi}) {
-      const double s = std::sqrt(std::max((1 - z) * (1 + z), 0.0));
-      directions.push_back({s * std::cos(phi), s * std::sin(phi), z});
-    }
+    for (const double phi : {0.0, 1.0, kPi / 2, kPi}) directions.push_back(at_cosine(z, phi));
   directions.push_back({1e-310, 0, 1});
   directions.push_back({1, 1e-310, 1e-310});
-  const std::size_t n = subject.dimensions(), corners = std::size_t{1} << std::min<std::size_t>(n, 6);
-  for (std::size_t k = 0; k < corners + 16; ++k) {
-    std::vector<double> point = k < corners ? std::vector<double>(n) : cover_point(k, n, 1);
-    if (k < corners)
-      for (std::size_t d = 0; d < n; ++d) point[d] = double(k >> d & 1);
+  std::vector<std::vector<double>> points = cube_corners(subject.dimensions(), 6);
+  for (const std::size_t last = points.size() + 16; points.size() < last;)
+    points.push_back(cover_point(points.size(), subject.dimensions(), 1));
+  for (const auto& point : points) {
     const Material m = subject.at(point);
     std::vector<double> f(m.channels.size()), f_cos(m.channels.size());
     for (const auto& wi : directions)
@@ -82,20 +65,15 @@ Finding check_finite(const Subject& subject, const CheckOptions&) {
         for (std::size_t c = 0; c < f.size(); ++c) {
           if (std::isfinite(f[c]) && std::isfinite(f_cos[c])) continue;
           if (finding.value++ > 0) continue;
-          const auto degrees = [](double x) { return x * 180 / kPi; };
-          const Pair pair{wi,
-                          wo,
-                          degrees(std::acos(wi.z)),
-                          degrees(std::atan2(wi.y, wi.x)),
-                          degrees(std::acos(wo.z)),
-                          degrees(std::atan2(wo.y, wo.x))};
-          finding.witness = pair_witness(subject, m, pair);
+          const auto polar = [](const Vec3<double>& w) { return in_degrees(std::acos(w.z)); };
+          const auto azimuth = [](const Vec3<double>& w) { return in_degrees(std::atan2(w.y, w.x)); };
+          finding.witness =
+              pair_witness(subject, m, {wi, wo, polar(wi), azimuth(wi), polar(wo), azimuth(wo)});
         }
       }
   }
-  finding.verdict = finding.value > 0 ? Verdict::fail : Verdict::pass;
-  finding.statement =
-      finding.value > 0 ? "values that are not finite" : "finite for every pair of directions tried";
+  finding.conclude(!(finding.value > 0), "finite for every pair of directions tried",
+                   "values that are not finite");
   return finding;
 }
 
@@ -109,9 +87,8 @@ Finding check_non_negative(const Subject& subject, const CheckOptions& options) 
       },
       options);
   Finding finding = from_best(subject, "non_negative", best, -best.value, 0, 1);
-  finding.verdict = finding.value < -1e-12 ? Verdict::fail : Verdict::pass;
-  finding.statement =
-      finding.verdict == Verdict::pass ? "never below 0" : "f down to " + in_words(finding.value) + " /sr";
+  finding.conclude(!(finding.value < -1e-12), "never below 0",
+                   "f down to " + io::short_number(finding.value, 3) + " /sr");
   return finding;
 }
 
@@ -121,11 +98,8 @@ Finding check_reciprocity(const Subject& subject, const CheckOptions& options) {
       options);
   Finding finding = from_best(subject, "reciprocity", best, best.value, kReciprocityBound, 2);
   finding.witness = pair_witness(subject, subject.at(best.point), pair_of(subject, best.point), true);
-  finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
-  finding.statement =
-      finding.verdict == Verdict::pass
-          ? "f(i,o) = f(o,i) to rounding, cosines from 1 to 1e-6"
-          : "f(i,o) and f(o,i) differ by " + in_words(100 * finding.value) + " % of the larger";
+  finding.conclude(!(finding.value > finding.bound), "f(i,o) = f(o,i) to rounding, cosines from 1 to 1e-6",
+                   "f(i,o) and f(o,i) differ by " + io::percent(finding.value) + " of the larger");
   return finding;
 }
 
@@ -156,14 +130,11 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
       },
       options);
   Finding finding = from_best(subject, "isotropy", best, best.value, kIsotropyBound, anisotropic ? 2 : 4);
-  finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
-  if (!anisotropic)
-    finding.statement = finding.verdict == Verdict::pass ? "isotropic" : "changes when the sample is turned";
-  else if (subject.of_form())
-    finding.statement = "anisotropic: symmetric about the tangent";
-  else
-    finding.statement = "anisotropic: symmetric about the tangent at " +
-                        in_words(subject.own().terms.front().tangent_phi.degrees()) + " degrees";
+  std::string symmetric = "anisotropic: symmetric about the tangent";
+  if (anisotropic && !subject.of_form())
+    symmetric += " at " + io::short_number(subject.own().terms.front().tangent_phi.degrees(), 3) + " degrees";
+  finding.conclude(!(finding.value > finding.bound), anisotropic ? symmetric : "isotropic",
+                   anisotropic ? "not symmetric about the tangent" : "changes when the sample is turned");
   return finding;
 }
 
@@ -174,10 +145,9 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
       subject,
       [](const Material& m, const Pair& p) {
         std::vector<double> f(m.channels.size()), largest(f.size(), kTiny);
-        const double phi = p.phi_i * kPi / 180;
+        const double phi = in_radians(p.phi_i);
         for (double z = 0.9; z > 1e-12; z *= 0.1) {
-          const double s = std::sqrt((1 - z) * (1 + z));
-          eval_cos(m, {s * std::cos(phi), s * std::sin(phi), z}, p.wo, f);
+          eval_cos(m, at_cosine(z, phi), p.wo, f);
           for (std::size_t c = 0; c < f.size(); ++c) largest[c] = std::max(largest[c], std::abs(f[c]));
         }
         eval_cos(m, {std::cos(phi), std::sin(phi), 1e-12}, p.wo, f);
@@ -190,11 +160,8 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
   Pair pair = pair_of(subject, best.point);
   pair.theta_i = 90;
   finding.witness = pair_witness(subject, subject.at(best.point), pair);
-  finding.verdict = finding.value > finding.bound ? Verdict::fail : Verdict::pass;
-  finding.statement =
-      finding.verdict == Verdict::pass
-          ? "reflected light fades out as the light sets"
-          : "reflected light does not fade out as the light sets: it jumps to 0 at the horizon";
+  finding.conclude(!(finding.value > finding.bound), "reflected light fades out as the light sets",
+                   "reflected light does not fade out as the light sets: it jumps to 0 at the horizon");
   return finding;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/text.h"
+#include "validate/degrees.h"
 
 namespace brdf::validate {
 namespace {
@@ -11,13 +12,7 @@ namespace {
 // Corners of the parameters' cube (the first 32) and a cover of its inside.
 std::vector<std::vector<double>> parameter_points(std::size_t dimensions, std::size_t cover,
                                                   std::uint64_t seed) {
-  std::vector<std::vector<double>> points;
-  const std::size_t corners = std::size_t{1} << std::min<std::size_t>(dimensions, 5);
-  for (std::size_t c = 0; c < corners; ++c) {
-    std::vector<double> point;
-    for (std::size_t d = 0; d < dimensions; ++d) point.push_back(c >> d & 1 ? 1.0 : 0.0);
-    points.push_back(point);
-  }
+  std::vector<std::vector<double>> points = cube_corners(dimensions, 5);
   if (dimensions > 0)
     for (std::size_t k = 0; k < cover; ++k) points.push_back(cover_point(k, dimensions, seed));
   return points;
@@ -25,18 +20,23 @@ std::vector<std::vector<double>> parameter_points(std::size_t dimensions, std::s
 
 }  // namespace
 
+Vec3<double> at_cosine(double z, double phi) {
+  const double s = std::sqrt(std::max((1 - z) * (1 + z), 0.0));
+  return {s * std::cos(phi), s * std::sin(phi), z};
+}
+
 Pair pair_at(double a, double b, double turn_o, double turn_i) {
-  const auto place = [](double t, double phi, double& theta) -> Vec3<double> {
+  const auto place = [](double t, double phi, double& theta) {
     const double z = std::pow(10.0, -6 * t), s = std::sqrt((1 - z) * (1 + z));
-    theta = std::atan2(s, z) * 180 / kPi;
-    return {s * std::cos(phi), s * std::sin(phi), z};
+    theta = in_degrees(std::atan2(s, z));
+    return at_cosine(z, phi);
   };
   Pair pair;
   const double phi_i = kPi * turn_i, phi_o = phi_i + kPi * turn_o;
   pair.wi = place(a, phi_i, pair.theta_i);
   pair.wo = place(b, phi_o, pair.theta_o);
-  pair.phi_i = phi_i * 180 / kPi;
-  pair.phi_o = phi_o * 180 / kPi;
+  pair.phi_i = in_degrees(phi_i);
+  pair.phi_o = in_degrees(phi_o);
   return pair;
 }
 
@@ -47,6 +47,11 @@ std::size_t pair_dimensions(const Subject& subject) {
 Pair pair_of(const Subject& subject, std::span<const double> point) {
   const std::size_t p = subject.dimensions();
   return pair_at(point[p], point[p + 1], point[p + 2], subject.anisotropic() ? point[p + 3] : 0);
+}
+
+double difference(double a, double b, double least) {
+  const double scale = std::max(std::abs(a), std::abs(b));
+  return scale < kTiny ? 0 : std::abs(a - b) / std::max(scale, least);
 }
 
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options) {
@@ -85,8 +90,8 @@ Witness pair_witness(const Subject& subject, const Material& at, const Pair& pai
   };
   std::string rows = row({pair.theta_i, pair.phi_i, pair.theta_o, pair.phi_o});
   if (both_orders) rows += row({pair.theta_o, pair.phi_o, pair.theta_i, pair.phi_i});
-  w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + rows + "' > pair.csv && brdf eval " +
-              subject.selector(at) + " pair.csv";
+  if (const std::string eval = subject.command("eval", at, "pair.csv"); !eval.empty())
+    w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + rows + "' > pair.csv && " + eval;
   return w;
 }
 

@@ -13,6 +13,9 @@ struct Pair {
   double theta_i, phi_i, theta_o, phi_o;  // degrees
 };
 
+// The direction with this cosine to the normal at this azimuth, radians.
+Vec3<double> at_cosine(double z, double phi);
+
 // Cosines 10^(-6 a) and 10^(-6 b), the azimuth between them turn_o half turns.
 Pair pair_at(double a, double b, double turn_o, double turn_i);
 
@@ -20,6 +23,10 @@ Pair pair_at(double a, double b, double turn_o, double turn_i);
 // azimuth between, then the azimuth of wi if anisotropic.
 std::size_t pair_dimensions(const Subject& subject);
 Pair pair_of(const Subject& subject, std::span<const double> point);
+
+inline constexpr double kTiny = 1e-30;  // 1/sr: below this a value is an underflowing tail
+// |a - b| over the larger, which counts as at least `least`.
+double difference(double a, double b, double least = 0);
 
 using PairMeasure = std::function<double(const Material&, const Pair&)>;
 

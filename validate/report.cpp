@@ -4,39 +4,33 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
-#include <map>
-#include <sstream>
+
+#include "io/numbers.h"
 
 namespace brdf::validate {
 namespace {
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
-}
-
 std::string readable(const Witness& w) {
   std::string text;
   for (const auto* list : {&w.parameters, &w.angles})
-    for (const auto& [name, value] : *list) text += (text.empty() ? "" : " ") + name + "=" + number(value);
+    for (const auto& [name, value] : *list)
+      text += (text.empty() ? "" : " ") + name + "=" + io::short_number(value, 6);
   return text;
 }
 
-std::string plain(Verdict verdict) {
-  std::string name = verdict_name(verdict);
+std::string plain(Outcome outcome) {
+  std::string name(name_of(outcome));
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
 bool shows_witness(const Finding& f) {
-  return f.witness && (f.verdict == Verdict::fail || f.verdict == Verdict::known_violation);
+  return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
 }
 
-io::Mark mark_of(Verdict verdict) {
+io::Mark mark_of(Outcome outcome) {
   constexpr std::array marks{io::Mark::good, io::Mark::warn, io::Mark::bad, io::Mark::none};
-  return marks[std::size_t(verdict)];
+  return marks[std::size_t(outcome)];
 }
 
 io::Json to_json(const Witness& w) {
@@ -48,21 +42,21 @@ io::Json to_json(const Witness& w) {
   return json;
 }
 
-std::size_t count(const std::vector<Finding>& findings, Verdict verdict) {
+std::size_t count(const std::vector<Finding>& findings, Outcome outcome) {
   return std::size_t(std::count_if(findings.begin(), findings.end(),
-                                   [&](const Finding& f) { return f.verdict == verdict; }));
+                                   [&](const Finding& f) { return f.outcome == outcome; }));
 }
 
 }  // namespace
 
 std::string summary(const std::vector<Finding>& findings) {
-  const std::size_t failed = count(findings, Verdict::fail),
-                    known = count(findings, Verdict::known_violation),
-                    passed = count(findings, Verdict::pass);
+  const std::size_t failed = count(findings, Outcome::fail),
+                    known = count(findings, Outcome::known_violation),
+                    passed = count(findings, Outcome::pass);
   std::string text = std::to_string(passed) + " passed";
   if (known > 0) text += ", " + std::to_string(known) + " known violation" + (known > 1 ? "s" : "");
   text += ", " + std::to_string(failed) + " failed";
-  if (const std::size_t none = count(findings, Verdict::not_applicable); none > 0)
+  if (const std::size_t none = count(findings, Outcome::not_applicable); none > 0)
     text += ", " + std::to_string(none) + " not applicable";
   return text;
 }
@@ -74,19 +68,19 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
     if (f.subject != subject) out << (subject.empty() ? "" : "\n") << f.subject << '\n';
     subject = f.subject;
     out << "  " << std::left << std::setw(15) << f.check;
-    if (colour) out << colours[std::size_t(f.verdict)];
-    out << std::setw(16) << plain(f.verdict);
+    if (colour) out << colours[std::size_t(f.outcome)];
+    out << std::setw(16) << plain(f.outcome);
     if (colour) out << "\033[0m";
     out << std::right << f.statement << '\n';
     if (!shows_witness(f)) continue;
     out << "      at " << readable(*f.witness) << '\n';
-    out << "      $ " << f.witness->command << '\n';
+    if (!f.witness->command.empty()) out << "      $ " << f.witness->command << '\n';
   }
   out << '\n' << summary(findings) << '\n';
 }
 
 io::Json to_json(const Finding& f) {
-  io::Json json{{"subject", f.subject}, {"check", f.check}, {"verdict", verdict_name(f.verdict)}};
+  io::Json json{{"subject", f.subject}, {"check", f.check}, {"verdict", name_of(f.outcome)}};
   json["value"] = std::isfinite(f.value) ? io::Json(f.value) : io::Json(nullptr);
   json["bound"] = f.bound;
   json["statement"] = f.statement;
@@ -107,8 +101,8 @@ std::string to_markdown(const std::vector<Finding>& findings) {
       "**" + summary(findings) + "**\n\n| subject | check | verdict | finding |\n|---|---|---|---|\n";
   for (const Finding& f : findings) {
     constexpr std::array signs{"pass", "known violation", "**fail**", "not applicable"};
-    text += "| " + f.subject + " | " + f.check + " | " + signs[std::size_t(f.verdict)] + " | " + f.statement;
-    if (shows_witness(f)) text += "<br>`" + f.witness->command + "`";
+    text += "| " + f.subject + " | " + f.check + " | " + signs[std::size_t(f.outcome)] + " | " + f.statement;
+    if (shows_witness(f) && !f.witness->command.empty()) text += "<br>`" + f.witness->command + "`";
     text += " |\n";
   }
   return text;
@@ -119,7 +113,7 @@ void add_tables(io::HtmlReport& report, const std::vector<Finding>& findings) {
   for (std::size_t k = 0; k < findings.size(); ++k) {
     const Finding& f = findings[k];
     rows.push_back({{f.check},
-                    {plain(f.verdict), mark_of(f.verdict)},
+                    {plain(f.outcome), mark_of(f.outcome)},
                     {f.statement, io::Mark::none, false, shows_witness(f) ? f.witness->command : ""}});
     if (k + 1 < findings.size() && findings[k + 1].subject == f.subject) continue;
     report.table({f.subject, "verdict", "finding"}, rows);

@@ -1,36 +1,37 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "brdf/integrals.h"
+#include "io/numbers.h"
 #include "io/text.h"
+#include "validate/extremes.h"
+#include "validate/pair_search.h"
 #include "validate/report.h"
 
 namespace brdf::validate {
 namespace {
 
-constexpr double kRadians = kPi / 180;
-
-// The material that a subject's plots show: its own, or a form's table defaults at full weight.
+// The material that a subject's plots show: its own, or a form's table defaults; where it is all diffuse, at
+// full weight.
 Material shown(const Subject& subject) {
   Material m = subject.own();
   if (!subject.of_form()) return m;
   const ReflectanceInfo& f = info(*subject.of_form());
-  for (std::size_t k = 0; k < f.weights.size(); ++k)
-    if (f.weights[k].name == "rho" || f.weights[k].name == "albedo") m.terms[0].weights[0][k] = 1;
+  if (std::all_of(f.weights.begin(), f.weights.end(),
+                  [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
+    for (auto& weights : m.terms.front().weights) weights = lobe_alone(f);
   return m;
 }
 
-std::string with_selector(const Subject& subject, const Material& m, const std::string& verb,
-                          const std::string& rest) {
-  return "brdf " + verb + " " + subject.selector(m) + " " + rest;
+std::string listed(const std::vector<double>& values, const std::string& separator) {
+  std::vector<std::string> words;
+  for (const double value : values) words.push_back(io::to_text(value));
+  return io::joined(words, separator);
 }
 
-std::string rounded(double x) {
-  std::ostringstream text;
-  text.precision(2);
-  text << x;
-  return text.str();
+// Commands that first write a table of directions; empty where the second is.
+std::string with_table(const std::string& table, const std::string& command) {
+  return command.empty() ? "" : table + " && " + command;
 }
 
 io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta, double phi = 0) {
@@ -42,8 +43,6 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   for (double theta = 0; theta < max_theta; theta += theta < 85 ? 2.5 : 0.25) angles.push_back(theta);
   angles.push_back(max_theta);
   double widest = 0, lowest = HUGE_VAL, highest = 0;
-  std::string list;
-  for (const double theta : angles) list += (list.empty() ? "" : ",") + io::to_text(theta);
   for (const std::string& channel : m.channels)
     plot.series.push_back({channel, angles, {}, io::Series::Style::line});
   for (const double theta : angles) {
@@ -66,9 +65,9 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   plot.caption =
       "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
       "would give off more than it receives. The band is the error bound, at most " +
-      rounded(widest) + ".";
-  plot.command = with_selector(subject, m, "albedo",
-                               "--theta " + list + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
+      io::short_number(widest, 2) + ".";
+  plot.command = subject.command(
+      "albedo", m, "--theta " + listed(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
   return plot;
 }
 
@@ -85,18 +84,18 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
       const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
       eval(m, wi, wo, f);
       const double r = *std::max_element(f.begin(), f.end()) * wo.z;
-      lobe.x.push_back(r * std::sin(theta * kRadians));
-      lobe.y.push_back(r * std::cos(theta * kRadians));
+      lobe.x.push_back(r * std::sin(degrees(theta).radians()));
+      lobe.y.push_back(r * std::cos(degrees(theta).radians()));
     }
     plot.series.push_back(std::move(lobe));
   }
   plot.caption =
       "How bright the surface sends light on to each side, the light coming from the left; the brightest "
       "channel.";
-  plot.command =
+  plot.command = with_table(
       "(echo theta_i,phi_i,theta_o,phi_o; for i in 0 30 60; do for o in $(seq -89 0.5 89); do echo "
-      "$i,180,$o,0; done; done) > lobes.csv && " +
-      with_selector(subject, m, "eval", "lobes.csv   # f; the plot shows f cos(theta_o)");
+      "$i,180,$o,0; done; done) > lobes.csv",
+      subject.command("eval", m, "lobes.csv   # f; the plot shows f cos(theta_o)"));
   return plot;
 }
 
@@ -104,15 +103,17 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
 void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const ReportContent& content) {
   if (!subject.of_form()) return;
   const auto found = std::find_if(content.findings.begin(), content.findings.end(), [&](const Finding& f) {
-    return f.subject == subject.name() && f.check == "energy" && f.witness && f.verdict != Verdict::pass;
+    return f.subject == subject.name() && f.check == "energy" && f.witness && f.outcome != Outcome::pass;
   });
   if (found == content.findings.end()) return;
   Material worst = subject.own();
+  Term& term = worst.terms.front();
   const ReflectanceInfo& f = info(*subject.of_form());
   for (const auto& [name, value] : found->witness->parameters) {
     const int weight = f.weight_index(name), shape = f.shape_index(name);
-    if (weight >= 0) worst.terms[0].weights[0][std::size_t(weight)] = value;
-    if (shape >= 0) worst.terms[0].shape[0][std::size_t(shape)] = value;
+    if (shape >= 0) term.shape.front()[std::size_t(shape)] = value;
+    if (weight >= 0)
+      for (auto& weights : term.weights) weights[std::size_t(weight)] = value;
   }
   io::Plot plot = albedo_plot(subject, worst, content.max_theta, found->witness->angles.back().second);
   plot.title = "Albedo against angle at the worst parameters: " + subject.name();
@@ -120,29 +121,38 @@ void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const Repo
   report.plot(plot);
 }
 
-// White furnace: reflected fraction of uniform light against the first shape parameter.
+// The parameters that say how wide the lobe is (two of an anisotropic form), or what comes nearest to that.
+std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
+  if (const auto [along, across] = form.axes(); across >= 0) return {std::size_t(along), std::size_t(across)};
+  for (const Role role :
+       {Role::width, Role::exponent, Role::slope, Role::other, Role::index, Role::extinction})
+    if (const int k = form.shape_index(role); k >= 0) return {std::size_t(k)};
+  return {};
+}
+
+// White furnace: reflected fraction of uniform light against the lobe's width.
 void add_furnace(io::HtmlReport& report, const Subject& subject, const Material& m) {
   if (!subject.of_form() || subject.shape_dimensions() == 0) return;
   const ReflectanceInfo& f = info(*subject.of_form());
-  std::vector<std::size_t> tied{0};
-  if (f.shape.size() > 1 && f.shape[0].name == "alpha_x") tied.push_back(1);
+  const std::vector<std::size_t> tied = width_parameters(f);
+  const ParameterInfo& width = f.shape[tied.front()];
   io::Plot plot;
   plot.title = "White furnace: " + subject.name();
-  plot.log_x = f.shape[0].log_scale && f.shape[0].min > 0;
-  plot.x_label = tied.size() > 1 ? "alpha (both widths)" : std::string(f.shape[0].name);
+  plot.log_x = width.log_scale && width.min > 0;
+  plot.x_label = tied.size() == 1 ? std::string(width.name) : tied_name(f) + " (both widths)";
   plot.y_label = "albedo of the lobe at full weight";
   std::vector<double> values;
-  for (int k = 0; k <= 40; ++k) values.push_back(parameter_value(f.shape[0], k / 40.0, f.shape[0].usual_max));
+  for (int k = 0; k <= 40; ++k) values.push_back(parameter_value(width, k / 40.0, width.usual_max));
   Material full = m;
-  for (std::size_t k = 0; k < f.weights.size(); ++k)
-    full.terms[0].weights[0][k] = f.weights[k].name == "kd" ? 0 : 1;
+  Term& term = full.terms.front();
+  std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
   for (const double theta : {0.0, 60.0, 80.0}) {
     io::Series s{"light at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
     for (const double value : values) {
-      for (const std::size_t k : tied) full.terms[0].shape[0][k] = value;
+      for (const std::size_t k : tied) term.shape.front()[k] = value;
       AlbedoOptions options;
       options.tolerance = 1e-4;
-      s.y.push_back(directional_albedo(full, degrees(theta), {}, options)[0].value);
+      s.y.push_back(directional_albedo(full, degrees(theta), {}, options).front().value);
     }
     plot.series.push_back(std::move(s));
   }
@@ -151,13 +161,13 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   plot.caption =
       "In a room that is equally bright everywhere a lossless surface would be invisible (1). What is "
       "missing is lost by the model.";
-  std::string command = with_selector(subject, full, "albedo", "--theta 0,60,80"), list;
-  for (const std::size_t k : tied) {
-    const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
-    command.replace(command.find(set + last) + set.size(), last.size(), "$x");
+  if (std::string command = subject.command("albedo", full, "--theta 0,60,80"); !command.empty()) {
+    for (const std::size_t k : tied) {
+      const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
+      command.replace(command.find(set + last) + set.size(), last.size(), "$x");
+    }
+    plot.command = "for x in " + listed(values, " ") + "; do " + command + "; done";
   }
-  for (const double value : values) list += " " + io::to_text(value);
-  plot.command = "for x in" + list + "; do " + command + "; done";
   report.plot(plot);
 }
 
@@ -174,11 +184,8 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
         const Vec3<double> wo = direction(degrees((double(o) + 0.5) * 1.5), degrees(17 + phi));
         eval(m, wi, wo, f);
         eval(m, wo, wi, g);
-        for (std::size_t c = 0; c < f.size(); ++c) {
-          const double scale = std::max(std::abs(f[c]), std::abs(g[c]));
-          if (scale > 1e-30)
-            cells[o * kCells + i] = std::max(cells[o * kCells + i], std::abs(f[c] - g[c]) / scale);
-        }
+        for (std::size_t c = 0; c < f.size(); ++c)
+          cells[o * kCells + i] = std::max(cells[o * kCells + i], difference(f[c], g[c]));
         worst = std::max(worst, cells[o * kCells + i]);
       }
   std::vector<unsigned char> rgb(3 * kCells * kScale * kCells * kScale);
@@ -195,13 +202,12 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
        "Reciprocity of " + subject.name() +
            ": the relative difference when light and viewer change places, for every pair of polar "
            "angles, at the worst of five azimuths. At most " +
-           rounded(worst) + " here.",
-       "(echo theta_i,phi_i,theta_o,phi_o; for i in $(seq 0.75 1.5 89.25); do for o in $(seq 0.75 1.5 "
-       "89.25); do for p in 17 57 103 155 197; do echo $i,17,$o,$p; echo $o,$p,$i,17; done; done; done) "
-       "> pairs.csv && " +
-           with_selector(subject, m, "eval",
-                         "pairs.csv   # every second row is the one before, "
-                         "exchanged")});
+           io::short_number(worst, 2) + " here.",
+       with_table(
+           "(echo theta_i,phi_i,theta_o,phi_o; for i in $(seq 0.75 1.5 89.25); do for o in $(seq 0.75 1.5 "
+           "89.25); do for p in 17 57 103 155 197; do echo $i,17,$o,$p; echo $o,$p,$i,17; done; done; done) "
+           "> pairs.csv",
+           subject.command("eval", m, "pairs.csv   # every second row is the one before, exchanged"))});
 }
 
 }  // namespace
@@ -212,12 +218,12 @@ std::string to_html(const ReportContent& content) {
                            : content.tables.empty() ? content.subjects.front().name()
                                                     : content.tables.front().table.source;
   io::HtmlReport report("Validation of " + what);
-  const auto any = [&](Verdict verdict) {
+  const auto any = [&](Outcome outcome) {
     return std::any_of(content.findings.begin(), content.findings.end(),
-                       [&](const Finding& f) { return f.verdict == verdict; });
+                       [&](const Finding& f) { return f.outcome == outcome; });
   };
-  report.verdict(any(Verdict::fail)              ? io::Mark::bad
-                 : any(Verdict::known_violation) ? io::Mark::warn
+  report.verdict(any(Outcome::fail)              ? io::Mark::bad
+                 : any(Outcome::known_violation) ? io::Mark::warn
                                                  : io::Mark::good,
                  summary(content.findings));
   report.heading("Verdicts");

@@ -7,6 +7,7 @@
 #include "brdf/random.h"
 #include "io/text.h"
 #include "validate/checks.h"
+#include "validate/degrees.h"
 #include "validate/search.h"
 
 namespace brdf::validate {
@@ -36,51 +37,65 @@ Mean estimate(const Term& term, const Vec3<double>& wo, int count, std::uint64_t
   return {mean, std::sqrt(std::max(sum2 / count - mean * mean, 0.0) / (count - 1))};
 }
 
+// Wide lobes only: cosine sampling, which a form without a sampler of its own gets, misses narrow ones.
+void widen(const ReflectanceInfo& form, std::span<const double> x, std::vector<double>& shape) {
+  for (std::size_t k = 0; k < form.shape.size(); ++k) {
+    const ParameterInfo& p = form.shape[k];
+    if (p.role == Role::exponent || p.role == Role::exponent_across)
+      shape[k] = std::clamp(40 * x[k], p.min, p.max);
+    if (p.role == Role::width || p.role == Role::width_across)
+      shape[k] = std::clamp(0.15 + 0.85 * x[k], p.min, p.max);
+  }
+}
+
+// Why the cosine may miss the lobe of a form that has no sampler; empty where it does not.
+std::string cannot_be_judged(const ReflectanceInfo& form) {
+  if (form.follows_lobe) return {};
+  for (const ParameterInfo& p : form.shape)
+    if (p.role == Role::other && p.map == Map::none)
+      return "no sampler of its own, and nothing says how narrow " + std::string(p.name) + " makes the lobe";
+  return {};
+}
+
 }  // namespace
 
 Finding check_sampling(const Subject& subject, const CheckOptions& options) {
+  if (!subject.of_form())
+    return not_applicable(subject.name(), "sampling", "sampling is a property of forms");
+  const ReflectanceInfo& form = info(*subject.of_form());
+  if (const std::string why = cannot_be_judged(form); !why.empty())
+    return not_applicable(subject.name(), "sampling", why);
   Finding finding{subject.name(), "sampling"};
-  if (!subject.of_form()) {
-    finding.verdict = Verdict::not_applicable;
-    finding.statement = "sampling is a property of forms";
-    return finding;
-  }
   finding.bound = kBound;
   const bool full = options.effort == Effort::full;
   const int cases = full ? 12 : 4, count = full ? 40000 : 8000;
   for (int k = 0; k < cases; ++k) {
-    // Wide lobes only: cosine sampling, which a form without a sampler of its own gets, misses narrow ones.
     const std::vector<double> x = cover_point(std::size_t(k), subject.dimensions() + 2, options.seed);
     Material m = subject.at(x);
-    const ReflectanceInfo& f = info(*subject.of_form());
-    for (std::size_t d = 0; d < f.shape.size(); ++d) {
-      if (f.shape[d].name == "exponent") m.terms[0].shape[0][d] = 40 * x[d];
-      if (f.shape[d].name.starts_with("alpha")) m.terms[0].shape[0][d] = 0.15 + 0.85 * x[d];
-    }
-    const Term& term = m.terms[0];
-    const double theta = x[x.size() - 2] * 80 * kPi / 180, phi = x.back() * 2 * kPi;
+    Term& term = m.terms.front();
+    widen(form, x, term.shape.front());
+    const Angle theta = radians(in_radians(x[x.size() - 2] * 80)), phi = radians(x.back() * 2 * kPi);
+    const double theta_o = in_degrees(theta.radians()), phi_o = in_degrees(phi.radians());
     AlbedoOptions integral;
     integral.fixed = Fixed::viewer;
     integral.tolerance = 1e-6;
-    const AlbedoResult truth = directional_albedo(term, 0, radians(theta), radians(phi), integral);
-    const Mean mean =
-        estimate(term, direction(radians(theta), radians(phi)), count, options.seed + std::uint64_t(k));
+    const AlbedoResult truth = directional_albedo(term, 0, theta, phi, integral);
+    const Mean mean = estimate(term, direction(theta, phi), count, options.seed + std::uint64_t(k));
     const double z = std::abs(mean.value - truth.value) / (mean.error + 1e-12 + truth.error_bound);
     finding.evaluations += truth.evaluations + count;
-    if (z < finding.value) continue;
+    if (!is_worst(z, finding.value)) continue;
     finding.value = z;
-    Witness w;
-    w.parameters = subject.parameters(m);
-    w.angles = {{"theta_o", theta * 180 / kPi}, {"phi_o", phi * 180 / kPi}};
-    w.command = "brdf albedo " + subject.selector(m) + " --fixed o --theta " +
-                io::to_text(theta * 180 / kPi) + " --phi " + io::to_text(phi * 180 / kPi);
-    finding.witness = w;
+    finding.witness = Witness{
+        subject.parameters(m),
+        {{"theta_o", theta_o}, {"phi_o", phi_o}},
+        {},
+        subject.command("albedo", m,
+                        "--fixed o --theta " + io::to_text(theta_o) + " --phi " + io::to_text(phi_o))};
   }
-  finding.verdict = finding.value <= kBound ? Verdict::pass : Verdict::fail;
-  finding.statement = std::string(finding.verdict == Verdict::pass ? "the sampler's mean is the albedo"
-                                                                   : "the sampler's mean is not the albedo") +
-                      ": worst of " + std::to_string(cases) + " cases " +
-                      io::to_text(std::round(100 * finding.value) / 100) + " standard errors away";
+  finding.conclude(finding.value <= kBound, "the sampler's mean is the albedo",
+                   "the sampler's mean is not the albedo");
+  finding.statement += ": worst of " + std::to_string(cases) + " cases " +
+                       io::to_text(std::round(100 * finding.value) / 100) + " standard errors away";
   return finding;
 }
 

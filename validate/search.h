@@ -26,6 +26,9 @@ struct Best {
 
 using Objective = std::function<double(std::span<const double>)>;
 
+// Those of the unit cube, the first 2^most of them: coordinate d is bit d of the number.
+std::vector<std::vector<double>> cube_corners(std::size_t dimensions, std::size_t most);
+
 // The k-th point of the additive recurrence with the generalised golden ratio (Roberts 2018), shifted.
 std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint64_t seed);
 

@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "brdf/scalar.h"
 #include "validate/data_sheet.h"
-#include "validate/sample_pairs.h"
+#include "validate/reciprocal_pairs.h"
 
 namespace brdf::validate {
 
@@ -32,20 +31,12 @@ Finding energy(const io::SampleTable& table, const std::vector<MeasuredAlbedo>& 
 
 // --- Tools ------------------------------------------------------------------------------------------------
 
-std::string percent(double x);
 std::string plural(std::size_t n, const std::string& word);
 
 Finding start(const io::SampleTable& table, const char* check);
-Finding not_applicable(const io::SampleTable& table, const char* check, std::string why);
 // `fail` where there are rows, naming the first of them.
 Finding counted(const io::SampleTable& table, const char* check, const std::vector<std::size_t>& rows,
                 const std::string& clean, const std::string& fault);
-
-struct Direction {
-  double x, y, z;
-};
-Direction unit(double theta, double phi);  // degrees
-double cosine(const Direction& a, const Direction& b);
 
 // Rows with the same light: theta_i, phi_i.
 std::map<std::pair<double, double>, std::vector<std::size_t>> by_light(const io::SampleTable& table);

@@ -1,17 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
+#include "io/numbers.h"
 #include "validate/sheet_checks.h"
 
 namespace brdf::validate {
 namespace {
 
-constexpr double kRadians = kPi / 180;
-
 struct Sample {
-  Direction d;
+  Vec3<double> d;
   std::size_t row;
 };
 
@@ -22,15 +20,14 @@ struct Neighbour {
 
 // The nearest sample in each quadrant about d: a table that
 // is dense along one line only is no better known beside it.
-std::vector<Neighbour> around(const std::vector<Sample>& samples, const Direction& d) {
+std::vector<Neighbour> around(const std::vector<Sample>& samples, const Vec3<double>& d) {
   const double s = std::hypot(d.x, d.y);
-  const Direction along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};
+  const Vec3<double> along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};
   std::array<Neighbour, 4> near;
   near.fill({HUGE_VAL, 0});
   for (const Sample& sample : samples) {
-    const double distance = 2 - 2 * cosine(d, sample.d);
-    const std::size_t quadrant =
-        (cosine(along, sample.d) < 0 ? 1u : 0u) + (cosine(across, sample.d) < 0 ? 2u : 0u);
+    const double distance = 2 - 2 * dot(d, sample.d);
+    const std::size_t quadrant = (dot(along, sample.d) < 0 ? 1u : 0u) + (dot(across, sample.d) < 0 ? 2u : 0u);
     if (distance < near[quadrant].distance) near[quadrant] = {distance, sample.row};
   }
   std::vector<Neighbour> found;
@@ -45,7 +42,7 @@ std::vector<Neighbour> around(const std::vector<Sample>& samples, const Directio
 // what no sample is near to, half of what the samples around a direction differ by, and the noise floor.
 MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t>& rows, double noise) {
   constexpr int kRings = 20, kSectors = 36;
-  constexpr double kReach = 8 * kRadians;
+  constexpr double kReach = degrees(8).radians();
   std::vector<Sample> samples;
   double azimuth_low = 360, azimuth_high = -360;
   for (const std::size_t k : rows) {
@@ -54,7 +51,7 @@ MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t
       azimuth_low = std::min(azimuth_low, phi);
       azimuth_high = std::max(azimuth_high, phi);
     }
-    samples.push_back({unit(t.theta_o[k], phi), k});
+    samples.push_back({direction(degrees(t.theta_o[k]), degrees(phi)), k});
   }
   // Measured on one side of the plane of incidence only: the other side is its mirror image.
   if (azimuth_low >= 0 || azimuth_high <= 0) {
@@ -68,7 +65,7 @@ MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t
   for (int ring = 0; ring < kRings; ++ring)
     for (int sector = 0; sector < kSectors; ++sector) {
       const double s = std::sqrt((ring + 0.5) / kRings), phi = 2 * kPi * (sector + 0.5) / kSectors;
-      const Direction d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
+      const Vec3<double> d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
       const std::vector<Neighbour> near = around(samples, d);
       const auto nearest = std::min_element(
           near.begin(), near.end(), [](const auto& x, const auto& y) { return x.distance < y.distance; });
@@ -101,9 +98,9 @@ Finding coverage(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& al
   f.value = sum / double(albedo.size());
   f.bound = 1;
   f.statement =
-      percent(f.value) +
+      io::percent_to_tenths(f.value) +
       " of the projected hemisphere lies within 8 degrees of a sample (at the worst angle of the light " +
-      percent(least) + ")";
+      io::percent_to_tenths(least) + ")";
   return f;
 }
 
@@ -117,16 +114,15 @@ Finding energy(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albe
         worst = &a;
         channel = c;
       }
-  if (!worst) return not_applicable(t, "energy", "too little of the hemisphere is covered for an integral");
+  if (!worst)
+    return not_applicable(t.source, "energy", "too little of the hemisphere is covered for an integral");
   Finding f = start(t, "energy");
   f.value = worst->value[channel];
   f.bound = 1;
-  f.verdict = f.value - worst->bound[channel] > 1 ? Verdict::fail : Verdict::pass;
-  std::ostringstream text;
-  text.precision(3);
-  text << "reflects at most " << f.value << " +- " << worst->bound[channel] << " (light at " << worst->theta_i
-       << " degrees, channel " << t.channels[channel] << ")";
-  f.statement = text.str();
+  f.outcome = f.value - worst->bound[channel] > 1 ? Outcome::fail : Outcome::pass;
+  f.statement = "reflects at most " + io::short_number(f.value, 3) + " +- " +
+                io::short_number(worst->bound[channel], 3) + " (light at " +
+                io::short_number(worst->theta_i, 3) + " degrees, channel " + t.channels[channel] + ")";
   return f;
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "io/numbers.h"
 #include "validate/sheet_checks.h"
 
 namespace brdf::validate {
@@ -16,8 +17,6 @@ namespace {
 
 constexpr std::size_t kMostRows = 60000;
 constexpr std::size_t kNeighbours = 8;
-constexpr double kDegrees = 180 / kPi;
-
 // Rows near a row, none where it has too few.
 using Near = std::vector<std::size_t>;
 
@@ -25,12 +24,11 @@ std::vector<Near> near_viewer(const io::SampleTable& t) {
   std::vector<Near> near(t.rows());
   for (const auto& [light, rows] : by_light(t)) {
     if (rows.size() < 12 || rows.size() > 4000) continue;
-    std::vector<Direction> d;
-    for (const std::size_t k : rows) d.push_back(unit(t.theta_o[k], t.phi_o[k]));
+    std::vector<Vec3<double>> d;
+    for (const std::size_t k : rows) d.push_back(direction(degrees(t.theta_o[k]), degrees(t.phi_o[k])));
     std::vector<std::pair<double, std::size_t>> by_distance(rows.size());
     for (std::size_t j = 0; j < rows.size(); ++j) {
-      for (std::size_t n = 0; n < rows.size(); ++n)
-        by_distance[n] = {n == j ? 2 : -cosine(d[j], d[n]), rows[n]};
+      for (std::size_t n = 0; n < rows.size(); ++n) by_distance[n] = {n == j ? 2 : -dot(d[j], d[n]), rows[n]};
       std::nth_element(by_distance.begin(), by_distance.begin() + kNeighbours, by_distance.end());
       for (std::size_t n = 0; n < kNeighbours; ++n) near[rows[j]].push_back(by_distance[n].second);
     }
@@ -44,11 +42,11 @@ struct HalfVector {
 };
 
 HalfVector half_vector(const io::SampleTable& t, std::size_t k, bool turned) {
-  const Direction i = unit(t.theta_i[k], t.phi_i[k]), o = unit(t.theta_o[k], t.phi_o[k]);
-  const Direction h{i.x + o.x, i.y + o.y, i.z + o.z};
-  const double across = std::hypot(h.x, h.y), theta = std::atan2(across, h.z) * kDegrees;
-  const double length = std::sqrt(cosine(h, h)) / 2;
-  const double difference = std::acos(std::min(length, 1.0)) * kDegrees;
+  const Vec3<double> h = direction(degrees(t.theta_i[k]), degrees(t.phi_i[k])) +
+                         direction(degrees(t.theta_o[k]), degrees(t.phi_o[k]));
+  const double across = std::hypot(h.x, h.y), theta = radians(std::atan2(across, h.z)).degrees();
+  const double length = std::sqrt(dot(h, h)) / 2;
+  const double difference = radians(std::acos(std::min(length, 1.0))).degrees();
   // Of a sample that was not turned only the angle is known to matter.
   if (!turned || across == 0) return {theta, theta, 0, difference};
   return {theta, theta * h.x / across, theta * h.y / across, difference};
@@ -123,7 +121,7 @@ Say say(const std::vector<double>& values, const Near& near, std::size_t least) 
     if (values[k] > 0) around.push_back(std::log(values[k]));
   if (around.size() < least) return {};
   std::sort(around.begin(), around.end());
-  const double middle = median(around);  // the spread without the two extremes
+  const double middle = io::median(around);  // the spread without the two extremes
   return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
 }
 
@@ -131,7 +129,7 @@ Say say(const std::vector<double>& values, const Near& near, std::size_t least) 
 
 Finding outliers(const io::SampleTable& t) {
   if (t.rows() > kMostRows)
-    return not_applicable(t, "outliers",
+    return not_applicable(t.source, "outliers",
                           "not sought in tables of more than " + std::to_string(kMostRows) + " rows");
   const std::vector<Near> of_viewer = near_viewer(t);
   const HalfNeighbours of_half = near_half_vector(t);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "io/numbers.h"
 #include "validate/sheet_checks.h"
 
 namespace brdf::validate {
@@ -78,7 +79,7 @@ Finding directions(const io::SampleTable& t) {
     if (t.theta_o[k] == 0)
       for (std::size_t c = 0; c < t.channels.size(); ++c)
         poles[{t.theta_i[k], t.phi_i[k], c}].emplace_back(t.phi_o[k], t.values[c][k]);
-  if (poles.empty()) return not_applicable(t, "directions", "no row along the normal (theta_o = 0)");
+  if (poles.empty()) return not_applicable(t.source, "directions", "no row along the normal (theta_o = 0)");
   constexpr std::size_t kSeries = 5;  // from here on noise and a curve can be told apart
   std::vector<double> spreads, jumps;
   for (const auto& [place, values] : poles) {
@@ -87,14 +88,12 @@ Finding directions(const io::SampleTable& t) {
     if (values.size() >= kSeries) jumps.push_back(around.jumps);
   }
   Finding f = start(t, "directions");
-  f.value = median(spreads);
+  f.value = io::median(spreads);
   f.bound = 0.15;
-  const bool noise = !jumps.empty() && median(jumps) > 0.5;
-  f.verdict = f.value > f.bound && !noise ? Verdict::fail : Verdict::pass;
-  f.statement = f.verdict == Verdict::pass
-                    ? "along the normal the azimuth is without effect, as it must be"
-                    : "along the normal (theta_o = 0) values change with phi_o by " + percent(f.value) +
-                          ", though the direction is the same: are theta_o and phi_o exchanged?";
+  const bool noise = !jumps.empty() && io::median(jumps) > 0.5;
+  f.conclude(!(f.value > f.bound) || noise, "along the normal the azimuth is without effect, as it must be",
+             "along the normal (theta_o = 0) values change with phi_o by " + io::percent_to_tenths(f.value) +
+                 ", though the direction is the same: are theta_o and phi_o exchanged?");
   return f;
 }
 

@@ -3,40 +3,47 @@
 #include <set>
 #include <tuple>
 
+#include "io/numbers.h"
 #include "validate/sheet_checks.h"
 
 namespace brdf::validate {
+
 namespace {
 
-constexpr double kRadians = kPi / 180;
+std::vector<double> differences_of(const std::vector<ReciprocalPair>& pairs) {
+  std::vector<double> differences;
+  for (const ReciprocalPair& p : pairs) differences.push_back(relative_difference(p));
+  return differences;
+}
+
+Finding start_with_median(const io::SampleTable& t, const char* check, const std::vector<double>& values) {
+  Finding f = start(t, check);
+  f.value = io::median(values);
+  f.bound = 0.2;
+  f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
+  return f;
+}
 
 }  // namespace
 
 Finding exact_reciprocity(const io::SampleTable& t) {
   const auto pairs = exact_pairs(t);
-  if (pairs.empty()) return not_applicable(t, "reciprocity", "no reciprocal pairs in this table");
-  std::vector<double> differences;
-  for (const ReciprocalPair& p : pairs) differences.push_back(relative_difference(p));
-  Finding f = start(t, "reciprocity");
-  f.value = median(differences);
-  f.bound = 0.2;
-  f.verdict = f.value > f.bound ? Verdict::fail : Verdict::pass;
-  f.statement = plural(pairs.size(), "reciprocal pair") + ", median difference " + percent(f.value);
+  if (pairs.empty()) return not_applicable(t.source, "reciprocity", "no reciprocal pairs in this table");
+  Finding f = start_with_median(t, "reciprocity", differences_of(pairs));
+  f.statement =
+      plural(pairs.size(), "reciprocal pair") + ", median difference " + io::percent_to_tenths(f.value);
   return f;
 }
 
 Finding noise_floor(const io::SampleTable& t, const std::vector<ReciprocalPair>& pairs) {
   if (pairs.size() < 8)
-    return not_applicable(t, "noise_floor", "too few pairs of directions to interpolate between");
-  std::vector<double> differences;
-  for (const ReciprocalPair& p : pairs) differences.push_back(relative_difference(p));
-  Finding f = start(t, "noise_floor");
-  f.value = median(differences);
-  f.bound = 0.2;
-  f.verdict = f.value > f.bound ? Verdict::fail : Verdict::pass;
-  f.statement = "median difference " + percent(f.value) + " of " +
+    return not_applicable(t.source, "noise_floor", "too few pairs of directions to interpolate between");
+  const std::vector<double> differences = differences_of(pairs);
+  Finding f = start_with_median(t, "noise_floor", differences);
+  f.statement = "median difference " + io::percent_to_tenths(f.value) + " of " +
                 plural(pairs.size(), "interpolated reciprocal pair") + ", below " +
-                percent(quantile(differences, 0.9)) + " for nine of ten: no model can be judged more finely";
+                io::percent_to_tenths(io::quantile(differences, 0.9)) +
+                " for nine of ten: no model can be judged more finely";
   return f;
 }
 
@@ -44,29 +51,29 @@ Finding noise_floor(const io::SampleTable& t, const std::vector<ReciprocalPair>&
 Finding cosine_factor(const io::SampleTable& t, const std::vector<ReciprocalPair>& pairs) {
   std::vector<double> slopes;
   for (const ReciprocalPair& p : pairs) {
-    const double lever = std::log(std::cos(p.theta_a * kRadians) / std::cos(p.theta_b * kRadians));
+    const double lever =
+        std::log(std::cos(degrees(p.theta_a).radians()) / std::cos(degrees(p.theta_b).radians()));
     if (std::abs(lever) > 0.3 && std::isfinite(lever))
       slopes.push_back(std::log(p.forward / p.backward) / lever);
   }
   if (slopes.size() < 8)
-    return not_applicable(t, "cosine_factor", "too few reciprocal pairs of different angles");
+    return not_applicable(t.source, "cosine_factor", "too few reciprocal pairs of different angles");
   Finding f = start(t, "cosine_factor");
-  f.value = median(slopes);
+  f.value = io::median(slopes);
   f.bound = 0.5;
-  f.verdict = std::abs(f.value) > f.bound ? Verdict::fail : Verdict::pass;
-  f.statement = f.verdict == Verdict::pass
-                    ? "values are f_r: exchanging light and viewer leaves no cosine behind"
-                    : std::string("values behave as f_r times ") + (f.value > 0 ? "cos_i" : "cos_o") +
-                          ": exchanging light and viewer leaves that cosine behind (declare `quantity`)";
+  f.conclude(!(std::abs(f.value) > f.bound),
+             "values are f_r: exchanging light and viewer leaves no cosine behind",
+             std::string("values behave as f_r times ") + (f.value > 0 ? "cos_i" : "cos_o") +
+                 ": exchanging light and viewer leaves that cosine behind (declare `quantity`)");
   return f;
 }
 
 Finding isotropy(const io::SampleTable& t) {
   const std::set<double> turns(t.phi_i.begin(), t.phi_i.end());
   if (turns.size() < 2)
-    return not_applicable(t, "isotropy", "the sample was not turned: all light has one azimuth");
+    return not_applicable(t.source, "isotropy", "the sample was not turned: all light has one azimuth");
   std::map<std::tuple<long, long, long>, std::vector<std::size_t>> same;
-  const auto key = [](double degrees) { return std::lround(degrees * 1e3); };
+  const auto key = [](double angle) { return std::lround(angle * 1e3); };
   for (std::size_t k = 0; k < t.rows(); ++k)
     same[{key(t.theta_i[k]), key(t.theta_o[k]), key(std::remainder(t.phi_o[k] - t.phi_i[k], 360.0))}]
         .push_back(k);
@@ -77,15 +84,16 @@ Finding isotropy(const io::SampleTable& t) {
         if (v[rows[j]] > 0 && v[rows[0]] > 0)
           differences.push_back(2 * std::abs(v[rows[j]] - v[rows[0]]) / (v[rows[j]] + v[rows[0]]));
   if (differences.size() < 4)
-    return not_applicable(t, "isotropy", "no direction was measured at two turns of the sample");
+    return not_applicable(t.source, "isotropy", "no direction was measured at two turns of the sample");
   Finding f = start(t, "isotropy");
-  f.value = median(differences);
+  f.value = io::median(differences);
   // A lobe that turns with the sample is met by few of the directions: noise alone reaches 3.5 medians there.
-  const double far = quantile(differences, 0.98);
+  const double far = io::quantile(differences, 0.98);
   f.bound = 0.05 + 5.5 * f.value;
-  f.statement = far > f.bound ? "anisotropic: a turn of the sample changes values by " + percent(f.value) +
-                                    " in the median and by " + percent(far) + " in one of fifty directions"
-                              : "isotropic within " + percent(f.value) + " in the median";
+  f.statement = far > f.bound ? "anisotropic: a turn of the sample changes values by " +
+                                    io::percent_to_tenths(f.value) + " in the median and by " +
+                                    io::percent_to_tenths(far) + " in one of fifty directions"
+                              : "isotropic within " + io::percent_to_tenths(f.value) + " in the median";
   return f;
 }
 

@@ -15,28 +15,31 @@ double parameter_value(const ParameterInfo& p, double x, double max) {
   return std::expm1(x * std::log1p(max));  // from 0, logarithmic beyond 1
 }
 
+std::string tied_name(const ReflectanceInfo& form) {
+  const std::string_view common = form.tied_name();
+  return std::string(common.empty() ? form.shape[std::size_t(form.axes().along)].name : common);
+}
+
 Subject Subject::form(const Reflectance& form) {
   Subject s;
   const ReflectanceInfo& f = info(form);
   s.name_ = f.name;
   s.form_ = form;
-  s.material_ = make_material(form, {"fr"});
+  s.material_ = make_material(form, f.channels.empty() ? std::vector<std::string>{"fr"}
+                                                       : std::vector(f.channels.begin(), f.channels.end()));
   s.shape_dimensions_ = f.shape.size();
   s.weight_dimensions_ = f.weights.size();
   s.anisotropic_ = f.anisotropic();
+  for (const Role role : {Role::diffuse, Role::specular})
+    for (std::size_t k = 0; k < f.weights.size(); ++k)
+      if (f.weights[k].role == role) s.shared_.push_back(k);
   return s;
 }
 
 Subject Subject::material(std::string name, Material material) {
   Subject s;
   s.name_ = std::move(name);
-  for (const Term& term : material.terms) {
-    const ReflectanceInfo& f = info(term.form);
-    if (!f.anisotropic()) continue;
-    for (const auto& shape : term.shape)
-      s.anisotropic_ |=
-          shape[std::size_t(f.shape_index("alpha_x"))] != shape[std::size_t(f.shape_index("alpha_y"))];
-  }
+  s.anisotropic_ = is_anisotropic(material);
   s.material_ = std::move(material);
   return s;
 }
@@ -55,13 +58,18 @@ Material Subject::at(std::span<const double> point) const {
     term.shape[0][j] = parameter_value(f.shape[j], point[k++], f.shape[j].max);
   for (std::size_t j = 0; j < f.weights.size(); ++j)
     term.weights[0][j] = parameter_value(f.weights[j], point[k++], std::min(f.weights[j].max, 1.0));
-  const int kd = f.weight_index("kd"), ks = f.weight_index("ks");
-  if (kd >= 0 && ks >= 0) {  // the square's coordinates are the sum and the specular share of it
-    auto& w = term.weights[0];
-    const double sum = w[std::size_t(kd)], share = w[std::size_t(ks)];
-    w[std::size_t(kd)] = sum * (1 - share);
-    w[std::size_t(ks)] = sum * share;
+  // The first coordinate is the sum of the weights that share the light, each
+  // further one what the weight before leaves to the rest.
+  auto& w = term.weights[0];
+  double left = 1;
+  for (std::size_t n = 0; n + 1 < shared_.size(); ++n) {
+    double &one = w[shared_[n]], rest = w[shared_[n + 1]];
+    left = n == 0 ? one : left;
+    one = left * (1 - rest);
+    left *= rest;
   }
+  if (shared_.size() > 1) w[shared_.back()] = left;
+  std::fill(term.weights.begin() + 1, term.weights.end(), w);
   return m;
 }
 
@@ -78,9 +86,15 @@ std::vector<std::pair<std::string, double>> Subject::parameters(const Material& 
 
 std::string Subject::selector(const Material& at) const {
   if (!form_) return "--material " + name_;
+  if (catalogue_index(*form_) < 0) return {};
   std::string words = "--form " + name_;
   for (const auto& [name, value] : parameters(at)) words += " --set " + name + "=" + io::to_text(value);
   return words;
+}
+
+std::string Subject::command(const std::string& verb, const Material& at, const std::string& rest) const {
+  const std::string words = selector(at);
+  return words.empty() ? "" : "brdf " + verb + " " + words + " " + rest;
 }
 
 }  // namespace brdf::validate

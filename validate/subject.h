@@ -1,4 +1,4 @@
-// What is judged: a form over its whole parameter domain, or a material with its own parameters.
+// What is judged: a reflectance over its whole parameter domain, or a material with its own parameters.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace brdf::validate {
 
-// Parameters are searched on the unit cube. Weights obey kd + ks <= 1 and
-// stay at most 1, f0 and the listings' parameters cover their tables; a
+// Parameters are searched on the unit cube. Diffuse and specular weights share
+// the light: their sum is at most 1. The others cover their tables up to 1; a
 // shape's range is its table's, logarithmic where the table says so.
 class Subject {
  public:
@@ -26,22 +26,31 @@ class Subject {
   std::size_t dimensions() const { return shape_dimensions_ + weight_dimensions_; }
   bool anisotropic() const { return anisotropic_; }
 
-  // The material at a point (of one channel for a form).
+  // The material at a point (for a form of one channel, if it has none of its own).
   Material at(std::span<const double> point) const;
   const Material& own() const { return material_; }
   std::vector<std::string> channels() const { return material_.channels; }
 
-  // Parameters of a material made by at(), by name, and the words that select it on the command line.
+  // Parameters of a material made by at(), by name.
   std::vector<std::pair<std::string, double>> parameters(const Material& at) const;
-  std::string selector(const Material& at) const;
+  // What a verb must be told to say the same of it; empty of a reflectance that is not in the catalogue.
+  std::string command(const std::string& verb, const Material& at, const std::string& rest) const;
+  // Which weights share the light: positions in the table.
+  const std::vector<std::size_t>& shared_weights() const { return shared_; }
 
  private:
+  std::string selector(const Material& at) const;
+
   std::string name_;
   std::optional<Reflectance> form_;
   Material material_;
   std::size_t shape_dimensions_ = 0, weight_dimensions_ = 0;
+  std::vector<std::size_t> shared_;
   bool anisotropic_ = false;
 };
+
+// What both axes of an anisotropic form are called together: the common part of their names, or the one along.
+std::string tied_name(const ReflectanceInfo& form);
 
 // One parameter at x in [0, 1] of its range, and back.
 double parameter_value(const ParameterInfo& info, double x, double max);

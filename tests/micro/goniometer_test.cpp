@@ -11,8 +11,6 @@
 namespace brdf::micro {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 Simulation mirrors(double alpha, std::int64_t rays = 20000) {
   Simulation s;
   s.geometry = HeightField{.alpha_x = alpha, .alpha_y = alpha, .size = 128, .correlation_length = 6};
@@ -30,11 +28,11 @@ Simulation lambert_grooves(double sigma, double rho, std::int64_t rays = 20000) 
 
 TEST(Cells, CoverTheHemisphereOnce) {
   for (const double width : {2.0, 5.0, 10.0}) {
-    const Cells cells(width * kDegree);
+    const Cells cells(degrees(width));
     double sum = 0;
     for (int k = 0; k < cells.size(); ++k) {
       sum += cells[k].projected_solid_angle();
-      EXPECT_EQ(cells.find(turned(cells[k].centre(), 0.4), 0.4), k);
+      EXPECT_EQ(cells.find(turned(cells[k].centre(), 0.4), radians(0.4)), k);
       for (const double u : {0.01, 0.99}) {
         for (const double v : {0.01, 0.99}) EXPECT_EQ(cells.find(cells[k].point(u, v)), k);
       }
@@ -45,17 +43,18 @@ TEST(Cells, CoverTheHemisphereOnce) {
 
 TEST(Goniometer, FlatLambertianSurfaceIsRhoOverPi) {
   Simulation s = lambert_grooves(1e-6, 0.7, 40000);
-  const Radiance f = measure_radiance(s, {{0.9, 1.0}}, {{1.1, 4.0}})[0][0];
+  const Radiance f =
+      measure_radiance(s, {{radians(0.9), radians(1.0)}}, {{radians(1.1), radians(4.0)}})[0][0];
   EXPECT_NEAR(f.total.mean, 0.7 / kPi, 1e-5);
-  const Scatter scatter = measure_scatter(s, {{0.9, 1.0}}, Cells(15 * kDegree))[0];
+  const Scatter scatter = measure_scatter(s, {{radians(0.9), radians(1.0)}}, Cells(15_deg))[0];
   for (const Estimate& e : scatter.total) EXPECT_NEAR(e.mean, 0.7 / kPi, 6 * e.standard_error);
   EXPECT_NEAR(scatter.albedo.mean, 0.7, 1e-9);
 }
 
 TEST(Goniometer, FlatMirrorSendsEverythingIntoTheMirrorDirection) {
-  const Cells cells(2 * kDegree);
-  const Scatter scatter = measure_scatter(mirrors(1e-4, 400), {{0.71, 2.0}}, cells)[0];
-  const int mirror = cells.find(direction(radians(0.71), radians(2.0 + kPi)), 2.0);
+  const Cells cells(2_deg);
+  const Scatter scatter = measure_scatter(mirrors(1e-4, 400), {{radians(0.71), radians(2.0)}}, cells)[0];
+  const int mirror = cells.find(direction(radians(0.71), radians(2.0 + kPi)), radians(2.0));
   EXPECT_NEAR(scatter.f[0][mirror].mean, 1 / cells[mirror].projected_solid_angle(), 1e-9 / 1e-3);
   EXPECT_NEAR(scatter.account.escaped[0], 1, 1e-12);
 }
@@ -63,9 +62,10 @@ TEST(Goniometer, FlatMirrorSendsEverythingIntoTheMirrorDirection) {
 // A perfect reflector: every ray comes back after at most 64 reflections, at grazing incidence too.
 TEST(Goniometer, PerfectReflectorLosesNothing) {
   for (const double alpha : {0.1, 0.5, 1.0}) {
-    for (const Scatter& s :
-         measure_scatter(mirrors(alpha, 30000), {{0, 0}, {1.0, 0.3}, {1.5, 2.0}}, Cells(0.2))) {
-      EXPECT_LE(s.account.lost(), 1e-5) << alpha << ' ' << s.incidence.theta;
+    for (const Scatter& s : measure_scatter(mirrors(alpha, 30000),
+                                            {{}, {radians(1.0), radians(0.3)}, {radians(1.5), radians(2.0)}},
+                                            Cells(radians(0.2)))) {
+      EXPECT_LE(s.account.lost(), 1e-5) << alpha << ' ' << s.incidence.theta.degrees();
       EXPECT_NEAR(s.albedo.mean, 1 - s.account.lost(), 1e-12);
       EXPECT_GT(s.account.escaped[0], 0.4);
     }
@@ -73,13 +73,15 @@ TEST(Goniometer, PerfectReflectorLosesNothing) {
 }
 
 TEST(Goniometer, LambertianGroovesReflectAllOfWhiteLight) {
-  const Account a = measure_scatter(lambert_grooves(0.35, 1), {{1.0, 0}}, Cells(0.2))[0].account;
+  const Account a =
+      measure_scatter(lambert_grooves(0.35, 1), {{radians(1.0), {}}}, Cells(radians(0.2)))[0].account;
   EXPECT_LE(a.leaked, 1e-6);
   EXPECT_LE(a.beyond, 2e-5);
   EXPECT_NEAR(a.albedo(), 1 - a.lost(), 1e-12);
   EXPECT_GT(a.escaped[1], 0.03);  // interreflection exists
   // The deepest of the wide distribution's grooves hold light for more than 64 reflections; none of it leaks.
-  const Account deep = measure_scatter(lambert_grooves(0.6, 1), {{1.0, 0}}, Cells(0.2))[0].account;
+  const Account deep =
+      measure_scatter(lambert_grooves(0.6, 1), {{radians(1.0), {}}}, Cells(radians(0.2)))[0].account;
   EXPECT_LE(deep.leaked, 1e-6);
   EXPECT_LE(deep.beyond, 2e-3);
 }
@@ -88,14 +90,14 @@ TEST(Goniometer, AccountsForEveryShareOfThePower) {
   Simulation s = mirrors(0.5);
   s.facets.eta = 1.5;
   s.max_bounces = 2;
-  const Account a = measure_scatter(s, {{1.2, 0}}, Cells(0.2))[0].account;
+  const Account a = measure_scatter(s, {{radians(1.2), {}}}, Cells(radians(0.2)))[0].account;
   EXPECT_NEAR(a.albedo() + a.absorbed + a.beyond + a.leaked, 1, 1e-12);
   EXPECT_GT(a.beyond, 1e-4);
   EXPECT_GT(a.absorbed, 0.5);
 }
 
 TEST(Goniometer, IsReciprocal) {
-  const Cells cells(15 * kDegree);
+  const Cells cells(15_deg);
   const Cell& a = cells[cells.find(direction(radians(0.3), radians(0.2)))];
   const Cell& b = cells[cells.find(direction(radians(1.2), radians(2.6)))];
   for (const Simulation& s : {mirrors(0.5, 60000), lambert_grooves(0.6, 0.9, 60000)}) {
@@ -110,8 +112,8 @@ TEST(Goniometer, IsReciprocal) {
 // with nothing but the tracer in common.
 TEST(Goniometer, BothEstimatorsAgree) {
   const Simulation s = lambert_grooves(0.5, 0.8, 30000);
-  const Cells cells(10 * kDegree);
-  const Incidence from{0.9, 0};
+  const Cells cells(10_deg);
+  const Incidence from{radians(0.9), {}};
   const Scatter scatter = measure_scatter(s, {from}, cells)[0];
   std::vector<Incidence> views;
   std::vector<int> at;
@@ -125,7 +127,8 @@ TEST(Goniometer, BothEstimatorsAgree) {
       const Estimate a = scatter.f[order][at[k]], b = radiance[k].f[order];
       // The cell's mean is not the value at its centre: allow 2 % of the whole for curvature.
       const double error = 4 * std::hypot(a.standard_error, b.standard_error) + 0.02 * radiance[k].total.mean;
-      EXPECT_NEAR(a.mean, b.mean, error) << views[k].theta << ' ' << views[k].phi << " order " << order + 1;
+      EXPECT_NEAR(a.mean, b.mean, error)
+          << views[k].theta.degrees() << ' ' << views[k].phi.degrees() << " order " << order + 1;
     }
   }
 }
@@ -136,7 +139,7 @@ TEST(Goniometer, IsTheSameForAnyNumberOfThreads) {
     Simulation s = mirrors(0.4, 4000);
     s.facets.eta = 1.7;
     s.threads = threads;
-    const Scatter scatter = measure_scatter(s, {{1.0, 0}}, Cells(0.1))[0];
+    const Scatter scatter = measure_scatter(s, {{radians(1.0), {}}}, Cells(radians(0.1)))[0];
     std::vector<double> values;
     for (const Estimate& e : scatter.total) values.insert(values.end(), {e.mean, e.standard_error});
     if (threads == 1) first = values;
@@ -147,9 +150,9 @@ TEST(Goniometer, IsTheSameForAnyNumberOfThreads) {
 
 TEST(Goniometer, AnotherSeedIsAnotherSurface) {
   Simulation s = mirrors(0.4, 4000);
-  const double one = measure_scatter(s, {{1.0, 0}}, Cells(0.3))[0].total[5].mean;
+  const double one = measure_scatter(s, {{radians(1.0), {}}}, Cells(radians(0.3)))[0].total[5].mean;
   s.seed = 2;
-  EXPECT_NE(measure_scatter(s, {{1.0, 0}}, Cells(0.3))[0].total[5].mean, one);
+  EXPECT_NE(measure_scatter(s, {{radians(1.0), {}}}, Cells(radians(0.3)))[0].total[5].mean, one);
 }
 
 TEST(Parallel, HandsOverInOrderAndPassesExceptionsOn) {

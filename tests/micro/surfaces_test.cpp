@@ -91,7 +91,7 @@ TEST(Grooves, HaveTheStatedAngles) {
     return sum;
   };
   constexpr int kCount = 40000;
-  Random random(1, 0, Stream::geometry);
+  Random random = random_for(1, 0, Purpose::geometry);
   const Surface diffuse = make_grooves({GrooveAngles::oren_nayar, sigma, kCount}, random);
   const Surface mirrors = make_grooves({GrooveAngles::beckmann, alpha, kCount}, random);
   for (const double angle : {0.2, 0.5, 1.0, 1.4}) {
@@ -107,7 +107,7 @@ TEST(Grooves, HaveTheStatedAngles) {
 TEST(Tracer, FindsWhatAMarchFinds) {
   const Surface s = make_surface(field(0.6, 0.4, 32), 3);
   Tracer tracer(s);
-  Random random(5, 0, Stream::scatter);
+  Random random = random_for(5, 0, Purpose::scatter);
   int hits = 0, escapes = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Vec start = tracer.on_surface(s.period_x() * random.uniform(), s.period_y() * random.uniform());
@@ -142,10 +142,11 @@ TEST(Tracer, FindsWhatAMarchFinds) {
 TEST(Masking, SeesTheProjectedAreaOfThePlane) {
   Simulation s = field(0.5, 0.5, 256, 8);
   s.rays = 40000;
-  for (const Masking& m : measure_masking(s, {0.5, 1.2, 1.45})) {
-    EXPECT_LT(m.projected_area.standard_error, 0.02 * std::cos(m.theta));
-    EXPECT_LT(std::abs(z(m.projected_area, std::cos(m.theta))), 5) << m.theta;
-    EXPECT_LT(std::abs(z(m.facing_area, std::cos(m.theta) * (1 + smith_lambda(0.5, m.theta)))), 5) << m.theta;
+  for (const Masking& m : measure_masking(s, {radians(0.5), radians(1.2), radians(1.45)})) {
+    const double cosine = std::cos(m.theta.radians());
+    EXPECT_LT(m.projected_area.standard_error, 0.02 * cosine);
+    EXPECT_LT(std::abs(z(m.projected_area, cosine)), 5) << m.theta.degrees();
+    EXPECT_LT(std::abs(z(m.facing_area, cosine * (1 + smith_lambda(0.5, m.theta)))), 5) << m.theta.degrees();
   }
 }
 

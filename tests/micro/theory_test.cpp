@@ -13,8 +13,6 @@
 namespace brdf::micro {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 // V-cavities are exact for mirror grooves: the form's G
 // and the Fresnel factor, in every cell that holds power.
 TEST(Theory, MirrorGroovesAreTheVCavityForm) {
@@ -24,11 +22,14 @@ TEST(Theory, MirrorGroovesAreTheVCavityForm) {
   s.surfaces = 128;
   s.rays = 4096;
   s.max_bounces = 1;
-  const Cells cells(15 * kDegree);
-  const Incidence from{60 * kDegree, 0};
+  const Cells cells(15_deg);
+  const Incidence from{60_deg, {}};
   const Scatter scatter = measure_scatter(s, {from}, cells)[0];
-  const Material form = model("cook_torrance_vcavity",
-                              {{"kd", 0}, {"ks", 1}, {"alpha_x", 0.4}, {"alpha_y", 0.4}, {"eta", 1.5}});
+  const Material form = model(form_of_mirror_grooves(), {{Role::diffuse, 0},
+                                                         {Role::specular, 1},
+                                                         {Role::width, 0.4},
+                                                         {Role::width_across, 0.4},
+                                                         {Role::index, 1.5}});
   int judged = 0;
   double error = 0, power = 0;
   for (int c = 0; c < cells.size(); ++c) {
@@ -46,18 +47,17 @@ TEST(Theory, MirrorGroovesAreTheVCavityForm) {
 
 TEST(Theory, LambertianGroovesAreTheCavityIntegral) {
   Simulation s;
-  s.geometry = Grooves{GrooveAngles::oren_nayar, 30 * kDegree, 1024};
+  s.geometry = Grooves{GrooveAngles::oren_nayar, (30_deg).radians(), 1024};
   s.facets = {.reflection = Reflection::lambert, .rho = 1};
   s.surfaces = 16;
   s.rays = 4096;
   s.max_bounces = 1;
-  const Incidence from{70 * kDegree, 0};
-  const std::vector<Incidence> views{{0, 0}, {70 * kDegree, 0}, {50 * kDegree, 2}, {70 * kDegree, kPi}};
+  const Incidence from{70_deg, {}};
+  const std::vector<Incidence> views{{}, {70_deg, {}}, {50_deg, radians(2)}, {70_deg, radians(kPi)}};
   const auto f = measure_radiance(s, {from}, views)[0];
   for (std::size_t v = 0; v < views.size(); ++v) {
-    const double exact =
-        groove_single_reflection(30 * kDegree, direction(radians(from.theta), radians(from.phi)),
-                                 direction(radians(views[v].theta), radians(views[v].phi)));
+    const double exact = groove_single_reflection((30_deg).radians(), direction(from.theta, from.phi),
+                                                  direction(views[v].theta, views[v].phi));
     EXPECT_LT(f[v].total.standard_error, 0.03 * exact);
     EXPECT_LT(std::abs(f[v].total.mean - exact), 4.5 * f[v].total.standard_error) << v;
   }
@@ -69,13 +69,21 @@ TEST(Theory, SmithsMaskingIgnoresTheSlope) {
   Simulation s;
   s.geometry = HeightField{.alpha_x = 0.5, .alpha_y = 0.5, .size = 256};
   s.rays = 16384;
-  const double theta = 75 * kDegree, g1 = 1 / (1 + smith_lambda(0.5, theta));
+  const Angle theta = 75_deg;
+  const double g1 = 1 / (1 + smith_lambda(0.5, theta));
   const Masking m = measure_masking(s, {theta})[0];
   EXPECT_LT(m.visible_away.mean, 0.9 * g1);
   EXPECT_GT(m.visible_away.mean, 0.75 * g1);
   EXPECT_GT(m.visible_towards.mean, 0.98 * g1);
   EXPECT_LT(m.visible_points.mean, 0.98 * g1);
   EXPECT_GT(m.visible_points.mean, 0.9 * g1);
+}
+
+TEST(Theory, FormsAreFoundByWhatTheyStandFor) {
+  EXPECT_EQ(form_of_rough_mirrors().info().name, "cook_torrance_beckmann");
+  EXPECT_EQ(form_of_mirror_grooves().info().name, "cook_torrance_vcavity");
+  EXPECT_EQ(form_of_lambert_grooves().info().name, "oren_nayar");
+  EXPECT_EQ(form_with_interreflection().info().name, "oren_nayar_full");
 }
 
 TEST(Theory, RowsWithoutErrorHaveNoZ) {
@@ -130,8 +138,8 @@ TEST(Samples, MirrorsOfATurnedSampleAreThoseOfTurnedLight) {
   double along_x = 0, along_y = 0;
   const io::SampleTable table = trace_samples(settings);
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double phi = table.phi_o[k] * kDegree,
-                 spread = std::sin(table.theta_o[k] * kDegree) * table.values[0][k];
+    const double phi = degrees(table.phi_o[k]).radians(),
+                 spread = std::sin(degrees(table.theta_o[k]).radians()) * table.values[0][k];
     along_x += spread * square(std::cos(phi));
     along_y += spread * square(std::sin(phi));
   }

@@ -67,14 +67,14 @@ TEST(Energy, OfConservingFormsRaisesNoAlarm) {
   for (const char* form : {"lambert", "phong", "blinn_phong", "cook_torrance", "cook_torrance_beckmann",
                            "ward_bounded", "oren_nayar_energy"}) {
     const Finding f = energy_of(form);
-    EXPECT_EQ(f.verdict, Verdict::pass) << form << ": " << f.statement;
+    EXPECT_EQ(f.outcome, Outcome::pass) << form << ": " << f.statement;
     EXPECT_NEAR(f.value, 1, 1e-6) << form;
   }
 }
 
 TEST(Reciprocity, OfThePrintedCookTorranceFormIsBroken) {
   const Finding f = check_reciprocity(Subject::form(cook_torrance_as_printed{}), {});
-  EXPECT_EQ(f.verdict, Verdict::fail);  // not yet judged against what the form declares
+  EXPECT_EQ(f.outcome, Outcome::fail);  // not yet judged against what the form declares
   EXPECT_GT(f.value, 0.9);
 }
 
@@ -92,8 +92,8 @@ TEST(NonNegative, TheFullOrenNayarFormIsNegativeSomewhere) {
 }
 
 TEST(Continuity, ALobeDividedByItsCosineJumpsAtTheHorizon) {
-  EXPECT_EQ(check_continuity(Subject::form(phong_classic{}), {}).verdict, Verdict::fail);
-  EXPECT_EQ(check_continuity(Subject::form(phong{}), {}).verdict, Verdict::pass);
+  EXPECT_EQ(check_continuity(Subject::form(phong_classic{}), {}).outcome, Outcome::fail);
+  EXPECT_EQ(check_continuity(Subject::form(phong{}), {}).outcome, Outcome::pass);
 }
 
 TEST(Isotropy, AnAnisotropicMaterialIsSymmetricAboutItsTangent) {
@@ -101,7 +101,7 @@ TEST(Isotropy, AnAnisotropicMaterialIsSymmetricAboutItsTangent) {
   m.terms[0].shape = {{0.1, 0.4}};
   m.terms[0].tangent_phi = radians(0.4);
   const Finding f = check_isotropy(Subject::material("m.json", m), {});
-  EXPECT_EQ(f.verdict, Verdict::pass) << f.value;
+  EXPECT_EQ(f.outcome, Outcome::pass) << f.value;
   EXPECT_NE(f.statement.find("22.9 degrees"), std::string::npos) << f.statement;
 }
 
@@ -109,21 +109,21 @@ TEST(Judgement, FoundAndDeclaredIsKnown) {
   const auto findings = run_checks({Subject::form(blinn_phong_n8{})}, {});
   const auto energy =
       std::find_if(findings.begin(), findings.end(), [](const Finding& f) { return f.check == "energy"; });
-  EXPECT_EQ(energy->verdict, Verdict::known_violation);
+  EXPECT_EQ(energy->outcome, Outcome::known_violation);
 }
 
 TEST(Judgement, EveryCheckOfEveryFormIsAsDeclared) {
   std::vector<Subject> subjects;
   for_each_form([&](auto form) { subjects.push_back(Subject::form(form)); });
   for (const Finding& f : run_checks(subjects, {}))
-    EXPECT_NE(f.verdict, Verdict::fail) << f.subject << " " << f.check << ": " << f.statement;
+    EXPECT_NE(f.outcome, Outcome::fail) << f.subject << " " << f.check << ": " << f.statement;
 }
 
 TEST(Judgement, AMaterialAboveOneFails) {
   Material m = make_material(lambert{});
   m.terms[0].weights[1][0] = 1.2;
   for (const Finding& f : run_checks({Subject::material("m.json", m)}, {}))
-    EXPECT_EQ(f.verdict == Verdict::fail, f.check == "energy") << f.check;
+    EXPECT_EQ(f.outcome == Outcome::fail, f.check == "energy") << f.check;
 }
 
 TEST(Witness, ReproducesTheValue) {

@@ -43,7 +43,7 @@ io::SampleTable clean_table(double noise = 0.03) {
 std::vector<std::string> faults(const io::SampleTable& t) {
   std::vector<std::string> names;
   for (const Finding& f : data_sheet(t).findings)
-    if (f.verdict == Verdict::fail) names.push_back(f.check);
+    if (f.outcome == Outcome::fail) names.push_back(f.check);
   return names;
 }
 
@@ -62,7 +62,7 @@ TEST(DataSheet, NamesANegativeValue) {
   io::SampleTable t = clean_table();
   t.values[0][100] = -0.01;
   const DataSheet sheet = data_sheet(t);
-  EXPECT_EQ(finding(sheet, "negative").verdict, Verdict::fail);
+  EXPECT_EQ(finding(sheet, "negative").outcome, Outcome::fail);
   EXPECT_NE(finding(sheet, "negative").statement.find("line 102"), std::string::npos);
 }
 
@@ -87,7 +87,7 @@ TEST(DataSheet, NamesAFactorOfTheCosine) {
   io::SampleTable t = clean_table();
   for (std::size_t k = 0; k < t.rows(); ++k) t.values[0][k] *= std::cos(t.theta_i[k] * kPi / 180);
   const DataSheet sheet = data_sheet(t);
-  EXPECT_EQ(finding(sheet, "cosine_factor").verdict, Verdict::fail);
+  EXPECT_EQ(finding(sheet, "cosine_factor").outcome, Outcome::fail);
   EXPECT_NE(finding(sheet, "cosine_factor").statement.find("cos_i"), std::string::npos);
   EXPECT_NEAR(finding(sheet, "cosine_factor").value, 1, 0.2);
 }
@@ -161,7 +161,7 @@ TEST(DataSheet, IntegralHoldsTheTruthWithinItsBound) {
 
 TEST(DataSheet, SaysWhatTheTableDoesNotAllow) {
   const DataSheet sheet = data_sheet(clean_table());
-  EXPECT_EQ(finding(sheet, "isotropy").verdict, Verdict::not_applicable);
+  EXPECT_EQ(finding(sheet, "isotropy").outcome, Outcome::not_applicable);
   EXPECT_FALSE(finding(sheet, "isotropy").statement.empty());
 }
 

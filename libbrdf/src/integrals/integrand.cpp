@@ -70,7 +70,7 @@ double Integrand::measured_width() const {
   const Vec3<double> normal{0, 0, 1};
   const double peak = sum_at(normal, normal), floor = sum_at(normal, at_slope(0.999));
   if (!(peak - floor > 1e-3 * peak)) return 1;
-  for (double slope = 1e-5; slope < 0.999; slope *= 1.2)
+  for (double slope = kLeastWidth; slope < 0.999; slope *= 1.2)
     if (sum_at(normal, at_slope(slope)) - floor < std::exp(-1.0) * (peak - floor)) return slope;
   return 1;
 }
@@ -106,6 +106,8 @@ void Integrand::look() {
   } else {
     features_.width_x = features_.width_y = measured_width();
   }
+  for (double* width : {&features_.width_x, &features_.width_y})
+    *width = std::max(*width, kLeastWidth);  // a table may allow 0
   features_.root_at_horizon = measured_root();
   features_.mirror_lobe = f.kink == Kink::mirror_edge;
   // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.

@@ -37,6 +37,7 @@ struct Features {
 
 // exp(-kReach^2) = 9e-27.
 inline constexpr double kReach = 7.745966692414834;
+inline constexpr double kLeastWidth = 1e-5;  // a lobe is never taken for narrower
 
 // The fixed direction. The elevation, not the polar angle, because accuracy is needed near grazing.
 struct FixedDirection {

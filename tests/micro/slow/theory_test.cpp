@@ -30,8 +30,8 @@ double find(const std::vector<TheoryRow>& rows, const std::string& part) {
 TEST(Theory, ExactStatementsHold) {
   expect_exact_rows_agree(compare_slopes({}));
   expect_exact_rows_agree(compare_masking({}));
-  expect_exact_rows_agree(compare_mirror_grooves({}, 30 * kPi / 180));
-  expect_exact_rows_agree(compare_mirror_grooves({}, 60 * kPi / 180));
+  expect_exact_rows_agree(compare_mirror_grooves({}, 30_deg));
+  expect_exact_rows_agree(compare_mirror_grooves({}, 60_deg));
   expect_exact_rows_agree(compare_reciprocity({}));
   expect_exact_rows_agree(compare_energy({}));
 }
@@ -39,7 +39,7 @@ TEST(Theory, ExactStatementsHold) {
 TEST(Theory, SingleReflectionIsCookTorranceWithSmith) {
   for (const double alpha : {0.1, 0.3, 0.5}) {
     for (const double theta : {30.0, 60.0}) {
-      const auto rows = compare_single_bounce({}, alpha, theta * kPi / 180);
+      const auto rows = compare_single_bounce({}, alpha, degrees(theta));
       EXPECT_GE(find(rows, "share of cells not significantly beyond 5 %"), 0.98) << alpha << ' ' << theta;
       EXPECT_GE(find(rows, "cells judged"), 100);
       EXPECT_LT(find(rows, "mean relative standard error"), 0.05);
@@ -49,7 +49,7 @@ TEST(Theory, SingleReflectionIsCookTorranceWithSmith) {
 
 TEST(Theory, FullOrenNayarIsCloserToItsGroovesThanTheQualitativeForm) {
   for (const double sigma : {10.0, 20.0, 30.0}) {
-    const auto rows = compare_lambert_grooves({}, sigma * kPi / 180);
+    const auto rows = compare_lambert_grooves({}, degrees(sigma));
     expect_exact_rows_agree(rows);
     EXPECT_LT(find(rows, "difference to oren_nayar_full"), 0.6 * find(rows, "difference to oren_nayar over"));
   }

@@ -1,4 +1,4 @@
-#include "validate/bound_pairs.h"
+#include "validate/error_bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 
 #include "brdf/integrals.h"
 #include "io/parallel.h"
+#include "validate/degrees.h"
 #include "validate/integral_cases.h"
 #include "validate/subject.h"
 
@@ -34,7 +35,7 @@ double polar_angle(Random& random) {
   const double kind = random.uniform();
   if (kind < 0.1) return 0;
   if (kind < 0.12) return kPi / 2;
-  return kind < 0.5 ? random.uniform(0, kPi / 2) : (90 - random.log_uniform(0.1, 10)) * kPi / 180;
+  return kind < 0.5 ? random.uniform(0, kPi / 2) : in_radians(90 - random.log_uniform(0.1, 10));
 }
 
 Case random_case(const Reflectance& form, Random& random) {

@@ -26,10 +26,4 @@ std::vector<ReciprocalPair> interpolated_pairs(const io::SampleTable& table);
 // |a - b| over their mean
 double relative_difference(const ReciprocalPair& pair);
 
-// The value below which this share of them lies; NaN of none.
-double quantile(std::vector<double> values, double share);
-inline double median(std::vector<double> values) {
-  return quantile(std::move(values), 0.5);
-}
-
 }  // namespace brdf::validate

@@ -1,12 +1,12 @@
 // No two integrals of the same thing lie further apart than their bounds allow.
-#include "validate/bound_pairs.h"
+#include "validate/error_bounds.h"
 
 #include <gtest/gtest.h>
 
 namespace brdf::validate {
 namespace {
 
-TEST(BoundPairs, HoldInFourThousand) {
+TEST(ErrorBounds, HoldInFourThousandPairs) {
   std::size_t pairs = 0;
   for (const IntegratorRow& row : check_bounds(1, 4000)) {
     EXPECT_EQ(row.wrong, 0u) << row.set << ": " << row.worst_case << ", " << row.worst << " times the bounds";

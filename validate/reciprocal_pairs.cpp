@@ -1,4 +1,4 @@
-#include "validate/sample_pairs.h"
+#include "validate/reciprocal_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@ namespace brdf::validate {
 namespace {
 
 // Angles are compared in units of 1e-4 degrees, so that 10.0 and 9.9999999 are one.
-long key(double degrees) {
-  return std::lround(degrees * 1e4);
+long key(double angle) {
+  return std::lround(angle * 1e4);
 }
 
 double azimuth(const io::SampleTable& t, std::size_t k) {
@@ -91,14 +91,6 @@ std::vector<ReciprocalPair> interpolated_pairs(const io::SampleTable& t) {
 
 double relative_difference(const ReciprocalPair& pair) {
   return std::abs(pair.forward - pair.backward) / (0.5 * (std::abs(pair.forward) + std::abs(pair.backward)));
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return NAN;
-  const auto place =
-      values.begin() + long(std::min(share * double(values.size()), double(values.size() - 1)));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 }  // namespace brdf::validate
