@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brdf/low_discrepancy.h"
+
 namespace brdf::validate {
 namespace {
 
@@ -63,15 +65,10 @@ Best climb(const Objective& f, std::vector<double> point, double value, double s
 }  // namespace
 
 std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint64_t seed) {
-  double ratio = 2;  // root of x^(d+1) = x + 1
-  for (int step = 0; step < 60; ++step) ratio = std::pow(1 + ratio, 1.0 / double(dimensions + 1));
-  std::vector<double> point;
-  double stride = 1;
+  std::vector<double> point = additive_recurrence_steps(dimensions);
   for (std::size_t d = 0; d < dimensions; ++d) {
-    stride /= ratio;
     const double shift = 0.5 + 0.618033988749895 * double(seed % 1000003) * double(d + 1);
-    double whole;
-    point.push_back(std::modf(shift + stride * double(k + 1), &whole));
+    point[d] = additive_recurrence(shift, point[d], k + 1);
   }
   return point;
 }
