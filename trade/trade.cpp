@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "io/error.h"
-#include "trade/ledger/claims.h"
 #include "trade/questions/ball.h"
+#include "trade/questions/claims.h"
 #include "trade/questions/fits.h"
 #include "trade/questions/frames.h"
 #include "trade/questions/questions.h"
@@ -137,7 +137,7 @@ std::string to_terminal(const Ledger& ledger) {
     if (row.question != question) {
       question = row.question;
       std::snprintf(line, sizeof line, "\n%s  (error: %s of %s; %s)\n  %-36s %10s %7s %9s %9s %9s %9s\n",
-                    question.c_str(), kMeasureNames[std::size_t(row.error.measure)], row.quantity.c_str(),
+                    question.c_str(), std::string(name_of(row.error.measure)).c_str(), row.quantity.c_str(),
                     row.domain.c_str(), "choice", "ns", "cost", "max", "mean", "p99", "image");
       text += line;
     }

@@ -69,6 +69,22 @@ TEST_F(Trade, RecommendsAModelWithItsPictures) {
   EXPECT_EQ(run("albedo --material out/material.json --theta 0").exit_code, 0);
 }
 
+TEST_F(Trade, MeasuresWhatTheLedgerLacks) {
+  io::Json ledger = io::Json::parse(file_text(kData + "ledger.json"));
+  io::Json rows = io::Json::array();
+  for (const io::Json& row : ledger["rows"])
+    if (row["choice"] != "phong") rows.push_back(row);
+  ledger["rows"] = rows;
+  std::ofstream(folder_.path() / "old.json") << ledger;
+  const Outcome o = run("recommend --scene '" + kData + "scenes/recommend_close_up.json' --reference '" +
+                        kData + "materials/glossy_grey_paper.json' --ledger old.json --json");
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const io::Json json = io::Json::parse(o.out);
+  EXPECT_EQ(json.at("measured_now"), "old.json lacks these, so their costs were measured now: phong");
+  for (const io::Json& c : json.at("candidates"))
+    EXPECT_EQ(c.at("cost_measured").get<bool>(), c.at("form") == "phong") << c.at("form");
+}
+
 TEST_F(Trade, SaysNoneWithExitCodeOne) {
   const Outcome o = run(kCloseUp + "--tolerance 1e-9");
   EXPECT_EQ(o.exit_code, 1) << o.err;

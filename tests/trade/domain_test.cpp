@@ -4,13 +4,16 @@
 
 #include <cmath>
 
+#include "brdf/angle.h"
 #include "trade/measure/timing.h"
 
 namespace brdf::trade {
 namespace {
 
 TEST(Domain, PointsFillTheBoxEvenlyAndHoldItsCorners) {
-  const Domain domain{{{"a", 0, 1}, {"b", 1e-4, 1, true}}, {}, ""};
+  const Domain domain = make_domain({{"a", 0, 1}, {"b", 1e-4, 1, true}}, [](std::span<const double> at) {
+    return CosineRow<double>{at[0], at[1]};
+  });
   const Points points = sample(domain, 1024);
   ASSERT_EQ(points.count(), 1024u + 4);
   int quarter = 0, corners = 0;
@@ -27,20 +30,50 @@ TEST(Domain, PointsFillTheBoxEvenlyAndHoldItsCorners) {
 }
 
 TEST(Domain, LobePointsAreUnitDirectionsWhoseHalfVectorHasTheSlopeAskedFor) {
-  const Points points = sample(lobe_domain({"alpha", 0.01, 1, true}, {"-", 0, 0}), 512);
+  const Points points = sample(lobe_domain({"alpha", 0.01, 1, true}), 512);
   ASSERT_GT(points.count(), 200u);
   for (std::size_t k = 0; k < points.count(); ++k) {
-    const auto at = [&](std::size_t c) { return points.columns[c][k]; };
-    EXPECT_NEAR(std::hypot(at(0), at(1), at(2)), 1, 1e-12);
-    EXPECT_NEAR(std::hypot(at(3), at(4), at(5)), 1, 1e-12);
-    const double tangent = std::hypot(at(0) + at(3), at(1) + at(4)) / (at(2) + at(5));
-    EXPECT_NEAR(tangent, points.at[k][0] * at(6), 1e-9 * (1 + tangent));
+    const auto row = row_at<DirectionRow>(points.columns, k);
+    EXPECT_NEAR(dot(row.wi, row.wi), 1, 1e-12);
+    EXPECT_NEAR(dot(row.wo, row.wo), 1, 1e-12);
+    const Vec3<double> h = row.wi + row.wo;
+    const double tangent = std::hypot(h.x, h.y) / h.z;
+    EXPECT_NEAR(tangent, points.at[k][0] * row.width, 1e-9 * (1 + tangent));
   }
 }
 
+TEST(Domain, AWidthAndF0StandInTheRowWhereThereAreAxesForThem) {
+  const Points points = sample(direction_domain(0, 80, {{"alpha", 0.1, 0.2}, {"f0", 0.5, 0.9}}), 32);
+  ASSERT_EQ(points.count(), 32u + 32);
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    const auto row = row_at<DirectionRow>(points.columns, k);
+    EXPECT_EQ(row.width, points.at[k][3]);
+    EXPECT_EQ(row.f0, points.at[k][4]);
+    EXPECT_NEAR(std::acos(row.wi.z), degrees(points.at[k][0]).radians(), 1e-7);
+  }
+  EXPECT_EQ(row_at<DirectionRow>(sample(direction_domain(0, 80), 1).columns, 0).width, 0);
+}
+
+struct half_cosine {
+  template <class T>
+  T operator()(const CosineRow<T>& x) const {
+    return T(0.5) * x.cosine;
+  }
+};
+
+TEST(Kernel, ReadsRowsOfItsKindAndNoOthers) {
+  const Columns<double> columns{{1, 3}, {0, 0}, {0, 0}};
+  std::vector<double> out(2);
+  kernel(half_cosine{}).in_double(pointers(columns), out);
+  EXPECT_EQ(out, (std::vector<double>{0.5, 1.5}));
+  scalar_kernel([](const CosineRow<double>& x) { return 2 * x.cosine; }).in_double(pointers(columns), out);
+  EXPECT_EQ(out, (std::vector<double>{2, 6}));
+  EXPECT_THROW(kernel(half_cosine{}).in_double(pointers(Columns<double>{{1, 3}, {0, 0}}), out),
+               std::logic_error);
+}
+
 TEST(Domain, SaysWhatVariesAndWhatIsFixed) {
-  EXPECT_EQ(describe(Domain{{{"cos", 0, 1}, {"eta", 1.5, 1.5}, {"-", 0, 0}}, {}, "note"}),
-            "cos 0..1; eta 1.5; note");
+  EXPECT_EQ(describe(Domain{{{"cos", 0, 1}, {"eta", 1.5, 1.5}}, {}, "note"}), "cos 0..1; eta 1.5; note");
 }
 
 TEST(Timing, QuantilesInterpolate) {

@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "io/error.h"
-#include "io/material_file.h"
 #include "trade/questions/ball.h"
+#include "trade/questions/materials.h"
 #include "trade/questions/variants.h"
-#include "trade/recommend/recommend.h"
 
 namespace brdf::trade {
 namespace {
@@ -52,51 +51,36 @@ TEST(SceneFit, RecoversTheMaterialThatTheSceneShows) {
 TEST(SceneFit, AVariantWithoutFresnelFindsTheWidth) {
   const SceneView view = view_of(material_ball(64));
   const io::SampleTable table = scene_samples(view, rgb_function(glossy(0.2)), 1500);
-  const FittedVariant fitted = fit_variant("no Fresnel", table);
-  EXPECT_NEAR(fitted.alpha, 0.2, 0.02);
-  EXPECT_EQ(fitted.weights[0][2], 0);
-  EXPECT_LT(image_error(view, fitted.reflectance, rgb_function(glossy(0.2))), 0.05);
+  const Material fitted = fit_to_picture(variant_form(Variant::no_fresnel), table, false);
+  EXPECT_NEAR(fitted.terms[0].shape[0][0], 0.2, 0.02);
+  EXPECT_LT(image_error(view, rgb_function(fitted), rgb_function(glossy(0.2))), 0.05);
+  // In the reference form every reflectance along the normal is all that there is.
+  const Material whole = in_reference_form(fitted);
+  EXPECT_EQ(whole.terms[0].shape[0][1], fitted.terms[0].shape[0][0]);
+  EXPECT_EQ(whole.terms[0].weights[0],
+            (std::vector<double>{fitted.terms[0].weights[0][0], fitted.terms[0].weights[0][1], 1}));
+}
+
+TEST(SceneFit, AVariantThatMasksAlikeHasTheReferencesValues) {
+  // Hammon's masking is exact at alpha 1.
+  const auto value = [](const Reflectance& form) {
+    Material m = make_material(form, {"fr"});
+    set_parameter(m, Role::width, 1);
+    double f = 0;
+    eval(m, direction(degrees(40), {}), direction(degrees(60), degrees(120)), std::span(&f, 1));
+    return f;
+  };
+  EXPECT_NEAR(value(variant_form(Variant::hammon)), value(reference_form()), 1e-14);
+  EXPECT_GT(value(variant_form(Variant::masking_dropped)), 1.01 * value(reference_form()));
+  for (std::size_t k = 0; k < kNames<Variant>.size(); ++k) {
+    EXPECT_EQ(find_variant(variant_form(Variant(k))), Variant(k));
+    EXPECT_EQ(info(variant_form(Variant(k))).name, kNames<Variant>[k]);
+  }
+  EXPECT_FALSE(find_variant(reference_form()).has_value());
 }
 
 TEST(SceneFit, ChannelsOtherThanOneOrThreeAreRefused) {
   EXPECT_THROW(rgb_function(make_material(lambert{}, {"a", "b"})), InputError);
-}
-
-std::filesystem::path data(const std::string& name) {
-  return std::filesystem::path(BRDF_SOURCE_DIR) / "data" / name;
-}
-
-TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
-  RecommendOptions options;
-  options.scene = data("scenes/recommend_close_up.json");
-  options.reference = data("materials/glossy_grey_paper.json");
-  options.tolerance = 0.05;
-  const Recommendation r = recommend(options);
-  ASSERT_TRUE(r.chosen.has_value());
-  EXPECT_LE(*shown(r).rendered_error, options.tolerance);
-  EXPECT_EQ(r.candidates[*r.chosen].form.substr(0, 4), "ward");
-  bool grazing = false, anisotropy = false;
-  for (const std::string& s : r.unneeded) {
-    grazing |= s.find("grazing accuracy is not needed") != std::string::npos;
-    anisotropy |= s.find("anisotropy is not needed") != std::string::npos;
-  }
-  EXPECT_TRUE(grazing);
-  EXPECT_TRUE(anisotropy);
-  for (std::size_t k = 1; k < r.candidates.size(); ++k)
-    EXPECT_LE(r.candidates[k - 1].cost_ns, r.candidates[k].cost_ns);
-  for (const Candidate& c : r.candidates) EXPECT_FALSE(c.reason.empty()) << c.label();
-}
-
-TEST(Recommend, SaysNoneAndNamesTheBest) {
-  RecommendOptions options;
-  options.scene = data("scenes/recommend_close_up.json");
-  options.reference = data("materials/glossy_grey_paper.json");
-  options.tolerance = 0.05;
-  options.max_cost_ns = 1e-3;  // nothing is that cheap
-  const Recommendation r = recommend(options);
-  EXPECT_FALSE(r.chosen.has_value());
-  for (const Candidate& c : r.candidates) EXPECT_GE(c.image_error, r.candidates[r.best].image_error);
-  EXPECT_TRUE(to_json(r).at("chosen").is_null());
 }
 
 }  // namespace

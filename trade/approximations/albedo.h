@@ -1,5 +1,5 @@
 // Directional albedo of GGX with Smith's correlated masking and Schlick's Fresnel, E = f0 A + (1 - f0) B with
-// A the albedo at F = 1 and B that of the fifth power: cheaper than integrating. Row: cos, alpha, f0.
+// A the albedo at F = 1 and B that of the fifth power: cheaper than integrating.
 #pragma once
 
 #include <memory>
@@ -7,15 +7,15 @@
 
 #include "brdf/math.h"
 #include "brdf/vec3.h"
-#include "trade/measure/kernel.h"
+#include "trade/measure/rows.h"
 
 namespace brdf::trade {
 
 // The rational quadratic fit of MaterialX's shading language library (mx_ggx_dir_albedo_analytic), clamped.
 struct albedo_materialx {
   template <class T>
-  T operator()(const Row<T>& row) const {
-    const T x = row[0], y = row[1], x2 = x * x, y2 = y * y;
+  T operator()(const CosineRow<T>& row) const {
+    const T x = row.cosine, y = row.width, x2 = x * x, y2 = y * y;
     const auto polynomial = [&](double c, double cx, double cy, double cxy, double cx2, double cy2,
                                 double cx2y, double cxy2, double cx2y2) {
       return T(c) + T(cx) * x + T(cy) * y + T(cxy) * x * y + T(cx2) * x2 + T(cy2) * y2 + T(cx2y) * x2 * y +
@@ -26,20 +26,20 @@ struct albedo_materialx {
                       polynomial(1.0, -1.765, 8.263, 11.53, 28.96, -7.507, -36.11, 15.86, 33.37));
     const T b = ratio(polynomial(0.9345, -2.323, 2.229, -3.748, 1.424, -0.7684, 1.436, 0.2913, 0.6286),
                       polynomial(1.0, 0.2281, 15.94, -55.83, 13.08, 41.26, 54.9, 300.2, -285.1));
-    return row[2] * a + b;
+    return row.f0 * a + b;
   }
 };
 
 // Karis 2014 (physically based shading on mobile): fitted to a table with k = alpha/2 masking.
 struct albedo_karis {
   template <class T>
-  T operator()(const Row<T>& row) const {
-    const T r = math::sqrt(row[1]);
+  T operator()(const CosineRow<T>& row) const {
+    const T r = math::sqrt(row.width);
     const T rx = T(1) - r, ry = T(0.0425) - T(0.0275) * r, rz = T(1.04) - T(0.572) * r,
             rw = T(0.022) * r - T(0.04);
-    const T fall = math::exp(T(-9.28 * 0.69314718055994531) * row[0]);
+    const T fall = math::exp(T(-9.28 * 0.69314718055994531) * row.cosine);
     const T a004 = smaller(rx * rx, fall) * rx + ry;
-    return row[2] * (rz - T(1.04) * a004) + (rw + T(1.04) * a004);
+    return row.f0 * (rz - T(1.04) * a004) + (rw + T(1.04) * a004);
   }
 };
 
@@ -48,10 +48,10 @@ struct albedo_table {
   int size = 0;
   std::shared_ptr<const std::vector<double>> a, b;
   template <class T>
-  T operator()(const Row<T>& row) const {
+  T operator()(const CosineRow<T>& row) const {
     const T last(size - 1);
-    const T x = at_most(at_least(row[0] * last, T(0)), last);
-    const T y = at_most(math::sqrt(row[1]) * last, last);
+    const T x = at_most(at_least(row.cosine * last, T(0)), last);
+    const T y = at_most(math::sqrt(row.width) * last, last);
     const int i0 = int(x), j0 = int(y);
     const int i = i0 < size - 1 ? i0 : size - 2, j = j0 < size - 1 ? j0 : size - 2;
     const T u = x - T(i), v = y - T(j);
@@ -60,7 +60,7 @@ struct albedo_table {
       const T low = T(t[n]) + u * (T(t[n + 1]) - T(t[n])), high = T(t[m]) + u * (T(t[m + 1]) - T(t[m]));
       return low + v * (high - low);
     };
-    return row[2] * at(*a) + (T(1) - row[2]) * at(*b);
+    return row.f0 * at(*a) + (T(1) - row.f0) * at(*b);
   }
 };
 
@@ -68,7 +68,7 @@ struct albedo_table {
 struct albedo_visible_normals {
   int samples;
   template <class T>
-  T operator()(const Row<T>& row) const;
+  T operator()(const CosineRow<T>& row) const;
 };
 
 // Karis 2013: half vectors drawn from D at Hammersley points, as an environment lookup table is made, with
@@ -76,7 +76,7 @@ struct albedo_visible_normals {
 struct albedo_half_vectors {
   int samples;
   template <class T>
-  T operator()(const Row<T>& row) const;
+  T operator()(const CosineRow<T>& row) const;
 };
 
 namespace detail {
@@ -93,8 +93,8 @@ T g2_over_g1(const T& alpha, const T& cos_i, const T& cos_o) {
 // Heitz 2018: the visible normal of the stretched view, from a disk warped along its projection; the sample's
 // weight is F G2/G1.
 template <class T>
-T albedo_visible_normals::operator()(const Row<T>& row) const {
-  const T cos_o = at_least(row[0], T(1e-4)), alpha = row[1];
+T albedo_visible_normals::operator()(const CosineRow<T>& row) const {
+  const T cos_o = at_least(row.cosine, T(1e-4)), alpha = row.width;
   const T sin_o = math::sqrt((T(1) - cos_o) * (T(1) + cos_o));
   const T scale = T(1) / math::sqrt(square(alpha * sin_o) + square(cos_o));
   const T vx = alpha * sin_o * scale, vz = cos_o * scale;
@@ -114,15 +114,15 @@ T albedo_visible_normals::operator()(const Row<T>& row) const {
     const T cos_d = at_least(sin_o * h.x + cos_o * h.z, T(1e-6));
     const T cos_i = T(2) * cos_d * h.z - cos_o;
     const T u1 = at_least(T(1) - cos_d, T(0));
-    const T f = row[2] + (T(1) - row[2]) * square(square(u1)) * u1;
+    const T f = row.f0 + (T(1) - row.f0) * square(square(u1)) * u1;
     sum = sum + select(cos_i < T(1e-6), T(0), f * detail::g2_over_g1(alpha, at_least(cos_i, T(1e-6)), cos_o));
   }
   return sum / T(samples);
 }
 
 template <class T>
-T albedo_half_vectors::operator()(const Row<T>& row) const {
-  const T cos_o = at_least(row[0], T(1e-4)), alpha2 = square(row[1]);
+T albedo_half_vectors::operator()(const CosineRow<T>& row) const {
+  const T cos_o = at_least(row.cosine, T(1e-4)), alpha2 = square(row.width);
   const T sin_o = math::sqrt((T(1) - cos_o) * (T(1) + cos_o));
   T sum(0);
   for (int k = 0; k < samples; ++k) {
@@ -134,7 +134,7 @@ T albedo_half_vectors::operator()(const Row<T>& row) const {
     const T cos_d = at_least(sin_o * sin_h * std::cos(phi) + cos_o * cos_h, T(0));
     const T cos_i = T(2) * cos_d * cos_h - cos_o;
     const T u = at_least(T(1) - cos_d, T(0));
-    const T f = row[2] + (T(1) - row[2]) * square(square(u)) * u;
+    const T f = row.f0 + (T(1) - row.f0) * square(square(u)) * u;
     const T ci = at_least(cos_i, T(1e-6));
     const auto length = [&](const T& c) { return math::sqrt(alpha2 * (T(1) - c) * (T(1) + c) + c * c); };
     const T visibility = T(0.5) / (cos_o * length(ci) + ci * length(cos_o));

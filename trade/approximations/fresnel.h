@@ -1,8 +1,8 @@
-// Cheaper Fresnel terms. Row: cos_d, eta, f0 (dielectric) or cos_d, n, k, f0 (conductor).
+// Cheaper Fresnel terms of dielectrics (eta is n) and conductors.
 #pragma once
 
 #include "brdf/fresnel.h"
-#include "trade/measure/kernel.h"
+#include "trade/measure/rows.h"
 
 namespace brdf::trade {
 
@@ -13,74 +13,67 @@ T fifth_power(const T& x) {
 
 struct exact_dielectric {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return fresnel_dielectric(x[1], x[0]);
+  T operator()(const FresnelRow<T>& x) const {
+    return fresnel_dielectric(x.n, x.cosine);
   }
 };
 
 // Schlick 1994: f0 + (1 - f0)(1 - c)^5.
-struct schlick_dielectric {
+struct schlick_fresnel {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return x[2] + (T(1) - x[2]) * fifth_power(T(1) - x[0]);
+  T operator()(const FresnelRow<T>& x) const {
+    return x.f0 + (T(1) - x.f0) * fifth_power(T(1) - x.cosine);
   }
 };
 
 // Lagarde 2012 / Karis 2013: the fifth power as 2^((-5.55473 c - 6.98316) c).
 struct gaussian_dielectric {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T log2 = (T(-5.55473) * x[0] - T(6.98316)) * x[0];
-    return x[2] + (T(1) - x[2]) * math::exp(log2 * T(0.69314718055994531));
+  T operator()(const FresnelRow<T>& x) const {
+    const T log2 = (T(-5.55473) * x.cosine - T(6.98316)) * x.cosine;
+    return x.f0 + (T(1) - x.f0) * math::exp(log2 * T(0.69314718055994531));
   }
 };
 
 // No angle at all.
 struct constant_dielectric {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return x[2];
+  T operator()(const FresnelRow<T>& x) const {
+    return x.f0;
   }
 };
 
 // The lookup-texture article's slip.
 struct slipped_dielectric {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return fresnel_dielectric_as_coded(x[1], x[0]);
+  T operator()(const FresnelRow<T>& x) const {
+    return fresnel_dielectric_as_coded(x.n, x.cosine);
   }
 };
 
 struct exact_conductor {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return fresnel_conductor(x[1], x[2], x[0]);
-  }
-};
-
-struct schlick_conductor {
-  template <class T>
-  T operator()(const Row<T>& x) const {
-    return x[3] + (T(1) - x[3]) * fifth_power(T(1) - x[0]);
+  T operator()(const FresnelRow<T>& x) const {
+    return fresnel_conductor(x.n, x.k, x.cosine);
   }
 };
 
 // Lazanyi and Szirmay-Kalos 2005: Schlick less a c (1 - c)^e, with Hoffman's (2019) choice of e = 6 and a
-// from the exact value at 82 degrees (c = 1/7). Column 4 holds a.
+// from the exact value at 82 degrees (c = 1/7).
 struct lazanyi_conductor {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T u = T(1) - x[0];
+  T operator()(const FresnelRow<T>& x) const {
+    const T u = T(1) - x.cosine;
     const T u5 = fifth_power(u);
-    return x[3] + (T(1) - x[3]) * u5 - x[4] * x[0] * u5 * u;
+    return x.f0 + (T(1) - x.f0) * u5 - x.dip * x.cosine * u5 * u;
   }
 };
 
 // Pharr and Humphreys 2004 (first edition): both polarisations with sin^2 dropped against n^2 + k^2.
 struct simplified_conductor {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T c = x[0], n = x[1], m = square(x[1]) + square(x[2]), c2 = c * c;
+  T operator()(const FresnelRow<T>& x) const {
+    const T c = x.cosine, n = x.n, m = square(x.n) + square(x.k), c2 = c * c;
     const T rp = (m * c2 - T(2) * n * c + T(1)) / (m * c2 + T(2) * n * c + T(1));
     const T rs = (m - T(2) * n * c + c2) / (m + T(2) * n * c + c2);
     return T(0.5) * (rp + rs);

@@ -1,4 +1,4 @@
-// The lookup-texture article's table, and a better one, as kernels over directions. Row: wi, wo.
+// The lookup-texture article's table, and a better one, as kernels over directions.
 //
 // Both give the article's specular term f_r cos_i = F D' G/(pi cos_o) with D' = D/4 scaled as the article's,
 // V-cavities and the exact dielectric Fresnel.
@@ -8,7 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "brdf/forms/cook_torrance.h"
+#include "brdf/fresnel.h"
+#include "brdf/microfacet.h"
 #include "trade/approximations/masking.h"
 
 namespace brdf::trade {
@@ -20,10 +21,11 @@ struct LookupMaterial {
 struct lookup_exact {
   LookupMaterial material;
   template <class T>
-  T operator()(const Row<T>& x) const {
+  T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
-    const RoughDielectric<T> shape{T(material.alpha), T(material.alpha), T(material.eta)};
-    return cook_torrance_vcavity::lobes(shape, g)[1] * g.cos_i;
+    const Roughness<T> alpha{T(material.alpha), T(material.alpha)};
+    return quotient(d_beckmann(alpha, g), v_cavities(g)) * fresnel_dielectric(T(material.eta), g.cos_d) *
+           g.cos_i;
   }
 };
 
@@ -42,7 +44,7 @@ template <bool clamped>  // to 1, as a texel is
 struct lookup_collapsed {
   LookupMaterial material;
   template <class T>
-  T operator()(const Row<T>& x) const {
+  T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
     const T cos_h = g.h.z / (T(2) * g.cos_d);
     const T texel = collapsed(material, cos_h, g.cos_i);
@@ -108,7 +110,7 @@ struct lookup_article {
           return at_most(collapsed(m, cos_h, cos_i), 1.0);
         })) {}
   template <class T>
-  T operator()(const Row<T>& x) const {
+  T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
     const T u = g.h.z / (T(2) * g.cos_d), v = g.cos_i;
     if constexpr (smooth)
@@ -131,7 +133,7 @@ struct lookup_scaled {
           return std::sqrt(0.25 * std::exp(-t) * (1 + tan2) * (1 + tan2) * fresnel_dielectric(m.eta, cos_d));
         })) {}
   template <class T>
-  T operator()(const Row<T>& x) const {
+  T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
     const T t = (square(g.h.x) + square(g.h.y)) * T(inverse_alpha2);
     const T u = t / (square(g.h.z) + t);

@@ -3,75 +3,75 @@
 #pragma once
 
 #include "brdf/microfacet.h"
-#include "trade/measure/kernel.h"
+#include "trade/measure/rows.h"
 
 namespace brdf::trade {
 
 template <class T>
-Geometry<T> geometry_of(const Row<T>& x) {
-  return geometry(Vec3<T>{x[0], x[1], x[2]}, Vec3<T>{x[3], x[4], x[5]});
+Geometry<T> geometry_of(const DirectionRow<T>& x) {
+  return geometry(x.wi, x.wo);
 }
 
 struct smith_correlated {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
     return v_smith_ggx(a, g);
   }
 };
 // Smith's G1 of both directions, multiplied as if they were independent (Walter et al. 2007).
 struct smith_separable {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
-    return {T(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
+    return {S(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
   }
 };
 // Schlick's rational G1 with k = alpha/2 (Karis 2013, for image-based light).
 struct schlick_ggx_half {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
-    return v_schlick_ggx(T(0.5) * a.alpha_x, g);
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
+    return v_schlick_ggx(S(0.5) * a.alpha_x, g);
   }
 };
 // The same with k = (roughness + 1)^2/8, alpha = roughness^2
 // (Karis 2013, for analytic lights; the thesis's listing).
 struct schlick_ggx_analytic {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
-    return v_schlick_ggx(T(0.125) * square(math::sqrt(a.alpha_x) + T(1)), g);
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
+    return v_schlick_ggx(S(0.125) * square(math::sqrt(a.alpha_x) + S(1)), g);
   }
 };
 // And with alpha in roughness's place (the thesis's equation).
 struct schlick_ggx_printed {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
-    return v_schlick_ggx(T(0.125) * square(a.alpha_x + T(1)), g);
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
+    return v_schlick_ggx(S(0.125) * square(a.alpha_x + S(1)), g);
   }
 };
 // Hammon 2017: the correlated denominator linear in the cosines, lerp(2 ci co, ci + co, alpha).
 struct hammon_correlated {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
-    const T product = T(2) * g.cos_i * g.cos_o;
-    return {T(0.5), product + a.alpha_x * (g.cos_i + g.cos_o - product)};
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
+    const G product = G(2) * g.cos_i * g.cos_o;
+    return {S(0.5), product + a.alpha_x * (g.cos_i + g.cos_o - product)};
   }
 };
 struct v_shaped_cavities {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>&, const Geometry<T>& g) const {
+  template <class S, class G>
+  Fraction<G> operator()(const Roughness<S>&, const Geometry<G>& g) const {
     return v_cavities(g);
   }
 };
 // G = 1 (the lookup-texture article calls G meaningless).
 struct masking_dropped {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>&, const Geometry<T>& g) const {
-    return {T(0.25), g.cos_i * g.cos_o};
+  template <class S, class G>
+  Fraction<G> operator()(const Roughness<S>&, const Geometry<G>& g) const {
+    return {G(0.25), g.cos_i * g.cos_o};
   }
 };
 
 struct smith_beckmann {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
+  template <class S, class G>
+  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
     return v_smith_beckmann(a, g);
   }
 };
@@ -98,12 +98,12 @@ struct rational_beckmann {
   }
 };
 
-// G1 of one direction. Row: cos, alpha.
+// G1 of one direction.
 struct g1_smith_ggx {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T sin2 = (T(1) - x[0]) * (T(1) + x[0]);
-    return T(2) * x[0] / (x[0] + math::sqrt(square(x[1]) * sin2 + square(x[0])));
+  T operator()(const CosineRow<T>& x) const {
+    const T sin2 = (T(1) - x.cosine) * (T(1) + x.cosine);
+    return T(2) * x.cosine / (x.cosine + math::sqrt(square(x.width) * sin2 + square(x.cosine)));
   }
 };
 template <class T>
@@ -112,45 +112,46 @@ T g1_schlick(const T& k, const T& c) {
 }
 struct g1_schlick_half {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return g1_schlick(T(0.5) * x[1], x[0]);
+  T operator()(const CosineRow<T>& x) const {
+    return g1_schlick(T(0.5) * x.width, x.cosine);
   }
 };
 struct g1_schlick_analytic {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return g1_schlick(T(0.125) * square(math::sqrt(x[1]) + T(1)), x[0]);
+  T operator()(const CosineRow<T>& x) const {
+    return g1_schlick(T(0.125) * square(math::sqrt(x.width) + T(1)), x.cosine);
   }
 };
 // The thesis's equation, with alpha where the listing has roughness.
 struct g1_schlick_printed {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return g1_schlick(T(0.125) * square(x[1] + T(1)), x[0]);
+  T operator()(const CosineRow<T>& x) const {
+    return g1_schlick(T(0.125) * square(x.width + T(1)), x.cosine);
   }
 };
 struct g1_smith_beckmann {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T sine = math::sqrt((T(1) - x[0]) * (T(1) + x[0]));
-    return x[0] / (x[0] + cos_lambda_beckmann(Roughness<T>{x[1], x[1]}, Vec3<T>{sine, T(0), x[0]}));
+  T operator()(const CosineRow<T>& x) const {
+    const T sine = math::sqrt((T(1) - x.cosine) * (T(1) + x.cosine));
+    return x.cosine /
+           (x.cosine + cos_lambda_beckmann(Roughness<T>{x.width, x.width}, Vec3<T>{sine, T(0), x.cosine}));
   }
 };
 struct g1_rational_beckmann {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T sine = math::sqrt((T(1) - x[0]) * (T(1) + x[0]));
-    return rational_g1(inverse_scaled_tangent(Roughness<T>{x[1], x[1]}, Vec3<T>{sine, T(0), x[0]}));
+  T operator()(const CosineRow<T>& x) const {
+    const T sine = math::sqrt((T(1) - x.cosine) * (T(1) + x.cosine));
+    return rational_g1(inverse_scaled_tangent(Roughness<T>{x.width, x.width}, Vec3<T>{sine, T(0), x.cosine}));
   }
 };
 
-// V as a kernel. Row: wi, wo, alpha.
+// V as a kernel.
 template <class V>
 struct visibility {
   V v;
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const Fraction<T> f = v(Roughness<T>{x[6], x[6]}, geometry_of(x));
+  T operator()(const DirectionRow<T>& x) const {
+    const Fraction<T> f = v(Roughness<T>{x.width, x.width}, geometry_of(x));
     return f.num / f.den;
   }
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kShown = 10;  // rows for people
 
-std::string name_of(const LedgerRow& row) {
+std::string row_name(const LedgerRow& row) {
   return row.question + ": " + row.choice;
 }
 
@@ -34,14 +34,14 @@ Comparison compare(const Ledger& before, const Ledger& after) {
   for (const LedgerRow& row : before.rows) {
     const LedgerRow* const other = after.find(row.question, row.choice);
     if (!other)
-      c.missing.push_back(name_of(row));
+      c.missing.push_back(row_name(row));
     else if (std::min(row.cost.seconds, other->cost.seconds) < kLeastCompared)
       ++c.shorter;
     else
       c.compared.push_back({row.question, row.choice, row.unit, row.cost_ratio, other->cost_ratio});
   }
   for (const LedgerRow& row : after.rows)
-    if (!before.find(row.question, row.choice)) c.missing.push_back(name_of(row));
+    if (!before.find(row.question, row.choice)) c.missing.push_back(row_name(row));
   std::stable_sort(c.compared.begin(), c.compared.end(),
                    [](const CostPair& a, const CostPair& b) { return a.difference() > b.difference(); });
   return c;
@@ -52,7 +52,7 @@ io::Json to_json(const Comparison& c) {
   for (const CostPair& pair : c.compared)
     rows.push_back({{"question", pair.question},
                     {"choice", pair.choice},
-                    {"unit", kUnitNames[std::size_t(pair.unit)]},
+                    {"unit", name_of(pair.unit)},
                     {"before", pair.before},
                     {"after", pair.after},
                     {"difference", pair.difference()}});
@@ -75,7 +75,7 @@ std::string to_terminal(const Comparison& c) {
                   pair.choice.c_str(), pair.before, pair.after, 100 * pair.difference());
     text += line;
   }
-  for (std::size_t unit = 0; unit < kUnitNames.size(); ++unit) {
+  for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit) {
     std::size_t rows = 0, apart = 0;
     for (const CostPair& pair : c.compared)
       if (pair.unit == Unit(unit)) {
@@ -84,7 +84,7 @@ std::string to_terminal(const Comparison& c) {
       }
     if (rows == 0) continue;
     std::snprintf(line, sizeof line, "%s: %zu of %zu rows above 1 ns agree in cost ratio within %.0f %%\n",
-                  kUnitNames[unit], rows - apart, rows, 100 * kLargestDifference);
+                  std::string(kNames<Unit>[unit]).c_str(), rows - apart, rows, 100 * kLargestDifference);
     text += line;
   }
   std::snprintf(line, sizeof line, "%zu rows below 1 ns are not compared; %zu are in one ledger only\n",

@@ -7,17 +7,29 @@
 #include <string>
 #include <vector>
 
+#include "brdf/names.h"
 #include "io/json.h"
 
 namespace brdf::trade {
 
 // What a row's cost is paid for.
 enum class Unit { evaluation, albedo, fit, frame };
-inline constexpr std::array kUnitNames{"a BRDF evaluation", "an albedo", "a fit", "a frame"};
 
 // absolute: |a - e|; relative: |a - e|/|e|; of_peak: |a - e| over the exact value's maximum over the lobe.
 enum class Measure { absolute, relative, of_peak };
-inline constexpr std::array kMeasureNames{"absolute", "relative", "of the peak"};
+
+}  // namespace brdf::trade
+
+namespace brdf {
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<trade::Unit>{"a BRDF evaluation", "an albedo",
+                                                                     "a fit", "a frame"};
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<trade::Measure>{"absolute", "relative",
+                                                                        "of the peak"};
+}  // namespace brdf
+
+namespace brdf::trade {
 
 struct Error {
   double max = 0, mean = 0, p99 = 0;
@@ -83,6 +95,8 @@ io::Json to_json(const Ledger& ledger);
 Ledger ledger_from_json(const io::JsonPlace& place);
 void write_ledger(const std::filesystem::path& path, const Ledger& ledger);
 Ledger read_ledger(const std::filesystem::path& path);
+// The same, but nothing for a ledger of another version.
+std::optional<Ledger> read_current_ledger(const std::filesystem::path& path);
 
 // One line per row, header first; texts are quoted.
 std::string to_csv(const Ledger& ledger);

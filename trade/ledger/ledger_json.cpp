@@ -10,12 +10,10 @@ namespace {
 using io::Json;
 using io::JsonPlace;
 
-template <std::size_t N>
-std::size_t index_of(const std::array<const char*, N>& names, const JsonPlace& place) {
-  const std::string text = place.text();
-  for (std::size_t k = 0; k < N; ++k)
-    if (text == names[k]) return k;
-  place.fail("is not one of the known names");
+template <class Enum>
+Enum named(const JsonPlace& place) {
+  if (const auto found = find_named<Enum>(place.text())) return *found;
+  place.fail("is not one of the known names: " + known_names<Enum>());
 }
 
 Json row_json(const LedgerRow& row) {
@@ -24,7 +22,7 @@ Json row_json(const LedgerRow& row) {
   return {{"question", row.question},
           {"choice", row.choice},
           {"exact", row.exact},
-          {"unit", kUnitNames[std::size_t(row.unit)]},
+          {"unit", name_of(row.unit)},
           {"cost_ratio", row.cost_ratio},
           {"cost_ratio_spread", row.cost.ratio_spread},
           {"cost_ns", row.cost.seconds * 1e9},
@@ -34,7 +32,7 @@ Json row_json(const LedgerRow& row) {
            {{"max", row.error.max},
             {"mean", row.error.mean},
             {"p99", row.error.p99},
-            {"measure", kMeasureNames[std::size_t(row.error.measure)]},
+            {"measure", name_of(row.error.measure)},
             {"of", row.quantity},
             {"where", row.error.where}}},
           {"image_error", row.image_error ? Json(*row.image_error) : Json(nullptr)},
@@ -49,13 +47,13 @@ LedgerRow row_from(const JsonPlace& place) {
   row.question = place.at("question").text();
   row.choice = place.at("choice").text();
   row.exact = place.at("exact").text();
-  row.unit = Unit(index_of(kUnitNames, place.at("unit")));
+  row.unit = named<Unit>(place.at("unit"));
   row.cost_ratio = place.at("cost_ratio").number();
   row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(),
               int(place.at("rounds").number()), place.at("cost_ratio_spread").number()};
   const JsonPlace error = place.at("error");
   row.error = {error.at("max").number(), error.at("mean").number(), error.at("p99").number(),
-               Measure(index_of(kMeasureNames, error.at("measure"))), error.at("where").text()};
+               named<Measure>(error.at("measure")), error.at("where").text()};
   row.quantity = error.at("of").text();
   if (!place.at("image_error").value().is_null()) row.image_error = place.at("image_error").number();
   row.domain = place.at("domain").text();
@@ -88,17 +86,22 @@ Json fronts_json(const Ledger& ledger) {
     Json choices = Json::array();
     for (const LedgerRow* row : front) choices.push_back(row->choice);
     if (!front.empty())
-      fronts.push_back({{"unit", kUnitNames[std::size_t(front[0]->unit)]},
-                        {"question", question},
-                        {"choices", std::move(choices)}});
+      fronts.push_back(
+          {{"unit", name_of(front[0]->unit)}, {"question", question}, {"choices", std::move(choices)}});
   }
   return fronts;
 }
 
-std::string quoted(const std::string& text) {
+std::string csv_text(std::string_view text) {
   std::string out = "\"";
   for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
+}
+
+bool is_current(const JsonPlace& place) {
+  if (!place.value().is_object() || !place.has("format") || place.at("format").text() != "brdf-ledger")
+    place.fail("is not a ledger (\"format\": \"brdf-ledger\"), as `brdf trade` writes it");
+  return place.at("version").number() == 1;
 }
 
 }  // namespace
@@ -123,9 +126,7 @@ Json to_json(const Ledger& ledger) {
 }
 
 Ledger ledger_from_json(const JsonPlace& place) {
-  if (!place.value().is_object() || !place.has("format") || place.at("format").text() != "brdf-ledger")
-    place.fail("is not a ledger (\"format\": \"brdf-ledger\"), as `brdf trade` writes it");
-  if (place.at("version").number() != 1) place.at("version").fail("must be 1");
+  if (!is_current(place)) place.at("version").fail("must be 1");
   Ledger ledger;
   ledger.quick = place.at("quick").value().is_boolean() && place.at("quick").value().get<bool>();
   const JsonPlace machine = place.at("machine");
@@ -152,19 +153,25 @@ Ledger read_ledger(const std::filesystem::path& path) {
   return ledger_from_json(JsonPlace(json, path.string()));
 }
 
+std::optional<Ledger> read_current_ledger(const std::filesystem::path& path) {
+  const Json json = io::read_json(path);
+  const JsonPlace place(json, path.string());
+  return is_current(place) ? std::optional(ledger_from_json(place)) : std::nullopt;
+}
+
 std::string to_csv(const Ledger& ledger) {
   std::string text =
       "unit,question,choice,exact,cost_ns,cost_ratio,cost_spread,error_max,error_mean,error_p99,measure,of,"
       "where,image_error,domain,dominated_by\n";
   for (const LedgerRow& r : ledger.rows) {
-    text += quoted(kUnitNames[std::size_t(r.unit)]) + "," + quoted(r.question) + "," + quoted(r.choice) +
-            "," + quoted(r.exact);
+    text += csv_text(name_of(r.unit)) + "," + csv_text(r.question) + "," + csv_text(r.choice) + "," +
+            csv_text(r.exact);
     for (double x :
          {r.cost.seconds * 1e9, r.cost_ratio, r.cost.spread, r.error.max, r.error.mean, r.error.p99})
       text += "," + io::to_text(x);
-    text += "," + quoted(kMeasureNames[std::size_t(r.error.measure)]) + "," + quoted(r.quantity) + "," +
-            quoted(r.error.where) + "," + (r.image_error ? io::to_text(*r.image_error) : "") + "," +
-            quoted(r.domain) + "," + quoted(r.dominated_by) + "\n";
+    text += "," + csv_text(name_of(r.error.measure)) + "," + csv_text(r.quantity) + "," +
+            csv_text(r.error.where) + "," + (r.image_error ? io::to_text(*r.image_error) : "") + "," +
+            csv_text(r.domain) + "," + csv_text(r.dominated_by) + "\n";
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/html_report.h"
+#include "io/numbers.h"
 
 namespace brdf::trade {
 namespace {
@@ -10,9 +11,7 @@ namespace {
 constexpr double kLeastShown = 1e-17;  // a logarithmic axis has no 0
 
 std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
+  return io::short_number(x, 3);
 }
 
 std::vector<std::string> questions_of(const Ledger& ledger, Unit unit) {
@@ -35,7 +34,7 @@ io::Plot front_plot(const std::string& question, const std::vector<const LedgerR
   const LedgerRow& first = *rows.front();
   io::Plot plot{question,
                 "cost relative to " + first.exact,
-                "mean error (" + std::string(kMeasureNames[std::size_t(first.error.measure)]) + ")",
+                "mean error (" + std::string(name_of(first.error.measure)) + ")",
                 {},
                 true,
                 true};
@@ -71,7 +70,7 @@ void add_question(io::HtmlReport& report, const std::string& question,
     cells.push_back({{row->choice, row->dominated_by.empty() ? io::Mark::good : io::Mark::none},
                      {number(row->cost.seconds * 1e9)},
                      {number(row->cost_ratio)},
-                     {number(100 * row->cost.spread) + " %"},
+                     {io::percent(row->cost.spread)},
                      {number(row->error.max)},
                      {number(row->error.mean)},
                      {number(row->error.p99)},
@@ -117,10 +116,10 @@ std::string to_html(const Ledger& ledger) {
       cells.push_back({{c.source}, {c.claim}, {c.verdict}, {c.evidence}, {c.question + ": " + c.choice}});
     report.table({"source", "claim", "verdict", "evidence", "row"}, cells);
   }
-  for (std::size_t unit = 0; unit < kUnitNames.size(); ++unit) {
+  for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit) {
     const std::vector<std::string> questions = questions_of(ledger, Unit(unit));
     if (questions.empty()) continue;
-    report.heading(std::string("The price of ") + kUnitNames[unit]);
+    report.heading("The price of " + std::string(kNames<Unit>[unit]));
     for (const std::string& question : questions) add_question(report, question, rows_of(ledger, question));
   }
   add_extremes(report, ledger);

@@ -1,31 +1,26 @@
 // A choice as a batched function: the same loop, vectorised alike, for the exact and the fast path.
 #pragma once
 
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <vector>
+
+#include "brdf/clones.h"
+#include "trade/measure/rows.h"
 
 namespace brdf::trade {
 
-// What a kernel may read of one point: a row of at most nine numbers, whose meaning the question states.
-inline constexpr std::size_t kInputs = 9;
+// Columns as a kernel reads them.
 template <class T>
-using Row = std::array<T, kInputs>;
-
-// Points as structure of arrays: columns[input][point].
-template <class T>
-using Columns = std::array<std::vector<T>, kInputs>;
-
-// The same as a kernel reads it.
-template <class T>
-using Inputs = std::array<const T*, kInputs>;
+using Inputs = std::vector<const T*>;
 template <class T>
 Inputs<T> pointers(const Columns<T>& columns) {
   Inputs<T> in;
-  for (std::size_t k = 0; k < kInputs; ++k) in[k] = columns[k].data();
+  for (const std::vector<T>& column : columns) in.push_back(column.data());
   return in;
 }
 
@@ -56,59 +51,79 @@ class Slab {
   std::vector<std::byte> bytes_;
 };
 
-// GCC's per-processor clones; clang has none that allow flattening and is correct, but slower, there, and the
-// address sanitizer cannot resolve them.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define BRDF_TRADE_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
-#else
-#define BRDF_TRADE_CLONES
-#endif
-
-// `kernel(row)` for every point. K is a small object: constants, or a view of a table.
-template <class K, class T>
-BRDF_TRADE_CLONES void evaluate(const K& kernel, const T* const* in, T* __restrict out, std::size_t count) {
-  const T* const x0 = in[0];
-  const T* const x1 = in[1];
-  const T* const x2 = in[2];
-  const T* const x3 = in[3];
-  const T* const x4 = in[4];
-  const T* const x5 = in[5];
-  const T* const x6 = in[6];
-  const T* const x7 = in[7];
-  const T* const x8 = in[8];
-  for (std::size_t k = 0; k < count; ++k)
-    out[k] = kernel(Row<T>{x0[k], x1[k], x2[k], x3[k], x4[k], x5[k], x6[k], x7[k], x8[k]});
-}
-
 // A kernel in both precisions, type erased.
 struct Kernel {
   std::function<void(const Inputs<double>&, std::span<double>)> in_double;
   std::function<void(const Inputs<float>&, std::span<float>)> in_float;
+  explicit operator bool() const { return bool(in_double); }
 };
 
+// The kind of row that a function reads.
+template <template <class> class R>
+struct RowKind {};
+template <class K, template <class> class R>
+concept Reads = std::invocable<const K&, const R<double>&>;
 template <class K>
-Kernel kernel(K k) {
-  const auto shared = std::make_shared<const K>(std::move(k));
-  return {[shared](const Inputs<double>& in, std::span<double> out) {
-            evaluate(*shared, in.data(), out.data(), out.size());
-          },
-          [shared](const Inputs<float>& in, std::span<float> out) {
-            evaluate(*shared, in.data(), out.data(), out.size());
-          }};
+constexpr auto row_of() {
+  if constexpr (Reads<K, DirectionRow>)
+    return RowKind<DirectionRow>{};
+  else if constexpr (Reads<K, CosineRow>)
+    return RowKind<CosineRow>{};
+  else if constexpr (Reads<K, FresnelRow>)
+    return RowKind<FresnelRow>{};
+  else if constexpr (Reads<K, AngleRow>)
+    return RowKind<AngleRow>{};
+  else
+    return RowKind<ArgumentRow>{};
 }
 
-// A function of one point that is too dear, or too branched, for a vectorised loop.
-inline Kernel scalar_kernel(std::function<double(const Row<double>&)> f) {
-  const auto shared = std::make_shared<const std::function<double(const Row<double>&)>>(std::move(f));
-  const auto run = [shared](const auto& in, auto out) {
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      Row<double> row;
-      for (std::size_t c = 0; c < kInputs; ++c) row[c] = double(in[c][k]);
-      using T = std::remove_cvref_t<decltype(out[k])>;
-      out[k] = T((*shared)(row));
-    }
+namespace detail {
+
+// The columns of a kind of row.
+template <template <class> class R, class T>
+std::array<const T*, kFields<R>> columns_of(const Inputs<T>& in) {
+  if (in.size() != kFields<R>) throw std::logic_error("a kernel is given another question's points");
+  std::array<const T*, kFields<R>> columns{};
+  std::copy(in.begin(), in.end(), columns.begin());
+  return columns;
+}
+
+template <class K, template <class> class R>
+Kernel batched(K kernel, RowKind<R>) {
+  const auto run = [kernel]<class T>(const Inputs<T>& in, std::span<T> out) {
+    const auto body = [kernel, columns = columns_of<R, T>(in), to = out.data()](std::size_t i) {
+      to[i] = kernel(row_from<R, T>([&](std::size_t k) { return columns[k][i]; }));
+    };
+    repeat(body, out.size());
   };
-  return {run, run};
+  return {[run](const Inputs<double>& in, std::span<double> out) { run(in, out); },
+          [run](const Inputs<float>& in, std::span<float> out) { run(in, out); }};
+}
+
+template <class F, template <class> class R>
+Kernel point_by_point(F f, RowKind<R>) {
+  const auto run = [f]<class T>(const Inputs<T>& in, std::span<T> out) {
+    const auto columns = columns_of<R, T>(in);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = T(f(row_from<R, double>([&](std::size_t k) { return double(columns[k][i]); })));
+  };
+  return {[run](const Inputs<double>& in, std::span<double> out) { run(in, out); },
+          [run](const Inputs<float>& in, std::span<float> out) { run(in, out); }};
+}
+
+}  // namespace detail
+
+// `k(row)` for every point, in the loop that the library's batches run in. K is a small object: constants, or
+// a view of a table.
+template <class K>
+Kernel kernel(K k) {
+  return detail::batched(std::move(k), row_of<K>());
+}
+
+// A function of one row in double that is too dear, or too branched, for a vectorised loop.
+template <class F>
+Kernel scalar_kernel(F f) {
+  return detail::point_by_point(std::move(f), row_of<F>());
 }
 
 }  // namespace brdf::trade

@@ -6,19 +6,24 @@
 namespace brdf::trade {
 namespace {
 
-std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, std::size_t count,
-                              Precision precision) {
+std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, Precision precision) {
+  const std::size_t count = count_of(in);
   std::vector<double> out(count);
   if (precision == Precision::double_) {
     kernel.in_double(pointers(in), out);
     return out;
   }
   Columns<float> narrow;
-  for (std::size_t k = 0; k < kInputs; ++k) narrow[k].assign(in[k].begin(), in[k].end());
+  for (const std::vector<double>& column : in) narrow.emplace_back(column.begin(), column.end());
   std::vector<float> result(count);
   kernel.in_float(pointers(narrow), result);
   std::copy(result.begin(), result.end(), out.begin());
   return out;
+}
+
+Values values_of(const Kernel& kernel, Precision precision) {
+  if (!kernel) return {};
+  return [&kernel, precision](const Columns<double>& in) { return values_of(kernel, in, precision); };
 }
 
 // The first points of the domain, again and again until there are enough, in one precision.
@@ -27,9 +32,10 @@ struct TimedRun {
   Slab<T> slab;
   Inputs<T> in;
   std::span<T> out;
-  TimedRun(const Points& points, std::size_t count) : slab(kInputs, count), out(slab.output(), count) {
-    for (std::size_t k = 0; k < kInputs; ++k) {
-      in[k] = slab.column(k);
+  TimedRun(const Points& points, std::size_t count)
+      : slab(points.columns.size(), count), out(slab.output(), count) {
+    for (std::size_t k = 0; k < points.columns.size(); ++k) {
+      in.push_back(slab.column(k));
       for (std::size_t n = 0; n < count; ++n) slab.column(k)[n] = T(points.columns[k][n % points.count()]);
     }
   }
@@ -62,7 +68,7 @@ std::vector<timing::Timing> costs_of(const Question& question, const Points& eve
 }
 
 const Kernel& judged_by(const Choice& choice) {
-  return choice.judged.in_double ? choice.judged : choice.kernel;
+  return choice.judged ? choice.judged : choice.kernel;
 }
 
 double largest(std::span<const double> values) {
@@ -101,7 +107,7 @@ double image_error(std::span<const double> f, std::span<const double> exact, con
   for (std::size_t k = 0; k < picture.count();) {
     double l = 0, l_exact = 0;
     for (const std::size_t pixel = picture.pixel[k]; k < picture.count() && picture.pixel[k] == pixel; ++k) {
-      const double w = picture.weight[k] * picture.columns[2][k];
+      const double w = picture.weight[k] * row_at<DirectionRow>(picture.columns, k).wi.z;
       l += w * f[k];
       l_exact += w * exact[k];
     }
@@ -120,43 +126,54 @@ PicturePoints thinned(const PicturePoints& picture, std::size_t count) {
   const std::size_t step = std::max<std::size_t>(1, picture.count() / count);
   PicturePoints fewer;
   for (std::size_t k = step / 2; k < picture.count(); k += step) {
-    for (std::size_t c = 0; c < kInputs; ++c) fewer.columns[c].push_back(picture.columns[c][k]);
+    append(fewer.columns, fields_of(row_at<DirectionRow>(picture.columns, k)));
     fewer.weight.push_back(picture.weight[k]);
     fewer.pixel.push_back(picture.pixel[k]);
   }
   return fewer;
 }
 
+Yardstick::Yardstick(ErrorDomains domains, const Values& exact, const PicturePoints* picture,
+                     const Values& exact_picture)
+    : domains_(std::move(domains)),
+      everyday_(place(domains_.everyday, domains_.points, exact)),
+      picture_(exact_picture ? picture : nullptr) {
+  for (const Domain& extreme : domains_.extremes)
+    extremes_.push_back(place(extreme, domains_.extreme_points, exact));
+  if (picture_) exact_picture_ = exact_picture(picture_->columns);
+}
+
+Yardstick::Place Yardstick::place(const Domain& domain, std::size_t count, const Values& exact) const {
+  Points points = sample(domain, count);
+  std::vector<double> values = exact(points.columns);
+  return {domain, std::move(points), std::move(values)};
+}
+
+Error Yardstick::error(const Place& place, const Values& values) const {
+  return error_of(values ? values(place.points.columns) : place.exact, place.exact, domains_.measure,
+                  domains_.floor, place.domain, place.points);
+}
+
+void Yardstick::judge(LedgerRow& row, const Values& values, const Values& in_picture) const {
+  row.domain = describe(everyday_.domain);
+  row.error = error(everyday_, values);
+  for (const Place& extreme : extremes_)
+    row.extremes.push_back({describe(extreme.domain), error(extreme, values).max});
+  if (picture_ && in_picture)
+    row.image_error = image_error(in_picture(picture_->columns), exact_picture_, *picture_);
+}
+
 std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& options) {
   const std::size_t count = question.points ? std::min(question.points, options.points) : options.points;
-  const Points points = sample(question.everyday, count);
   const Choice& exact = question.choices.front();
-  const auto reference_of = [&](const Points& p) {
-    return values_of(question.reference.in_double ? question.reference : judged_by(exact), p.columns,
-                     p.count(), Precision::double_);
-  };
-  const std::vector<double> reference = reference_of(points);
-  const std::vector<timing::Timing> costs = costs_of(question, points, options);
-  options.tick();
-
   PicturePoints fewer;
   if (options.picture && question.pixels) fewer = thinned(*options.picture, question.pixels);
-  const PicturePoints* const picture = question.pixels ? &fewer : options.picture;
-  std::vector<double> exact_picture;
-  if (picture && exact.picture.in_double)
-    exact_picture = values_of(exact.picture, picture->columns, picture->count(), Precision::double_);
-
-  struct Extremity {
-    const Domain* domain;
-    Points points;
-    std::vector<double> reference;
-  };
-  std::vector<Extremity> extremities;
-  for (const Domain& extreme : question.extremes) {
-    Points there = sample(extreme, count / 4);
-    std::vector<double> values = reference_of(there);
-    extremities.push_back({&extreme, std::move(there), std::move(values)});
-  }
+  const Yardstick yardstick(
+      {question.everyday, question.extremes, count, count / 4, question.measure, question.floor},
+      values_of(question.reference ? question.reference : judged_by(exact), Precision::double_),
+      options.picture && question.pixels ? &fewer : options.picture,
+      values_of(exact.picture, Precision::double_));
+  const std::vector<timing::Timing> costs = costs_of(question, yardstick.points(), options);
 
   std::vector<LedgerRow> rows;
   for (std::size_t k = 0; k < question.choices.size(); ++k) {
@@ -166,30 +183,16 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
     row.choice = choice.name;
     row.exact = exact.name;
     row.unit = question.unit;
+    row.quantity = question.quantity;
+    row.note = choice.note;
     set_cost(row, costs[k], double(question.timed_points));
     // An exact choice without a better reference is the reference: no need to evaluate it again.
-    const bool is_reference = k == 0 && !question.reference.in_double && choice.error == Precision::double_;
-    const auto values_on = [&](const Points& p, const std::vector<double>& known) {
-      return is_reference ? known : values_of(judged_by(choice), p.columns, p.count(), choice.error);
-    };
-    row.error = error_of(values_on(points, reference), reference, question.measure, question.floor,
-                         question.everyday, points);
-    row.quantity = question.quantity;
-    row.domain = describe(question.everyday);
-    row.note = choice.note;
-    if (!exact_picture.empty() && choice.picture.in_double)
-      row.image_error =
-          image_error(values_of(choice.picture, picture->columns, picture->count(), choice.error),
-                      exact_picture, *picture);
-    for (const Extremity& e : extremities)
-      row.extremes.push_back(
-          {describe(*e.domain), error_of(values_on(e.points, e.reference), e.reference, question.measure,
-                                         question.floor, *e.domain, e.points)
-                                    .max});
+    const bool is_reference = k == 0 && !question.reference && choice.error == Precision::double_;
+    yardstick.judge(row, is_reference ? Values{} : values_of(judged_by(choice), choice.error),
+                    values_of(choice.picture, choice.error));
     rows.push_back(std::move(row));
   }
   mark_dominated(rows);
-  options.tick();
   return rows;
 }
 

@@ -43,10 +43,10 @@ struct Question {
   std::size_t pixels = 0;           // of the picture, evenly spread; 0: all
 };
 
-// Directions of the lit pixels of a picture, one row per pixel and light, with irradiance times cosine left
-// to the choice: weight is the light's irradiance.
+// Directions of the lit pixels of a picture, one DirectionRow per pixel and light, with irradiance times
+// cosine left to the choice: weight is the light's irradiance.
 struct PicturePoints {
-  Columns<double> columns;  // wi, wo
+  Columns<double> columns;
   std::vector<double> weight;
   std::vector<std::size_t> pixel;  // ascending
   std::size_t count() const { return weight.size(); }
@@ -56,7 +56,6 @@ struct MeasureOptions {
   std::size_t points = 16384;
   int rounds = 31;
   const PicturePoints* picture = nullptr;
-  std::function<void()> tick = [] {};  // progress, called a few times per question
 };
 
 // What an infinite or undefined value counts as: a ledger holds finite numbers.
@@ -68,6 +67,43 @@ Error error_of(std::span<const double> values, std::span<const double> reference
 
 // sum over pixels of |L - L_exact| / sum of L_exact, L = sum over lights of weight f_r cos_i.
 double image_error(std::span<const double> f, std::span<const double> exact, const PicturePoints& picture);
+
+// What errors are of, at the rows of columns.
+using Values = std::function<std::vector<double>(const Columns<double>&)>;
+
+// Where and how errors are measured.
+struct ErrorDomains {
+  Domain everyday;
+  std::vector<Domain> extremes;
+  std::size_t points, extreme_points;
+  Measure measure = Measure::relative;
+  double floor = 0;
+};
+
+// The exact values that choices are judged by.
+class Yardstick {
+ public:
+  // Without a picture, or what is exact in it, there are no image errors.
+  Yardstick(ErrorDomains domains, const Values& exact, const PicturePoints* picture,
+            const Values& exact_picture);
+  // Sets the row's errors and domains. Without values: those of the exact values themselves.
+  void judge(LedgerRow& row, const Values& values, const Values& in_picture) const;
+  const Points& points() const { return everyday_.points; }
+
+ private:
+  struct Place {
+    Domain domain;
+    Points points;
+    std::vector<double> exact;
+  };
+  Place place(const Domain& domain, std::size_t count, const Values& exact) const;
+  Error error(const Place& place, const Values& values) const;
+  ErrorDomains domains_;
+  Place everyday_;
+  std::vector<Place> extremes_;
+  const PicturePoints* picture_;
+  std::vector<double> exact_picture_;
+};
 
 // Cost and cost ratio of a call that does `units` of the row's unit, timed among the row's question.
 void set_cost(LedgerRow& row, const timing::Timing& timing, double units);

@@ -22,9 +22,9 @@ AlbedoPair integrated(double cosine, double alpha, const AlbedoOptions& options)
 Kernel exact_albedo(double tolerance) {
   AlbedoOptions options;
   options.tolerance = tolerance;
-  return scalar_kernel([options](const Row<double>& x) {
-    const AlbedoPair e = integrated(x[0], x[1], options);
-    return x[2] * e.a + (1 - x[2]) * e.b;
+  return scalar_kernel([options](const CosineRow<double>& x) {
+    const AlbedoPair e = integrated(x.cosine, x.width, options);
+    return x.f0 * e.a + (1 - x.f0) * e.b;
   });
 }
 
@@ -46,9 +46,8 @@ struct under_uniform_light {
   K albedo;
   double f0;
   template <class T>
-  T operator()(const Row<T>& x) const {
-    Row<T> row{x[5], T(0.3), T(f0)};
-    return albedo(row) / at_least(x[2], T(1e-3));
+  T operator()(const DirectionRow<T>& x) const {
+    return albedo(CosineRow<T>{x.wo.z, T(0.3), T(f0)}) / at_least(x.wi.z, T(1e-3));
   }
 };
 template <class K>
@@ -57,9 +56,9 @@ Choice albedo_choice(std::string name, const K& k, std::string note, double f0) 
 }
 Choice integral_choice(double f0) {
   return {"integrated to 1e-6", exact_albedo(1e-6), "pole-adapted quadrature with error control",
-          scalar_kernel([f0](const Row<double>& x) {
-            const AlbedoPair e = integrated(x[5], 0.3, {});
-            return (f0 * e.a + (1 - f0) * e.b) / std::max(x[2], 1e-3);
+          scalar_kernel([f0](const DirectionRow<double>& x) {
+            const AlbedoPair e = integrated(x.wo.z, 0.3, {});
+            return (f0 * e.a + (1 - f0) * e.b) / std::max(x.wi.z, 1e-3);
           })};
 }
 // The approximations without a table of ours.
@@ -76,8 +75,10 @@ void add_published(Question& q, double f0) {
 
 Question albedo_question() {
   const auto domain = [](double least_cos, double most_cos, double least_alpha, double most_alpha) {
-    return Domain{
-        {{"cos", least_cos, most_cos}, {"alpha", least_alpha, most_alpha, true}, {"f0", 0, 1}}, {}, ""};
+    return make_domain({{"cos", least_cos, most_cos}, {"alpha", least_alpha, most_alpha, true}, {"f0", 0, 1}},
+                       [](std::span<const double> at) {
+                         return CosineRow<double>{at[0], at[1], at[2]};
+                       });
   };
   Question q{"albedo of GGX",
              "directional albedo",
@@ -101,13 +102,14 @@ Question albedo_question() {
 // The same against a published grid: the nodes of a production path tracer's 32 x 32 table, F = 1.
 Question table_nodes_question() {
   const auto nodes = [](double cosines, double widths) {
-    return Domain{{{"31 cos", 0, cosines}, {"31 roughness", 0, widths}},
-                  [](std::span<const double> at, Row<double>& row) {
-                    const double cosine = std::floor(at[0]) / 31, roughness = std::floor(at[1]) / 31;
-                    row = {cosine, std::max(roughness * roughness, 1e-4), 1};
-                    return at[0] < 32 && at[1] < 32;
-                  },
-                  "whole numbers up to 31; f0 1"};
+    return make_domain(
+        {{"31 cos", 0, cosines}, {"31 roughness", 0, widths}},
+        [](std::span<const double> at) {
+          const double cosine = std::floor(at[0]) / 31, roughness = std::floor(at[1]) / 31;
+          const CosineRow<double> row{cosine, std::max(roughness * roughness, 1e-4), 1};
+          return at[0] < 32 && at[1] < 32 ? std::optional(row) : std::nullopt;
+        },
+        "whole numbers up to 31; f0 1");
   };
   Question q{"albedo of GGX at a table's nodes",
              "directional albedo, F = 1",

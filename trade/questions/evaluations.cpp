@@ -1,9 +1,10 @@
 #include "trade/questions/evaluations.h"
 
-#include <list>
+#include <memory>
 
-#include "brdf/forms.h"
 #include "render/proof/shader_proof.h"
+#include "trade/questions/materials.h"
+#include "trade/questions/names.h"
 
 namespace brdf::trade {
 namespace {
@@ -18,62 +19,63 @@ std::vector<T> defaults(std::span<const ParameterInfo> table) {
   return values;
 }
 
-// One form at its defaults over given directions, in one of the ways.
-class Way {
- public:
-  virtual ~Way() = default;
-  virtual void run() = 0;
-  virtual std::vector<double> values() const = 0;
-};
+// Pairs of directions, again and again until there are `count`.
+DirectionRow<double> repeated(const Columns<double>& in, std::size_t k) {
+  return row_at<DirectionRow>(in, k % count_of(in));
+}
 
-class PairByPair : public Way {
- public:
-  PairByPair(const Reflectance& form, const Columns<double>& in, std::size_t count)
-      : material_(make_material(form, {"fr"})), directions_(count), out_(count) {
+// A form at its defaults over given directions, run in one of the ways.
+struct Run {
+  std::function<void()> run;
+  std::function<std::vector<double>()> values;
+};
+using MakeRun = std::function<Run(const Columns<double>& in, std::size_t count)>;
+
+MakeRun pair_by_pair(const Reflectance& form) {
+  struct State {
+    Material material;
+    DirectionArrays<double> directions;
+    std::vector<double> out;
+  };
+  return [form](const Columns<double>& in, std::size_t count) {
+    const auto s = std::make_shared<State>(
+        State{make_material(form, {"fr"}), DirectionArrays<double>(count), std::vector<double>(count)});
     for (std::size_t k = 0; k < count; ++k) {
-      const auto at = [&](std::size_t c) { return in[c][k % in[c].size()]; };
-      directions_.set(k, {at(0), at(1), at(2)}, {at(3), at(4), at(5)});
+      const DirectionRow<double> row = repeated(in, k);
+      s->directions.set(k, row.wi, row.wo);
     }
-  }
-  void run() override {
-    const Directions<double> d = directions_.view();
-    for (std::size_t k = 0; k < out_.size(); ++k) eval(material_, d.wi(k), d.wo(k), std::span(&out_[k], 1));
-    timing::keep(out_[0]);
-  }
-  std::vector<double> values() const override { return out_; }
-
- private:
-  Material material_;
-  DirectionArrays<double> directions_;
-  std::vector<double> out_;
-};
+    const auto run = [s] {
+      const Directions<double> d = s->directions.view();
+      for (std::size_t k = 0; k < d.count; ++k) eval(s->material, d.wi(k), d.wo(k), std::span(&s->out[k], 1));
+      timing::keep(s->out[0]);
+    };
+    return Run{run, [s] { return s->out; }};
+  };
+}
 
 template <class T>
-class Batch : public Way {
- public:
-  Batch(const Reflectance& form, const Columns<double>& in, std::size_t count)
-      : form_(form),
-        weights_(defaults<T>(info(form).weights)),
-        shape_(defaults<T>(info(form).shape)),
-        slab_(6, count),
-        count_(count) {
-    for (std::size_t c = 0; c < 6; ++c)
-      for (std::size_t k = 0; k < count; ++k) slab_.column(c)[k] = T(in[c][k % in[c].size()]);
-  }
-  void run() override {
-    const auto at = [this](std::size_t c) { return slab_.column(c); };
-    form_->eval(ParameterValues<T>{weights_, weights_, shape_},
-                Directions<T>{at(0), at(1), at(2), at(3), at(4), at(5), count_}, slab_.output());
-    timing::keep(*slab_.output());
-  }
-  std::vector<double> values() const override { return {slab_.output(), slab_.output() + count_}; }
-
- private:
-  Reflectance form_;
-  std::vector<T> weights_, shape_;
-  Slab<T> slab_;
-  std::size_t count_;
-};
+MakeRun batch(const Reflectance& form) {
+  struct State {
+    Reflectance form;
+    std::vector<T> weights, shape;
+    Slab<T> slab;
+  };
+  return [form](const Columns<double>& in, std::size_t count) {
+    const auto s = std::shared_ptr<State>(
+        new State{form, defaults<T>(info(form).weights), defaults<T>(info(form).shape), Slab<T>(6, count)});
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto numbers = fields_of(repeated(in, k));
+      for (std::size_t c = 0; c < 6; ++c) s->slab.column(c)[k] = T(numbers[c]);
+    }
+    const auto run = [s, count] {
+      const auto at = [&](std::size_t c) { return s->slab.column(c); };
+      s->form->eval(ParameterValues<T>{s->weights, s->weights, s->shape},
+                    Directions<T>{at(0), at(1), at(2), at(3), at(4), at(5), count}, s->slab.output());
+      timing::keep(*s->slab.output());
+    };
+    return Run{run, [s, count] { return std::vector<double>(s->slab.output(), s->slab.output() + count); }};
+  };
+}
 
 std::vector<render::ProbeConfiguration> configurations(const Reflectance& form, const Columns<double>& in,
                                                        std::size_t count) {
@@ -83,53 +85,51 @@ std::vector<render::ProbeConfiguration> configurations(const Reflectance& form, 
   for (std::size_t k = 0; k < about.weights.size(); ++k) c.weights[k].fill(float(about.weights[k].initial));
   std::vector<render::ProbeConfiguration> all;
   for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      c.wi[axis] = float(in[axis][k % in[axis].size()]);
-      c.wo[axis] = float(in[3 + axis][k % in[axis].size()]);
-    }
+    const DirectionRow<double> row = repeated(in, k);
+    c.wi = {float(row.wi.x), float(row.wi.y), float(row.wi.z)};
+    c.wo = {float(row.wo.x), float(row.wo.y), float(row.wo.z)};
     all.push_back(c);
   }
   return all;
 }
 
-class Shader : public Way {
- public:
-  Shader(render::Device& device, const Reflectance& form, const Columns<double>& in, std::size_t count)
-      : batch_(device, form, configurations(form, in, count)) {}
-  void run() override { batch_.run(); }
-  std::vector<double> values() const override {
-    std::vector<double> first;
-    for (const render::ProbeValues& v : batch_.values()) first.push_back(double(v[0]));
-    return first;
-  }
-
- private:
-  render::ShaderBatch batch_;
-};
-
-// A way of this kind over any directions.
-using MakeWay = std::function<std::unique_ptr<Way>(const Columns<double>&, std::size_t)>;
-
-std::vector<double> values_of(const MakeWay& make, const Columns<double>& in, std::size_t count) {
-  const std::unique_ptr<Way> way = make(in, count);
-  way->run();
-  return way->values();
+MakeRun shader(render::Device& device, const Reflectance& form) {
+  return [&device, form](const Columns<double>& in, std::size_t count) {
+    const auto s = std::make_shared<render::ShaderBatch>(device, form, configurations(form, in, count));
+    const auto values = [s] {
+      std::vector<double> first;
+      for (const render::ProbeValues& v : s->values()) first.push_back(double(v[0]));
+      return first;
+    };
+    return Run{[s] { s->run(); }, values};
+  };
 }
 
-// Errors of a way against given values: everyday, extreme and in the picture.
-void set_errors(LedgerRow& row, const MakeWay& way, const MakeWay& exact, const PicturePoints* picture) {
-  const auto error = [&](const Domain& domain) {
-    const Points points = sample(domain, 4096);
-    return error_of(values_of(way, points.columns, points.count()),
-                    values_of(exact, points.columns, points.count()), Measure::relative, 0, domain, points);
+Values values_of(const MakeRun& make) {
+  return [make](const Columns<double>& in) {
+    const Run run = make(in, count_of(in));
+    run.run();
+    return run.values();
   };
-  row.quantity = "f_r";
-  row.error = error(pairs_domain(0, 80));
-  const Domain grazing = pairs_domain(85, 89.99);
-  row.extremes.push_back({describe(grazing), error(grazing).max});
-  if (picture)
-    row.image_error = image_error(values_of(way, picture->columns, picture->count()),
-                                  values_of(exact, picture->columns, picture->count()), *picture);
+}
+
+Yardstick yardstick_of(const MakeRun& exact, const PicturePoints* picture) {
+  const ErrorDomains domains{direction_domain(0, 80), {direction_domain(85, 89.99)}, 4096, 4096};
+  return {domains, values_of(exact), picture, values_of(exact)};
+}
+
+// Runs over the same directions, timed in turn; each costs per pair of directions.
+struct Timed {
+  std::string name;
+  MakeRun make;
+  std::size_t count;
+  std::string note;
+};
+std::vector<timing::Timing> times_of(const std::vector<Timed>& runs, const timing::Options& options) {
+  std::vector<std::function<void()>> calls;
+  for (const Timed& timed : runs)
+    calls.push_back(timed.make(sample(direction_domain(0, 80), timed.count).columns, timed.count).run);
+  return timing::interleaved(calls, options);
 }
 
 // On a software driver a dispatch costs the processor's time, of all its threads.
@@ -150,71 +150,51 @@ constexpr const char* kShaderNote =
 
 }  // namespace
 
-std::vector<double> values_at(const Material& material, const Columns<double>& in, std::size_t count) {
-  std::vector<double> out(count), channels(material.channels.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    eval(material, {in[0][k], in[1][k], in[2][k]}, {in[3][k], in[4][k], in[5][k]}, channels);
-    out[k] = channels[0];
-  }
-  return out;
+Values values_of(const Material& material) {
+  return [&material](const Columns<double>& in) {
+    std::vector<double> out(count_of(in)), channels(material.channels.size());
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const auto row = row_at<DirectionRow>(in, k);
+      eval(material, row.wi, row.wo, channels);
+      out[k] = channels[0];
+    }
+    return out;
+  };
 }
 
 EvaluationTimes evaluation_times(const std::vector<Reflectance>& forms, int rounds) {
-  const Points points = sample(pairs_domain(0, 80), kBatch);
-  std::list<Batch<float>> batches;
-  for (const Reflectance& form : forms) batches.emplace_back(form, points.columns, kBatch);
+  const Points points = sample(direction_domain(0, 80), kBatch);
   std::vector<std::function<void()>> calls;
-  for (Batch<float>& batch : batches) calls.push_back([&batch] { batch.run(); });
+  for (const Reflectance& form : forms) calls.push_back(batch<float>(form)(points.columns, kBatch).run);
   timing::Options options = timed_on(nullptr, rounds);
   options.least_seconds = 1e-3;  // ratios to a form of 0.05 ns
   return {timing::interleaved(calls, options), double(kBatch)};
 }
 
 std::vector<LedgerRow> batch_rows(const EvaluationOptions& options) {
-  const Reflectance form = cook_torrance{};
-  struct Kind {
-    const char* name;
-    MakeWay make;
-    std::size_t count;
-    std::string note;
-  };
-  std::vector<Kind> kinds{
-      {"a material, pair by pair",
-       [&](const Columns<double>& in, std::size_t n) { return std::make_unique<PairByPair>(form, in, n); },
-       kBatch, "eval() of a material"},
-      {"batch, double",
-       [&](const Columns<double>& in, std::size_t n) { return std::make_unique<Batch<double>>(form, in, n); },
-       kBatch, "one channel"},
-      {"batch, float",
-       [&](const Columns<double>& in, std::size_t n) { return std::make_unique<Batch<float>>(form, in, n); },
-       kBatch, "one channel"}};
+  const Reflectance form = reference_form();
+  std::vector<Timed> runs{{"a material, pair by pair", pair_by_pair(form), kBatch, "eval() of a material"},
+                          {"batch, double", batch<double>(form), kBatch, "one channel"},
+                          {"batch, float", batch<float>(form), kBatch, "one channel"}};
   if (options.device)
-    kinds.push_back({"shader on the driver",
-                     [&](const Columns<double>& in, std::size_t n) {
-                       return std::make_unique<Shader>(*options.device, form, in, n);
-                     },
-                     kShaderBatch, std::string(kShaderNote) + "; on " + options.device->name()});
-  const Domain domain = pairs_domain(0, 80);
-  const Points points = sample(domain, kBatch);
-  std::vector<std::unique_ptr<Way>> ways;
-  std::vector<std::function<void()>> calls;
-  for (const Kind& kind : kinds) {
-    ways.push_back(kind.make(points.columns, kind.count));
-    calls.push_back([way = ways.back().get()] { way->run(); });
-  }
+    runs.push_back({"shader on the driver", shader(*options.device, form), kShaderBatch,
+                    std::string(kShaderNote) + "; on " + options.device->name()});
   const std::vector<timing::Timing> timings =
-      timing::interleaved(calls, timed_on(options.device, options.quick ? 21 : 41));
+      times_of(runs, timed_on(options.device, options.quick ? 21 : 41));
+  const Yardstick yardstick = yardstick_of(runs[0].make, options.picture);
   std::vector<LedgerRow> rows;
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
+  for (std::size_t k = 0; k < runs.size(); ++k) {
     LedgerRow row;
     row.question = "one by one or in batches";
-    row.choice = kinds[k].name;
-    row.exact = kinds[0].name;
-    set_cost(row, timings[k], double(kinds[k].count));
-    row.cost_ratio *= double(kBatch) / double(kinds[k].count);
-    set_errors(row, kinds[k].make, kinds[0].make, options.picture);
-    row.domain = describe(domain) + "; cook_torrance at its defaults";
-    row.note = kinds[k].note;
+    row.choice = runs[k].name;
+    row.exact = runs[0].name;
+    row.quantity = "f_r";
+    row.note = runs[k].note;
+    set_cost(row, timings[k], double(runs[k].count));
+    row.cost_ratio *= double(kBatch) / double(runs[k].count);
+    const Values values = values_of(runs[k].make);
+    yardstick.judge(row, values, values);
+    row.domain += "; " + std::string(info(form).name) + " at its defaults";
     rows.push_back(std::move(row));
   }
   mark_dominated(rows);
@@ -222,38 +202,28 @@ std::vector<LedgerRow> batch_rows(const EvaluationOptions& options) {
 }
 
 std::vector<LedgerRow> shader_rows(const EvaluationOptions& options) {
-  std::vector<Reflectance> forms{cook_torrance{}};
+  std::vector<Reflectance> forms{reference_form()};
   for (const Reflectance& form : catalogue())
     if (info(form).canonical && form != forms[0]) forms.push_back(form);
-  const Domain domain = pairs_domain(0, 80);
-  const Points points = sample(domain, kShaderBatch);
-  std::vector<std::unique_ptr<Way>> ways;
-  std::vector<std::function<void()>> calls;
-  for (const Reflectance& form : forms) {
-    ways.push_back(std::make_unique<Shader>(*options.device, form, points.columns, kShaderBatch));
-    calls.push_back([way = ways.back().get()] { way->run(); });
-  }
+  std::vector<Timed> runs;
+  for (const Reflectance& form : forms)
+    runs.push_back({std::string(info(form).name), shader(*options.device, form), kShaderBatch,
+                    std::string(kShaderNote) + "; on " + options.device->name()});
   const std::vector<timing::Timing> timings =
-      timing::interleaved(calls, timed_on(options.device, options.quick ? 21 : 41));
+      times_of(runs, timed_on(options.device, options.quick ? 21 : 41));
   // Each is judged by the library's own float values, so none can dominate another.
   std::vector<LedgerRow> rows;
   for (std::size_t k = 0; k < forms.size(); ++k) {
     LedgerRow row;
     row.question = "a family in the shader";
-    row.choice = info(forms[k]).name;
-    row.exact = "cook_torrance";
-    set_cost(row, timings[k], double(kShaderBatch));
-    const Reflectance form = forms[k];
-    set_errors(
-        row,
-        [&](const Columns<double>& in, std::size_t n) {
-          return std::make_unique<Shader>(*options.device, form, in, n);
-        },
-        [&](const Columns<double>& in, std::size_t n) { return std::make_unique<Batch<float>>(form, in, n); },
-        options.picture);
+    row.choice = runs[k].name;
+    row.exact = runs[0].name;
     row.quantity = "f_r, shader against the library";
-    row.domain = describe(domain) + "; at the table's defaults";
-    row.note = std::string(kShaderNote) + "; on " + options.device->name();
+    row.note = runs[k].note;
+    set_cost(row, timings[k], double(kShaderBatch));
+    const Values values = values_of(runs[k].make);
+    yardstick_of(batch<float>(forms[k]), options.picture).judge(row, values, values);
+    row.domain += "; at the table's defaults";
     rows.push_back(std::move(row));
   }
   return rows;

@@ -16,8 +16,8 @@ struct EvaluationTimes {
 };
 EvaluationTimes evaluation_times(const std::vector<Reflectance>& forms, int rounds);
 
-// f_r of one channel at every point.
-std::vector<double> values_at(const Material& material, const Columns<double>& in, std::size_t count);
+// f_r of the first channel of a material, which must outlive them.
+Values values_of(const Material& material);
 
 struct EvaluationOptions {
   bool quick = false;

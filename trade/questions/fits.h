@@ -12,8 +12,7 @@ namespace brdf::trade {
 io::SampleTable sample_material(const Material& material, std::size_t rows, double noise,
                                 double most_theta = 80);
 
-// The form fitted to the table (cosine-weighted differences:
-// what a picture shows), table order of parameters.
+// The form fitted to the table, by relative differences.
 Material fitted(const Reflectance& form, const io::SampleTable& table, bool anisotropic = false);
 
 struct FitRowsOptions {

@@ -1,9 +1,11 @@
 #include "trade/questions/frames.h"
-#include "brdf/forms.h"
 
 #include <cmath>
 
+#include "io/numbers.h"
 #include "trade/questions/ball.h"
+#include "trade/questions/materials.h"
+#include "trade/questions/names.h"
 
 namespace brdf::trade {
 namespace {
@@ -17,7 +19,9 @@ Scene article(const std::string& mesh, Shading shading, bool as_coded, int size)
   scene.ambient = glm::vec3(0.25f);
   scene.lights[0].intensity = 0.75f;
   scene.objects[0].mesh = mesh;
-  for (std::size_t c = 0; c < 3; ++c) scene.objects[0].material.terms[0].weights[c][0] = 0.5 * double(c);
+  Term& term = scene.objects[0].material.terms[0];
+  const auto diffuse = std::size_t(info(term.form).weight_index(Role::diffuse));
+  for (std::size_t c = 0; c < 3; ++c) term.weights[c][diffuse] = 0.5 * double(c);
   scene.shading = shading;
   scene.as_coded = as_coded;
   return scene;
@@ -43,11 +47,11 @@ FrameQuestion shading_question(bool highlight, FrameDetail detail) {
   const int size = detail == FrameDetail::quick ? 200 : 400;
   const std::vector<int> levels =
       detail == FrameDetail::quick ? std::vector<int>{2, 3, 4} : std::vector<int>{2, 3, 4, 5, 6};
-  FrameQuestion q{highlight ? "where to shade: highlight" : "where to shade: diffuse",
+  FrameQuestion q{highlight ? names::kHighlightShading : names::kDiffuseShading,
                   "the article's sphere, " + std::to_string(size) + " pixels wide, front pixels",
                   {}};
   const auto add = [&](const char* name, int level, Shading shading, bool as_coded, bool per_vertex) {
-    Way way{std::to_string(triangles_of(level)) + " triangles, " + name,
+    Way way{names::triangles(triangles_of(level), name),
             article("icosphere:" + std::to_string(level), shading, as_coded, size),
             {}};
     way.scene.per_vertex = per_vertex;
@@ -59,11 +63,11 @@ FrameQuestion shading_question(bool highlight, FrameDetail detail) {
     if (!highlight) {
       add("vertex colours", level, Shading::vertex_color, false, false);
       add("flat", level, Shading::flat, false, false);
-      add("Gouraud", level, Shading::gouraud, false, false);
-      add("Phong as coded", level, Shading::phong, true, false);
-      add("Phong", level, Shading::phong, false, false);
+      add(names::kGouraud, level, Shading::gouraud, false, false);
+      add(names::kPhongAsCoded, level, Shading::phong, true, false);
+      add(names::kPhong, level, Shading::phong, false, false);
     } else {
-      add("highlight as coded", level, Shading::phong_blinn, true, false);
+      add(names::kHighlightAsCoded, level, Shading::phong_blinn, true, false);
       add("highlight per vertex", level, Shading::phong_blinn, false, true);
       add("highlight per pixel", level, Shading::phong_blinn, false, false);
     }
@@ -73,13 +77,13 @@ FrameQuestion shading_question(bool highlight, FrameDetail detail) {
   return q;
 }
 
-// Cook-Torrance on the ball, in a frame of 16 : 9.
+// The reference form on the ball, in a frame of 16 : 9.
 Scene frame_scene(int lights, FrameDetail detail) {
   Scene scene = material_ball(360);
   const bool quick = detail == FrameDetail::quick;
   scene.camera.width = quick ? 320 : 640;
   scene.camera.height = quick ? 180 : 360;
-  scene.objects[0].material = make_material(cook_torrance{});
+  scene.objects[0].material = make_material(reference_form());
   scene.lights.clear();
   for (int k = 0; k < lights; ++k) {
     const float turn = 2.3999632f * float(k);  // the golden angle
@@ -94,34 +98,34 @@ Scene frame_scene(int lights, FrameDetail detail) {
 std::string frame_domain(const Scene& scene) {
   return std::to_string(scene.camera.width) + " x " + std::to_string(scene.camera.height) + ", " +
          std::to_string(scene.lights.size()) + (scene.lights.size() == 1 ? " light" : " lights") +
-         ", 50,176 triangles, cook_torrance";
+         ", 50,176 triangles, " + std::string(names::kReferenceForm);
 }
 
 void narrow(Scene& scene) {
-  scene.objects[0].material.terms[0].shape[0] = {0.01, 0.01};
+  set_parameter(scene.objects[0].material, Role::width, 0.01);
 }
 const std::vector<FrameExtreme> kFrameExtremes{{"alpha 0.01", narrow},
                                                {"light from behind", light_from_behind}};
 
 FrameQuestion bits_question(double alpha, FrameDetail detail) {
-  char name[64];
-  std::snprintf(name, sizeof name, "bits of the G-buffer, alpha %g", alpha);
   Scene scene = frame_scene(1, detail);
-  scene.objects[0].material.terms[0].shape[0] = {alpha, alpha};
-  FrameQuestion q{name, frame_domain(scene), {}};
+  set_parameter(scene.objects[0].material, Role::width, alpha);
+  FrameQuestion q{names::bits(alpha), frame_domain(scene), {}};
   for (int bits : {32, 16, 8})
-    q.ways.push_back({std::to_string(bits) + " bits", scene, {bits, render::Path::deferred, {}}});
+    q.ways.push_back({bits == 8 ? names::kEightBits : std::to_string(bits) + " bits",
+                      scene,
+                      {bits, render::Path::deferred, {}}});
   q.extremes = kFrameExtremes;
   return q;
 }
 
 FrameQuestion lights_question(int lights, FrameDetail detail) {
   const Scene scene = frame_scene(lights, detail);
-  FrameQuestion q{"forward or deferred, " + std::to_string(lights) + (lights == 1 ? " light" : " lights"),
+  FrameQuestion q{names::lights(lights),
                   frame_domain(scene),
                   {{"forward", scene, {32, render::Path::forward, {}}},
                    {"deferred, 32 bits", scene, {32, render::Path::deferred, {}}},
-                   {"deferred, 16 bits", scene, {16, render::Path::deferred, {}}}}};
+                   {names::kDeferred16, scene, {16, render::Path::deferred, {}}}}};
   q.extremes = kFrameExtremes;
   return q;
 }
@@ -139,8 +143,9 @@ FrameQuestion lookup_question(FrameDetail detail) {
     Way way{std::move(name), material_ball(size), {32, render::Path::deferred, texture}};
     render::Object& object = way.scene.objects[0];
     object.mesh = "icosphere:" + std::to_string(level);
-    object.material = make_material(cook_torrance_vcavity{});
-    for (auto& shape : object.material.terms[0].shape) shape = {0.3, 0.3, 1.5};
+    object.material = make_material(named_form(names::kArticleForm));
+    set_parameter(object.material, Role::width, 0.3);
+    set_parameter(object.material, Role::index, 1.5);
     way.scene.shading = Shading::lookup;
     way.scene.per_vertex = per_vertex;
     q.ways.push_back(std::move(way));
@@ -155,8 +160,8 @@ FrameQuestion lookup_question(FrameDetail detail) {
     for (int bits : {8, 16, 32})
       for (bool bilinear : {false, true})
         for (bool per_vertex : {false, true})
-          add(std::to_string(texels) + "^2, " + std::to_string(bits) + " bit, " +
-                  (bilinear ? "bilinear" : "nearest") + (per_vertex ? ", per vertex" : ", per pixel"),
+          add(names::texels(texels, bits, bilinear ? "bilinear" : "nearest") +
+                  (per_vertex ? ", per vertex" : ", per pixel"),
               kLevel, {texels, bits, bilinear}, per_vertex);
   for (int level : {2, 6})
     add("512^2, 8 bit, bilinear, per vertex, " + std::to_string(triangles_of(level)) + " triangles", level,

@@ -82,9 +82,9 @@ std::vector<LedgerRow> measure_frames(render::Device& device, const FrameQuestio
     row.quantity = "radiance";
     row.image_error = error.image;
     row.domain = question.domain;
-    char text[64];
-    std::snprintf(text, sizeof text, "RMS %.2e", error.root_mean_square);
-    row.note = question.ways[k].note.empty() ? text : question.ways[k].note + "; " + text;
+    char rms[64];
+    std::snprintf(rms, sizeof rms, "RMS %.2e", error.root_mean_square);
+    row.note = rms;
     rows.push_back(std::move(row));
   }
   for (const FrameExtreme& extreme : question.extremes) {

@@ -14,7 +14,6 @@ struct Way {
   std::string name;
   render::Scene scene;
   render::RendererOptions options;
-  std::string note = {};
 };
 
 using Pixels = std::function<bool(int x, int y)>;  // the pixels that count

@@ -2,17 +2,24 @@
 
 #include "brdf/forms.h"
 #include "brdf/integrals.h"
+#include "brdf/low_discrepancy.h"
 #include "brdf/quadrature.h"
 #include "trade/approximations/albedo.h"
+#include "trade/questions/names.h"
 #include "trade/questions/picture.h"
 #include "trade/questions/questions.h"
 
 namespace brdf::trade {
 namespace {
 
-// Row: theta (degrees), alpha. F = 1.
+// F = 1.
 Domain angles(double least, double most, double least_alpha, double most_alpha) {
-  return {{{"theta", least, most}, {"alpha", least_alpha, most_alpha, true}}, {}, "f0 1"};
+  return make_domain(
+      {{"theta", least, most}, {"alpha", least_alpha, most_alpha, true}},
+      [](std::span<const double> at) {
+        return AngleRow<double>{at[0], at[1]};
+      },
+      "f0 1");
 }
 
 // E at F = 1 for any masking: half vectors by the inverse
@@ -20,10 +27,10 @@ Domain angles(double least, double most, double least_alpha, double most_alpha) 
 template <class V>
 struct masked_albedo {
   V v;
-  double operator()(const Row<double>& x) const {
+  double operator()(const AngleRow<double>& x) const {
     const quadrature::GaussRule& rule = quadrature::gauss_legendre(64);
-    const double theta = x[0] * kPi / 180, alpha = x[1];
-    const Vec3<double> wo = direction(radians(theta), {});
+    const double alpha = x.alpha;
+    const Vec3<double> wo = direction(degrees(x.theta), {});
     double sum = 0;
     for (std::size_t m = 0; m < rule.node.size(); ++m) {
       const double u = rule.node[m], cos_h2 = (1 - u) / (1 + (alpha * alpha - 1) * u);
@@ -51,7 +58,7 @@ Choice masked_choice(std::string name, V v) {
 }
 
 Question masked_question() {
-  Question q{"masking for GGX, by the albedo it gives",
+  Question q{names::kMaskingByAlbedo,
              "directional albedo, F = 1",
              Measure::absolute,
              angles(0, 85, 0.05, 1),
@@ -63,29 +70,28 @@ Question masked_question() {
                masked_choice("Schlick-GGX, k = alpha/2", schlick_ggx_half{}),
                masked_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic{}),
                masked_choice("V-cavities", v_shaped_cavities{}),
-               masked_choice("G dropped", masking_dropped{})};
+               masked_choice(names::kMaskingDropped, masking_dropped{})};
   q.points = 512;
-  q.timed = direction_domain({"alpha", 0.05, 1, true}, {"-", 0, 0}, 85);
+  q.timed = directions({"alpha", 0.05, 1, true}, 85);
   return q;
 }
 
-// --- Integrators. Row: theta (degrees), alpha
-// ---------------------------------------------------------------
+// --- Integrators -------------------------------------------------------------------------------------------
 
-using Integrator = std::function<double(const Row<double>&)>;
+using Integrator = std::function<double(const AngleRow<double>&)>;
 
 Integrator by_rule(const AlbedoOptions& options) {
-  return [options](const Row<double>& x) {
-    const double shape[] = {x[1], x[1]};
-    return lobe_albedos(cook_torrance{}, shape, degrees(x[0]), {}, options)[1].value;
+  return [options](const AngleRow<double>& x) {
+    const double shape[] = {x.alpha, x.alpha};
+    return lobe_albedos(cook_torrance{}, shape, degrees(x.theta), {}, options)[1].value;
   };
 }
 
 // Integral of the lobe times cosine at given points of the unit square.
 template <class Visit>
-double integrate_lobe(const Row<double>& x, Visit visit) {
-  const Roughness<double> alpha{x[1], x[1]};
-  const Vec3<double> wo = direction(degrees(x[0]), {});
+double integrate_lobe(const AngleRow<double>& x, Visit visit) {
+  const Roughness<double> alpha{x.alpha, x.alpha};
+  const Vec3<double> wo = direction(degrees(x.theta), {});
   double sum = 0;
   visit([&](double cosine, double phi, double weight) {
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -96,11 +102,11 @@ double integrate_lobe(const Row<double>& x, Visit visit) {
 }
 // Cosine-distributed directions on the additive recurrence R2: a Monte Carlo estimate at its best.
 Integrator cosine_samples(int count) {
-  return [count](const Row<double>& x) {
+  return [count](const AngleRow<double>& x) {
     return integrate_lobe(x, [&](auto add) {
-      for (int k = 1; k <= count; ++k) {
-        const double u = std::fmod(0.5 + k * 0.7548776662466927, 1),
-                     v = std::fmod(0.5 + k * 0.5698402909980532, 1);
+      static constexpr auto kStep = additive_recurrence_steps<2>();
+      for (std::uint64_t k = 1; k <= std::uint64_t(count); ++k) {
+        const double u = additive_recurrence(0.5, kStep[0], k), v = additive_recurrence(0.5, kStep[1], k);
         add(std::sqrt(u), 2 * kPi * v, kPi / count);
       }
     });
@@ -108,7 +114,7 @@ Integrator cosine_samples(int count) {
 }
 // The teaching code's way: equal steps in both angles.
 Integrator midpoint(int steps) {
-  return [steps](const Row<double>& x) {
+  return [steps](const AngleRow<double>& x) {
     return integrate_lobe(x, [&](auto add) {
       const double d = kPi / 2 / steps;
       for (int i = 0; i < steps; ++i)
@@ -120,7 +126,7 @@ Integrator midpoint(int steps) {
   };
 }
 Integrator product_gauss(int order) {
-  return [order](const Row<double>& x) {
+  return [order](const AngleRow<double>& x) {
     const quadrature::GaussRule& rule = quadrature::gauss_legendre(order);
     return integrate_lobe(x, [&](auto add) {
       for (std::size_t m = 0; m < rule.node.size(); ++m)
@@ -143,8 +149,9 @@ Question integrator_question() {
   q.pixels = 128;
   const auto add = [&](const std::string& name, const Integrator& integrate, const char* note) {
     // The ball under uniform light, alpha 0.3.
-    const auto shown = [integrate](const Row<double>& x) {
-      return integrate(Row<double>{std::acos(std::min(1.0, x[5])) * 180 / kPi, 0.3}) / std::max(x[2], 1e-3);
+    const auto shown = [integrate](const DirectionRow<double>& x) {
+      const Angle theta = radians(std::acos(std::min(1.0, x.wo.z)));
+      return integrate({theta.degrees(), 0.3}) / std::max(x.wi.z, 1e-3);
     };
     q.choices.push_back({name, scalar_kernel(integrate), note, scalar_kernel(shown), Precision::double_});
   };
@@ -174,8 +181,9 @@ Question integrator_question() {
   for (int count : {64, 1024})
     add(
         std::to_string(count) + " visible normals",
-        [count](const Row<double>& x) {
-          return albedo_visible_normals{count}(Row<double>{std::cos(x[0] * kPi / 180), x[1], 1});
+        [count](const AngleRow<double>& x) {
+          const double cosine = std::cos(degrees(x.theta).radians());
+          return albedo_visible_normals{count}(CosineRow<double>{cosine, x.alpha, 1});
         },
         "Heitz 2018");
   q.reference = scalar_kernel(rule(Rule::pole, 1e-11, 0));

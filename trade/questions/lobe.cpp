@@ -1,6 +1,6 @@
-#include "brdf/forms.h"
 #include "trade/approximations/lobes.h"
 
+#include "trade/questions/names.h"
 #include "trade/questions/picture.h"
 #include "trade/questions/questions.h"
 
@@ -10,8 +10,8 @@ namespace {
 // With more digits than any choice has.
 struct long_power {
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return T(std::pow((long double)(x[0]), (long double)(x[1])));
+  T operator()(const CosineRow<T>& x) const {
+    return T(std::pow((long double)(x.cosine), (long double)(x.width)));
   }
 };
 
@@ -24,7 +24,7 @@ Choice power_choice(std::string name, Power power, double n, std::string note) {
 template <int doublings>
 Question power_question() {
   constexpr double n = 1 << doublings;
-  const auto at = [](double from, double to) { return Domain{{{"cos", from, to}, {"n", n, n}}, {}, ""}; };
+  const auto at = [](double from, double to) { return cosines({"cos", from, to}, {"n", n, n}); };
   Question q{"power of a cosine, n = " + std::to_string(1 << doublings),
              "cos^n",
              Measure::absolute,
@@ -45,8 +45,8 @@ Question large_power_question() {
   Question q{"power of a cosine, n = 1 .. 1e6",
              "cos^n",
              Measure::absolute,
-             {{{"cos", 0.9, 1}, {"n", 1, 1e4, true}}, {}, ""},
-             {{{{"1 - cos, log", 0.999999, 1}, {"n", 1e6, 1e6}}, {}, ""}},
+             cosines({"cos", 0.9, 1}, {"n", 1, 1e4, true}),
+             {cosines({"1 - cos, log", 0.999999, 1}, {"n", 1e6, 1e6})},
              {}};
   const double shown = 1000;
   q.choices = {power_choice("pow, own kernels", cosine_power{}, shown, ""),
@@ -57,12 +57,7 @@ Question large_power_question() {
 }
 
 Domain exponents(double least, double most, double most_theta = 80) {
-  Domain d = direction_domain({"n", least, most, true}, {"-", 0, 0}, most_theta);
-  d.axes.pop_back();
-  d.inputs = [](std::span<const double> at, Row<double>& row) {
-    return direction_row(at[0], at[1], at[2], at[3], 0, row);
-  };
-  return d;
+  return directions({"n", least, most, true}, most_theta);
 }
 
 template <class Lobe>
@@ -71,7 +66,7 @@ Choice mirror_choice(std::string name, Lobe lobe, std::string note) {
 }
 
 Question mirror_question() {
-  Question q{"mirror direction or half vector",
+  Question q{names::kMirror,
              "Phong's (r.o)^n",
              Measure::absolute,
              exponents(5, 200),
@@ -81,22 +76,13 @@ Question mirror_question() {
       mirror_choice("mirror direction", mirror_lobe{}, "Phong 1975"),
       mirror_choice("mirror, by differences", mirror_lobe_stable{}, "accurate at the peak for any n"),
       mirror_choice("half vector, 4 n", half_lobe{4}, "Blinn 1977, made as narrow"),
-      mirror_choice("half vector, equal n", half_lobe{1}, "Blinn 1977, as the documents compare them")};
+      mirror_choice(names::kEqualHalfVector, half_lobe{1}, "Blinn 1977, as the documents compare them")};
   return q;
 }
 
 Question ggx_question() {
   const auto domain = [](double least, double most) {
-    Domain d = lobe_domain({"alpha", least, most, true}, {"-", 0, 0});
-    d.axes.pop_back();
-    const auto inputs = d.inputs;
-    d.inputs = [inputs](std::span<const double> at, Row<double>& row) {
-      const std::array<double, 5> five{at[0], at[1], at[2], at[3], 0};
-      const bool valid = inputs(five, row);
-      for (double& value : row) value = as_float(value);  // only the formula's own error counts
-      return valid;
-    };
-    return d;
+    return stored_in_float(lobe_domain({"alpha", least, most, true}));
   };
   Question q{"D of GGX in float",
              "D",

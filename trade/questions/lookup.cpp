@@ -1,5 +1,6 @@
 #include "trade/approximations/lookup.h"
 
+#include "trade/questions/names.h"
 #include "trade/questions/questions.h"
 
 namespace brdf::trade {
@@ -10,8 +11,8 @@ template <class L>
 struct lookup_material {
   L lookup;
   template <class T>
-  T operator()(const Row<T>& x) const {
-    return T(0.5 / kPi) + T(0.5) * lookup(x) / at_least(x[2], T(1e-6));
+  T operator()(const DirectionRow<T>& x) const {
+    return T(0.5 / kPi) + T(0.5) * lookup(x) / at_least(x.wi.z, T(1e-6));
   }
 };
 
@@ -22,39 +23,37 @@ void add(Question& q, std::string name, L lookup, std::string note) {
 }
 
 template <class Texel>
-void add_tables(Question& q, const LookupMaterial& m, int size, const std::string& bits) {
-  const std::string name = std::to_string(size) + "^2, " + bits;
-  add(q, name + ", nearest", lookup_article<Texel, false>(m, size), "(n.h, n.l), clamped to 1");
-  add(q, name + ", bilinear", lookup_article<Texel, true>(m, size), "(n.h, n.l), clamped to 1");
+void add_tables(Question& q, const LookupMaterial& m, int size, int bits) {
+  const char* note = "(n.h, n.l), clamped to 1";
+  add(q, names::texels(size, bits, "nearest"), lookup_article<Texel, false>(m, size), note);
+  add(q, names::texels(size, bits, "bilinear"), lookup_article<Texel, true>(m, size), note);
 }
 template <class Texel>
-void add_scaled_tables(Question& q, const LookupMaterial& m, int size, const std::string& bits) {
-  const std::string name = std::to_string(size) + "^2, " + bits;
-  add(q, name + ", nearest, scaled", lookup_scaled<Texel, false>(m, size), "(tan/alpha, wi.h), G computed");
-  add(q, name + ", bilinear, scaled", lookup_scaled<Texel, true>(m, size), "(tan/alpha, wi.h), G computed");
+void add_scaled_tables(Question& q, const LookupMaterial& m, int size, int bits) {
+  const char* note = "(tan/alpha, wi.h), G computed";
+  add(q, names::texels(size, bits, "nearest, scaled"), lookup_scaled<Texel, false>(m, size), note);
+  add(q, names::texels(size, bits, "bilinear, scaled"), lookup_scaled<Texel, true>(m, size), note);
 }
 
 Question lookup_question(const LookupMaterial& m) {
-  char alpha[16];
-  std::snprintf(alpha, sizeof alpha, "%g", m.alpha);
-  Question q{std::string("lookup texture, alpha ") + alpha,
+  Question q{names::lookup(m.alpha),
              "specular f_r cos_i, 1/sr",
              Measure::absolute,
-             pairs_domain(0, 80),
-             {pairs_domain(80, 89), pairs_domain(0, 20)},
+             direction_domain(0, 80),
+             {direction_domain(80, 89), direction_domain(0, 20)},
              {}};
-  add(q, "exact", lookup_exact{m}, "Beckmann, V-cavities, exact Fresnel");
-  add(q, "H = N, evaluated", lookup_collapsed<false>{m}, "the article's assumption alone");
+  add(q, names::kExact, lookup_exact{m}, "Beckmann, V-cavities, exact Fresnel");
+  add(q, names::kCollapsed, lookup_collapsed<false>{m}, "the article's assumption alone");
   add(q, "H = N, clamped to 1", lookup_collapsed<true>{m}, "and the texel's range");
   for (int size = 32; size <= 1024; size *= 2) {
-    add_tables<std::uint8_t>(q, m, size, "8 bit");
-    add_tables<std::uint16_t>(q, m, size, "16 bit");
-    add_tables<float>(q, m, size, "32 bit");
+    add_tables<std::uint8_t>(q, m, size, 8);
+    add_tables<std::uint16_t>(q, m, size, 16);
+    add_tables<float>(q, m, size, 32);
   }
   for (int size = 32; size <= 128; size *= 2) {
-    add_scaled_tables<std::uint8_t>(q, m, size, "8 bit");
-    add_scaled_tables<std::uint16_t>(q, m, size, "16 bit");
-    add_scaled_tables<float>(q, m, size, "32 bit");
+    add_scaled_tables<std::uint8_t>(q, m, size, 8);
+    add_scaled_tables<std::uint16_t>(q, m, size, 16);
+    add_scaled_tables<float>(q, m, size, 32);
   }
   return q;
 }

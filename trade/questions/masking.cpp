@@ -1,4 +1,4 @@
-#include "brdf/forms.h"
+#include "trade/questions/names.h"
 #include "trade/questions/picture.h"
 #include "trade/questions/questions.h"
 
@@ -6,21 +6,8 @@ namespace brdf::trade {
 namespace {
 
 const Axis kAlpha{"alpha", 0.05, 1, true};
-const Axis kNone{"-", 0, 0};
-
-// Directions and alpha, without a second parameter.
-Domain directions(Axis alpha, double most_theta) {
-  Domain d = direction_domain(std::move(alpha), kNone, most_theta);
-  d.axes.pop_back();
-  d.inputs = [](std::span<const double> at, Row<double>& row) {
-    return direction_row(at[0], at[1], at[2], at[3], 0, row);
-  };
-  return d;
-}
 Domain grazing(Axis alpha) {
-  Domain d = directions(std::move(alpha), 89.43);
-  d.axes[0].min = d.axes[1].min = 85;
-  return d;
+  return directions(std::move(alpha), 89.43, 85);
 }
 
 template <class V>
@@ -29,7 +16,7 @@ Choice masking_choice(std::string name, V v, std::string note) {
 }
 
 Question ggx_question() {
-  Question q{"masking for GGX",
+  Question q{names::kMasking,
              "G of both directions",
              Measure::relative,
              directions(kAlpha, 85),
@@ -43,13 +30,14 @@ Question ggx_question() {
       masking_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic{},
                      "Karis 2013, analytic light; the thesis's listing"),
       masking_choice("V-cavities", v_shaped_cavities{}, "Torrance and Sparrow 1967"),
-      masking_choice("G dropped", masking_dropped{}, "the lookup-texture article: G is meaningless")};
+      masking_choice(names::kMaskingDropped, masking_dropped{},
+                     "the lookup-texture article: G is meaningless")};
   return q;
 }
 
 Question g1_question() {
   const auto domain = [](double least_cos, Axis alpha) {
-    return Domain{{{"cos", least_cos, 1}, std::move(alpha)}, {}, ""};
+    return cosines({"cos", least_cos, 1}, std::move(alpha));
   };
   Question q{"masking of one direction, GGX",
              "G1",
@@ -81,13 +69,11 @@ Question beckmann_question() {
 }
 
 Question beckmann_g1_question() {
-  const Domain domain{{{"cos", 0.01, 1}, {"alpha", 0.05, 1, true}}, {}, ""};
   Question q{"masking of one direction, Beckmann",
              "G1",
              Measure::relative,
-             domain,
-             {{{{"cos", 0.01, 1}, {"alpha", 1e-4, 1e-4}}, {}, ""},
-              {{{"cos", 1e-4, 0.01}, {"alpha", 0.05, 1, true}}, {}, ""}},
+             cosines({"cos", 0.01, 1}, kAlpha),
+             {cosines({"cos", 0.01, 1}, {"alpha", 1e-4, 1e-4}), cosines({"cos", 1e-4, 0.01}, kAlpha)},
              {}};
   q.choices = {{"Smith, exact", kernel(g1_smith_beckmann{}), "", picture_of_masking(smith_beckmann{})},
                {"rational", kernel(g1_rational_beckmann{}), "Walter et al. 2007",

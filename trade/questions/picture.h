@@ -1,37 +1,37 @@
-// The material that factors are shown in: a picture needs a whole BRDF. Rows as directions.
+// The material that factors are shown in: a picture needs a whole BRDF.
 #pragma once
 
 #include "trade/approximations/fresnel.h"
+#include "trade/approximations/lobes.h"
 #include "trade/approximations/masking.h"
+#include "trade/measure/domain.h"
 
 namespace brdf::trade {
 
 // kd/pi + D V F with GGX's D; V from directions, F from the cosine and the index (or f0).
 template <class V, class F>
 struct ball_material {
-  double kd = 0.3, alpha = 0.3;
   V v;
   F f;
-  Row<double> index{};  // columns 1.. of the Fresnel row
+  FresnelRow<double> index;
+  double kd = 0.3, alpha = 0.3;
   template <class T>
-  T operator()(const Row<T>& x) const {
+  T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
     const Roughness<T> a{T(alpha), T(alpha)};
-    Row<T> fresnel{};
-    for (std::size_t k = 1; k < 5; ++k) fresnel[k] = T(index[k]);
-    fresnel[0] = at_most(g.cos_d, T(1));
+    const FresnelRow<T> fresnel{at_most(g.cos_d, T(1)), T(index.n), T(index.k), T(index.f0), T(index.dip)};
     return T(kd / kPi) + quotient(d_ggx(a, g), v(a, g)) * f(fresnel);
   }
 };
 
-// A kernel whose column 6 is a width, at one width.
+// A kernel at one width.
 template <class K>
 struct at_width {
   K kernel;
   double width;
   template <class T>
-  T operator()(Row<T> x) const {
-    x[6] = T(width);
+  T operator()(DirectionRow<T> x) const {
+    x.width = T(width);
     return kernel(x);
   }
 };
@@ -42,9 +42,8 @@ struct lobe_material {
   Lobe lobe;
   double exponent;
   template <class T>
-  T operator()(Row<T> x) const {
-    x[6] = T(exponent);
-    return T(0.3 / kPi) + T(0.5 * (exponent + 2) / (2 * kPi)) * lobe(x);
+  T operator()(const DirectionRow<T>& x) const {
+    return T(0.3 / kPi) + T(0.5 * (exponent + 2) / (2 * kPi)) * at_width<Lobe>{lobe, exponent}(x);
   }
 };
 // ... or of a function of (c, n), given the mirror cosine.
@@ -52,9 +51,8 @@ template <class Power>
 struct mirror_power {
   Power power;
   template <class T>
-  T operator()(const Row<T>& x) const {
-    const T c = at_most(at_least(x[2] * x[5] - x[0] * x[3] - x[1] * x[4], T(0)), T(1));
-    return power(Row<T>{c, x[6]});
+  T operator()(const DirectionRow<T>& x) const {
+    return power(CosineRow<T>{at_most(at_least(mirror_cosine(x), T(0)), T(1)), x.width});
   }
 };
 
@@ -64,23 +62,33 @@ struct distribution_material {
   D d;
   double alpha;
   template <class T>
-  T operator()(Row<T> x) const {
-    x[6] = T(alpha);
+  T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
     const Fraction<T> v = v_smith_ggx(Roughness<T>{T(alpha), T(alpha)}, g);
-    return T(0.3 / kPi) + d(x) * (v.num / v.den) * (T(0.04) + T(0.96) * schlick(g));
+    return T(0.3 / kPi) + at_width<D>{d, alpha}(x) * (v.num / v.den) * (T(0.04) + T(0.96) * schlick(g));
   }
 };
 
-inline const Row<double> kGlass{0, 1.5, 0.04, 0};
+inline constexpr FresnelRow<double> kGlass{.cosine = 0, .n = 1.5, .f0 = 0.04};
 
 template <class F>
-Kernel picture_of_fresnel(F f, Row<double> index = kGlass, double kd = 0.3) {
-  return kernel(ball_material<smith_correlated, F>{kd, 0.3, {}, f, index});
+Kernel picture_of_fresnel(F f, const FresnelRow<double>& index = kGlass, double kd = 0.3) {
+  return kernel(ball_material<smith_correlated, F>{{}, f, index, kd});
 }
 template <class V>
 Kernel picture_of_masking(V v) {
-  return kernel(ball_material<V, schlick_dielectric>{0.3, 0.3, v, {}, kGlass});
+  return kernel(ball_material<V, schlick_fresnel>{v, {}, kGlass});
+}
+
+// Directions and a width.
+inline Domain directions(Axis width, double most_theta, double least_theta = 0) {
+  return direction_domain(least_theta, most_theta, {std::move(width)});
+}
+// A cosine, and alpha or the exponent.
+inline Domain cosines(Axis cosine, Axis width) {
+  return make_domain({std::move(cosine), std::move(width)}, [](std::span<const double> at) {
+    return CosineRow<double>{at[0], at[1]};
+  });
 }
 
 }  // namespace brdf::trade

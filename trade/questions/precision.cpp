@@ -1,49 +1,10 @@
 #include "brdf/forms.h"
-#include "brdf/reflectance.h"
-#include "trade/approximations/libm.h"
-#include "trade/approximations/lobes.h"
+#include "trade/questions/form_kernel.h"
 #include "trade/questions/picture.h"
 #include "trade/questions/questions.h"
 
 namespace brdf::trade {
 namespace {
-
-template <class S, class T>
-S widened(const T& x) {
-  return S(x);
-}
-template <class T, class S>
-T narrowed(const S& x) {
-  if constexpr (requires { x.value; })
-    return T(x.value);
-  else
-    return T(x);
-}
-
-// A canonical form at kd 0.3, ks 0.5, rho 0.5 and the table's other defaults; column 6 is its width (alpha,
-// exponent or sigma). Scalar<T> is what it computes in.
-template <class F, template <class> class Scalar>
-struct form_kernel {
-  template <class T>
-  T operator()(const Row<T>& x) const {
-    using S = Scalar<T>;
-    using Weights = typename F::template Weights<S>;
-    using Shape = typename F::template Shape<S>;
-    Weights w{};
-    for (const auto& field : Weights::fields())
-      w.*(field.member) = S(field.info.name == "kd" ? 0.3 : field.info.initial);
-    Shape shape{};
-    for (const auto& field : Shape::fields()) shape.*(field.member) = widened<S>(x[6]);
-    const auto g = geometry(Vec3<S>{widened<S>(x[0]), widened<S>(x[1]), widened<S>(x[2])},
-                            Vec3<S>{widened<S>(x[3]), widened<S>(x[4]), widened<S>(x[5])}, 1e-6);
-    return narrowed<T>(eval(F{}, w, w, shape, g));
-  }
-};
-
-template <class T>
-using Own = T;
-template <class T>
-using Extended = Libm<long double>;
 
 // x at the 11 digits and the range of 16-bit floats (Veltkamp's split; below 2^-14 the spacing is 2^-24).
 inline float half(float x) {
@@ -58,9 +19,10 @@ inline float half(float x) {
 template <class F>
 struct half_kernel {
   template <class T>
-  T operator()(Row<T> x) const {
-    for (T& value : x) value = T(half(float(value)));
-    return T(half(float(form_kernel<F, Own>{}(x))));
+  T operator()(const DirectionRow<T>& x) const {
+    const auto numbers = fields_of(x);
+    const auto halves = row_from<DirectionRow, T>([&](std::size_t k) { return T(half(float(numbers[k]))); });
+    return T(half(float(form_kernel<F>{}(halves))));
   }
 };
 
@@ -77,22 +39,8 @@ Question form_question(const Width& width) {
   // Directions and one parameter; peaks need points around the half vector.
   const auto domain = [&](double least, double most, double from, double to) {
     const bool log = width.least > 0;
-    if (width.peaked && to < 85) {
-      Domain d = lobe_domain({width.name, least, most, log}, {"-", 0, 0}, 3, to);
-      d.axes.pop_back();
-      const auto inputs = d.inputs;
-      d.inputs = [inputs](std::span<const double> at, Row<double>& row) {
-        return inputs(std::array<double, 5>{at[0], at[1], at[2], at[3], 0}, row);
-      };
-      return d;
-    }
-    Domain d = direction_domain({width.name, least, most, log}, {"-", 0, 0}, to);
-    d.axes.pop_back();
-    d.axes[0].min = d.axes[1].min = from;
-    d.inputs = [](std::span<const double> at, Row<double>& row) {
-      return direction_row(at[0], at[1], at[2], at[3], 0, row);
-    };
-    return d;
+    const Axis axis{width.name, least, most, log};
+    return width.peaked && to < 85 ? lobe_domain(axis, 3, to) : directions(axis, to, from);
   };
   Question q{
       std::string(F::name) + ": precision and kernels",
@@ -116,45 +64,20 @@ Question form_question(const Width& width) {
   return q;
 }
 
-// --- Elementary functions. Row: x, y -----------------------------------------------------------------------
+// --- Elementary functions ----------------------------------------------------------------------------------
 
-struct exp_of {
-  template <class T>
-  static T of(const T& x, const T&) {
-    return math::exp(x);
-  }
-};
-struct log_of {
-  template <class T>
-  static T of(const T& x, const T&) {
-    return math::log(x);
-  }
-};
-struct log1p_of {
-  template <class T>
-  static T of(const T& x, const T&) {
-    return math::log1p(x);
-  }
-};
-struct erfcx_of {
-  template <class T>
-  static T of(const T& x, const T&) {
-    return math::erfcx(x);
-  }
-};
-struct angle_of {
-  template <class T>
-  static T of(const T& x, const T& y) {
-    return math::angle(x, y);
-  }
-};
+constexpr auto exp_of = []<class T>(const T& x, const T&) { return math::exp(x); };
+constexpr auto log_of = []<class T>(const T& x, const T&) { return math::log(x); };
+constexpr auto log1p_of = []<class T>(const T& x, const T&) { return math::log1p(x); };
+constexpr auto erfcx_of = []<class T>(const T& x, const T&) { return math::erfcx(x); };
+constexpr auto angle_of = []<class T>(const T& x, const T& y) { return math::angle(x, y); };
 
-template <class Function, template <class> class Scalar>
+template <auto function, template <class> class Scalar>
 struct elementary {
   template <class T>
-  T operator()(const Row<T>& x) const {
+  T operator()(const ArgumentRow<T>& row) const {
     using S = Scalar<T>;
-    return narrowed<T>(Function::of(widened<S>(x[0]), widened<S>(x[1])));
+    return narrowed<T>(function(S(row.x), S(row.y)));
   }
 };
 
@@ -163,10 +86,10 @@ template <class K, template <class> class Scalar>
 struct computed_in {
   K kernel;
   template <class T>
-  T operator()(const Row<T>& x) const {
-    Row<Scalar<T>> row;
-    for (std::size_t k = 0; k < kInputs; ++k) row[k] = widened<Scalar<T>>(x[k]);
-    return narrowed<T>(kernel(row));
+  T operator()(const DirectionRow<T>& x) const {
+    using S = Scalar<T>;
+    const auto numbers = fields_of(x);
+    return narrowed<T>(kernel(row_from<DirectionRow, S>([&](std::size_t k) { return S(numbers[k]); })));
   }
 };
 
@@ -190,27 +113,31 @@ Pictures pictures_of(double width) {
   return {shown_by_form<F, Own>::at(width), shown_by_form<F, Libm>::at(width)};
 }
 
-// The reference sees the inputs as each choice sees them: rounded
-// to float first, so that only the function's own error counts.
-template <class Function>
-Question elementary_question(const char* name, Domain domain, Domain extreme, const Pictures& pictures) {
-  for (Domain* d : {&domain, &extreme})
-    d->inputs = [](std::span<const double> at, Row<double>& row) {
-      for (std::size_t k = 0; k < at.size(); ++k) row[k] = as_float(at[k]);
-      return true;
-    };
+Domain arguments(std::vector<Axis> axes, std::string note = {}) {
+  return make_domain(
+      std::move(axes),
+      [](std::span<const double> at) {
+        return ArgumentRow<double>{at[0], at.size() > 1 ? at[1] : 0};
+      },
+      std::move(note));
+}
+
+// The reference sees the arguments as each choice sees them: rounded to float first.
+template <auto function>
+Question elementary_question(const char* name, const Domain& domain, const Domain& extreme,
+                             const Pictures& pictures) {
   Question q{std::string(name) + ": own kernel or C library",
              name,
              Measure::relative,
-             std::move(domain),
-             {std::move(extreme)},
+             stored_in_float(domain),
+             {stored_in_float(extreme)},
              {}};
-  const auto own = kernel(elementary<Function, Own>{}), libm = kernel(elementary<Function, Libm>{});
+  const auto own = kernel(elementary<function, Own>{}), libm = kernel(elementary<function, Libm>{});
   q.choices = {{"C library, double", libm, "", pictures.libm, Precision::double_, Precision::double_},
                {"own, double", own, "vectorises", pictures.own, Precision::double_, Precision::double_},
                {"C library, float", libm, "", pictures.libm, Precision::single_, Precision::single_},
                {"own, float", own, "vectorises", pictures.own, Precision::single_, Precision::single_}};
-  q.reference = kernel(elementary<Function, Extended>{});
+  q.reference = kernel(elementary<function, Extended>{});
   q.floor = 1e-30;
   return q;
 }
@@ -227,20 +154,21 @@ std::vector<Question> precision_questions() {
   questions.push_back(form_question<blinn_phong>(exponent));
   questions.push_back(form_question<phong>(exponent));
   questions.push_back(form_question<oren_nayar>({"sigma", 0, 1, 0, 1.5, 0.5, false}));
-  questions.push_back(elementary_question<exp_of>("exp", {{{"x", -20, 0}}, {}, ""},
-                                                  {{{"x", -80, -60}}, {}, "float flushes below -80"},
+  questions.push_back(elementary_question<exp_of>("exp", arguments({{"x", -20, 0}}),
+                                                  arguments({{"x", -80, -60}}, "float flushes below -80"),
                                                   pictures_of<ward>(0.3)));
   questions.push_back(elementary_question<log_of>(
-      "log", {{{"x", 1e-3, 1, true}}, {}, ""}, {{{"x", 1e-30, 1e-20, true}}, {}, ""},
+      "log", arguments({{"x", 1e-3, 1, true}}), arguments({{"x", 1e-30, 1e-20, true}}),
       Pictures{shown_by_pow<Own>::at(20), shown_by_pow<Libm>::at(20)}));
-  questions.push_back(elementary_question<log1p_of>("log1p", {{{"x", 1e-6, 10, true}}, {}, ""},
-                                                    {{{"x", 1e-20, 1e-10, true}}, {}, ""},
+  questions.push_back(elementary_question<log1p_of>("log1p", arguments({{"x", 1e-6, 10, true}}),
+                                                    arguments({{"x", 1e-20, 1e-10, true}}),
                                                     pictures_of<blinn_phong>(50)));
-  questions.push_back(elementary_question<erfcx_of>(
-      "erfcx", {{{"x", 0, 3}}, {}, ""}, {{{"x", 8, 10}}, {}, ""}, pictures_of<cook_torrance_beckmann>(0.3)));
+  questions.push_back(elementary_question<erfcx_of>("erfcx", arguments({{"x", 0, 3}}),
+                                                    arguments({{"x", 8, 10}}),
+                                                    pictures_of<cook_torrance_beckmann>(0.3)));
   questions.push_back(elementary_question<angle_of>(
-      "angle", {{{"sine", 0.01, 1}, {"cosine", 0.01, 1}}, {}, ""},
-      {{{"sine", 1e-8, 1e-6}, {"cosine", 1e-8, 1}}, {}, ""}, pictures_of<oren_nayar_full>(0.5)));
+      "angle", arguments({{"sine", 0.01, 1}, {"cosine", 0.01, 1}}),
+      arguments({{"sine", 1e-8, 1e-6}, {"cosine", 1e-8, 1}}), pictures_of<oren_nayar_full>(0.5)));
   return questions;
 }
 

@@ -1,26 +1,22 @@
-// Cheaper variants of the GGX model: the ledger's approximations inside a whole model, fitted like one.
+// Cheaper variants of the reference form: the ledger's approximations inside a whole model, fitted like one.
 #pragma once
 
+#include <optional>
+
+#include "brdf/material.h"
 #include "trade/measure/question.h"
-#include "trade/recommend/scene_fit.h"
+#include "trade/questions/names.h"
 
 namespace brdf::trade {
 
-inline constexpr const char* kVariantQuestion = "cheaper inside cook_torrance";
-
-// The whole model with one factor replaced, against the model itself: costs and errors.
+// Every whole model with one factor replaced, against the model itself: costs and errors.
 std::vector<Question> variant_questions();
 
-// Names of the variants, as the question's choices.
-std::vector<std::string> variant_names();
+// A reflectance that is not in the catalogue: one width, and no f0 where there is no Fresnel term.
+const Reflectance& variant_form(Variant variant);
+std::optional<Variant> find_variant(const Reflectance& reflectance);
 
-struct FittedVariant {
-  std::string name;
-  double alpha = 0.3;
-  std::array<std::array<double, 3>, 3> weights{};  // [channel][lobe]: 1/pi, D V, D V s
-  RgbFunction reflectance;
-};
-// Least squares of E (f - g) cos_i over the table's rows, weights not negative, alpha by golden section.
-FittedVariant fit_variant(const std::string& name, const io::SampleTable& table);
+// The reference form with a variant's parameters: lobes that the variant lacks get no weight.
+Material in_reference_form(const Material& variant);
 
 }  // namespace brdf::trade

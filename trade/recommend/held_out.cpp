@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "io/material_file.h"
+#include "trade/questions/held_out_cases.h"
+#include "trade/questions/materials.h"
 #include "trade/recommend/recommend.h"
 
 namespace brdf::trade {
@@ -22,36 +24,19 @@ render::Scene moved(render::Scene scene, float camera_degrees, float light_degre
   return scene;
 }
 
-struct Case {
-  const char* scene;
-  const char* material;
-  const char* form;  // another family than the material's, so that no fit can be exact
-};
-constexpr Case kCases[] = {
-    {"recommend_close_up", "glossy_grey_paper", "blinn_phong"},
-    {"recommend_close_up", "rolled_brass", "cook_torrance"},
-    {"recommend_close_up", "article_glass", "ward"},
-    {"recommend_grazing", "glossy_grey_paper", "cook_torrance"},
-    {"recommend_grazing", "ivory_plastic", "blinn_phong"},
-    {"recommend_grazing", "article_glass", "phong"},
-    {"recommend_distant", "glossy_grey_paper", "cook_torrance"},
-    {"recommend_distant", "ivory_plastic", "blinn_phong"},
-    {"recommend_distant", "article_glass", "ward"},
-    {"recommend_distant", "rolled_brass", "blinn_phong"},
-};
-
 }  // namespace
 
 std::vector<HeldOut> compare_held_out(const std::filesystem::path& scenes,
                                       const std::filesystem::path& materials,
                                       const std::function<void(double, const std::string&)>& progress) {
   std::vector<HeldOut> rows;
-  for (const Case& c : kCases) {
-    progress(double(rows.size()) / double(std::size(kCases)), std::string(c.scene) + ", " + c.material);
+  for (const HeldOutCase& c : kHeldOutCases) {
+    progress(double(rows.size()) / double(std::size(kHeldOutCases)),
+             std::string(c.scene) + ", " + c.material);
     const render::Scene scene = render::load_scene(scenes / (std::string(c.scene) + ".json"));
     const Material truth = io::read_material(materials / (std::string(c.material) + ".json"));
     const RgbFunction reference = rgb_function(truth);
-    const Reflectance form = *find_form(c.form);
+    const Reflectance form = named_form(c.form);
     const RgbFunction by_scene =
         rgb_function(fit_to_picture(form, scene_samples(view_of(scene), reference, 6000), false));
     const RgbFunction by_hemisphere =

@@ -2,13 +2,33 @@
 
 #include <algorithm>
 
+#include "io/numbers.h"
+#include "trade/questions/variants.h"
+
 namespace brdf::trade {
 namespace {
 
 std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
+  return io::short_number(x, 3);
+}
+
+// Whether it reflects light without direction only.
+bool is_diffuse(const Candidate& c) {
+  const auto weights = info(c.model).weights;
+  return std::all_of(weights.begin(), weights.end(),
+                     [](const ParameterInfo& p) { return p.role == Role::diffuse; });
+}
+
+// "f0 and ks", as the candidates call what only the Fresnel rise tells apart.
+std::string fresnel_parameters(const Recommendation& r) {
+  for (const Candidate& c : r.candidates) {
+    const ReflectanceInfo& about = info(c.model);
+    const int f0 = about.weight_index(Role::f0), specular = about.weight_index(Role::specular);
+    if (f0 >= 0 && specular >= 0)
+      return std::string(about.weights[std::size_t(f0)].name) + " and " +
+             std::string(about.weights[std::size_t(specular)].name);
+  }
+  return "";
 }
 
 void give_reasons(Recommendation& r, const RecommendOptions& options) {
@@ -45,9 +65,9 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
     say("no pixel sees theta_o above " + number(v.most_theta_o) + " degrees: grazing accuracy is not needed");
   if (v.most_theta_i < 75)
     say("no lit pixel has theta_i above " + number(v.most_theta_i) + " degrees: grazing light is not shown");
-  if (v.most_theta_d < 40)
-    say("theta_d stays below " + number(v.most_theta_d) +
-        " degrees: the Fresnel rise is not shown, f0 and ks cannot be told apart");
+  if (const std::string both = fresnel_parameters(r); v.most_theta_d < 40 && !both.empty())
+    say("theta_d stays below " + number(v.most_theta_d) + " degrees: the Fresnel rise is not shown, " + both +
+        " cannot be told apart");
   if (v.least_theta_h > 5)
     say("no half vector comes closer to the normal than " + number(v.least_theta_h) +
         " degrees: the highlight's peak is not shown");
@@ -59,9 +79,6 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
         number(v.azimuth_of_h) +
         ": the view never leaves one direction of the grain, anisotropy is not identifiable");
   const auto with = [&](auto test) { return best_error(r, options.judge, test); };
-  const auto is_diffuse = [](const Candidate& c) {
-    return c.form == "lambert" || c.form.rfind("oren_nayar", 0) == 0;
-  };
   const double diffuse = with(is_diffuse),
                isotropic = with([](const Candidate& c) { return !c.anisotropic; });
   const double anisotropic = with([](const Candidate& c) { return c.anisotropic; });
@@ -74,13 +91,17 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   else if (isotropic <= options.tolerance && r.chosen)
     say("a model of one width has error " + number(isotropic) +
         " at a higher cost: the two widths of the chosen one make a cheaper formula fit and are no property "
-        "of the "
-        "reference");
-  const double no_fresnel =
-      with([](const Candidate& c) { return c.choice.find("no Fresnel") != std::string::npos; });
+        "of the reference");
+  const auto with_variants = [&](std::initializer_list<Variant> variants) {
+    return with([&](const Candidate& c) {
+      const std::optional<Variant> variant = find_variant(c.model);
+      return variant && std::find(variants.begin(), variants.end(), *variant) != variants.end();
+    });
+  };
+  const double no_fresnel = with_variants({Variant::no_fresnel, Variant::hammon_no_fresnel});
   if (no_fresnel <= options.tolerance)
     say("without any Fresnel term the GGX model has error " + number(no_fresnel) + ": it is not needed");
-  const double no_masking = with([](const Candidate& c) { return c.choice == "masking dropped"; });
+  const double no_masking = with_variants({Variant::masking_dropped});
   if (no_masking <= options.tolerance)
     say("with masking dropped the GGX model has error " + number(no_masking) + ": it is not needed");
 }
@@ -96,8 +117,8 @@ void explain(Recommendation& r, const RecommendOptions& options) {
   find_unneeded(r, options);
   if (!r.chosen) return;
   const Candidate& chosen = r.candidates[*r.chosen];
-  for (const Violation& v : info(*find_form(chosen.form)).violations)
-    r.warnings.push_back(chosen.form + " is known to violate " + std::string(v.check) + ": " +
+  for (const Violation& v : info(chosen.model).violations)
+    r.warnings.push_back(chosen.form() + " is known to violate " + std::string(v.check) + ": " +
                          std::string(v.statement));
 }
 

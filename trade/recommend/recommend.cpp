@@ -1,119 +1,82 @@
 #include "trade/recommend/recommend.h"
-#include "brdf/forms.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "io/material_json.h"
+#include "io/numbers.h"
 #include "trade/questions/fits.h"
 #include "trade/questions/variants.h"
+#include "trade/recommend/costs.h"
 #include "trade/recommend/reasons.h"
 
 namespace brdf::trade {
 namespace {
 
 constexpr std::size_t kFitRows = 2500;
-const std::string kFamilies = families_question(cook_torrance{});
-
-bool looks_like_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  char c = 0;
-  file >> std::ws;
-  return file.get(c) && c == '{';
-}
 
 RgbFunction read_reference(const std::filesystem::path& path) {
-  if (looks_like_json(path)) return rgb_function(io::read_material(path));
+  if (io::is_json(path)) return rgb_function(io::read_material(path));
   return rgb_function(io::read_samples(path));
 }
 
-// ns per evaluation by form and by variant.
-class Costs {
- public:
-  Costs(const std::filesystem::path& file, const std::vector<Reflectance>& forms) {
-    Ledger measured;
-    if (file.empty()) {
-      const EvaluationTimes times = evaluation_times(forms, 41);
-      for (std::size_t k = 0; k < forms.size(); ++k) {
-        LedgerRow row;
-        row.question = kFamilies;
-        row.choice = info(forms[k]).name;
-        set_cost(row, times.timings[k], times.count);
-        measured.rows.push_back(row);
-      }
-      MeasureOptions options;
-      options.points = 256;
-      for (const Question& q : variant_questions())
-        for (LedgerRow& row : measure(q, options)) measured.rows.push_back(std::move(row));
-      ledger_ = std::move(measured);
-    } else {
-      ledger_ = read_ledger(file);
-    }
-  }
-  double of_form(std::string_view form) const { return row(kFamilies, form).cost.seconds * 1e9; }
-  double of_variant(std::string_view variant) const {
-    return of_form("cook_torrance") * row(kVariantQuestion, variant).cost_ratio;
-  }
-
- private:
-  const LedgerRow& row(const std::string& question, std::string_view choice) const {
-    const LedgerRow* found = ledger_.find(question, choice);
-    if (!found)
-      throw InputError("the ledger has no row '" + std::string(choice) + "' under '" + question +
-                       "': write it anew with `brdf trade -o`");
-    return *found;
-  }
-  Ledger ledger_;
-};
-
 // mean |f - g| cos_i / mean g cos_i over both hemispheres up to 85 degrees.
 double brdf_error(const RgbFunction& model, const RgbFunction& reference) {
-  static const Points points = sample(direction_domain({"-", 0, 0}, {"-", 0, 0}, 85), 4096);
+  static const Points points = sample(direction_domain(0, 85), 4096);
   double difference = 0, total = 0;
   for (std::size_t k = 0; k < points.count(); ++k) {
-    const auto at = [&](std::size_t c) { return points.columns[c][k]; };
-    const Vec3<double> wi{at(0), at(1), at(2)}, wo{at(3), at(4), at(5)};
-    const auto f = model(wi, wo), g = reference(wi, wo);
+    const auto row = row_at<DirectionRow>(points.columns, k);
+    const auto f = model(row.wi, row.wo), g = reference(row.wi, row.wo);
     for (std::size_t c = 0; c < 3; ++c) {
-      difference += std::abs(f[c] - g[c]) * wi.z;
-      total += g[c] * wi.z;
+      difference += std::abs(f[c] - g[c]) * row.wi.z;
+      total += g[c] * row.wi.z;
     }
   }
   return total > 0 ? difference / total : 0;
 }
 
-Candidate form_candidate(const Reflectance& form, const io::SampleTable& table, bool anisotropic,
-                         const Costs& costs) {
-  Candidate c;
-  c.form = info(form).name;
-  c.anisotropic = anisotropic;
-  c.cost_ns = costs.of_form(c.form);
-  c.material = fit_to_picture(form, table, anisotropic);
-  c.reflectance = rgb_function(c.material);
+Candidate fitted_candidate(const Reflectance& model, bool anisotropic, const io::SampleTable& table) {
+  Candidate c{.model = model, .anisotropic = anisotropic};
+  c.material = fit_to_picture(model, table, anisotropic);
+  c.values = rgb_function(c.material);
   return c;
 }
 
-Candidate variant_candidate(const std::string& name, const io::SampleTable& table, const Costs& costs) {
-  FittedVariant fitted = fit_variant(name, table);
-  Candidate c;
-  c.form = "cook_torrance";
-  c.choice = name;
-  c.cost_ns = costs.of_variant(name);
-  c.material = make_material(cook_torrance{}, {"r", "g", "b"});
-  c.material.terms[0].shape[0] = {fitted.alpha, fitted.alpha};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto w = SchlickWeights<double>::from_linear(fitted.weights[k]);
-    c.material.terms[0].weights[k] = {w.kd, w.ks, w.f0};
+// Every model with one width, and with two where it has them.
+std::vector<Candidate> fitted_candidates(const std::vector<Reflectance>& models, const Costs& costs,
+                                         const io::SampleTable& table, const RecommendOptions& options) {
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    options.progress(0.05 + 0.8 * double(k) / double(models.size()), std::string(info(models[k]).name));
+    for (const bool anisotropic : {false, true}) {
+      if (anisotropic && !info(models[k]).anisotropic()) continue;
+      candidates.push_back(fitted_candidate(models[k], anisotropic, table));
+      candidates.back().cost_ns = costs.ns[k];
+      candidates.back().cost_measured = costs.measured[k];
+    }
   }
-  c.reflectance = std::move(fitted.reflectance);
-  return c;
+  return candidates;
+}
+
+std::optional<Ledger> ledger_of(const RecommendOptions& options) {
+  return options.ledger.empty() ? std::nullopt : read_current_ledger(options.ledger);
+}
+
+std::string measured_now(const Recommendation& r, const RecommendOptions& options, bool has_ledger) {
+  if (options.ledger.empty()) return "";
+  if (!has_ledger) return r.costs_from + " is of another version: all costs were measured now";
+  std::vector<std::string> labels;
+  for (const Candidate& c : r.candidates)
+    if (c.cost_measured && !c.anisotropic) labels.push_back(c.label());
+  if (labels.empty()) return "";
+  return r.costs_from + " lacks these, so their costs were measured now: " + io::joined(labels);
 }
 
 // Renders the model's picture beside the reference's, and keeps both.
 double rendered(Recommendation& r, Candidate& c, const SceneView& view, const RgbFunction& reference) {
-  RenderedPair pair = render_both(view, c.reflectance, reference);
+  RenderedPair pair = render_both(view, c.values, reference);
   r.picture = std::move(pair.model);
   r.reference_picture = std::move(pair.reference);
   c.rendered_error = pair.image_error;
@@ -140,38 +103,51 @@ const Candidate& shown(const Recommendation& r) {
   return r.candidates[r.chosen.value_or(r.best)];
 }
 
+std::vector<Reflectance> recommendable_models() {
+  std::vector<Reflectance> models = fittable_forms();
+  for (std::size_t k = 0; k < kNames<Variant>.size(); ++k) models.push_back(variant_form(Variant(k)));
+  return models;
+}
+
+std::string Candidate::form() const {
+  return std::string(find_variant(model) ? info(model).family : info(model).name);
+}
+std::string Candidate::choice() const {
+  return std::string(find_variant(model) ? info(model).name : "");
+}
 std::string Candidate::label() const {
-  return form + (anisotropic ? ", two widths" : "") + (choice.empty() ? "" : ", " + choice);
+  return form() + (anisotropic ? ", two widths" : "") + (choice().empty() ? "" : ", " + choice());
+}
+
+std::optional<Material> material_for_file(const Candidate& candidate) {
+  if (find_variant(candidate.model)) return in_reference_form(candidate.material);
+  return catalogue_index(candidate.model) >= 0 ? std::optional(candidate.material) : std::nullopt;
 }
 
 Recommendation recommend(const RecommendOptions& options) {
   Recommendation r;
   r.tolerance = options.tolerance;
   r.metric = options.judge == Judge::image ? "image" : "brdf";
-  r.costs_from = options.ledger.empty() ? "measured now" : options.ledger.filename().string();
   options.progress(0, "reference and scene");
   const RgbFunction reference = read_reference(options.reference);
   const SceneView view = view_of(render::load_scene(options.scene));
   if (view.points.empty()) throw InputError(options.scene.string() + ": no pixel shows a lit surface");
   r.coverage = coverage_of(view);
-  const io::SampleTable table = scene_samples(view, reference, kFitRows);
-  const std::vector<Reflectance> forms = fittable_forms();
-  const Costs costs(options.ledger, forms);
-  for (std::size_t k = 0; k < forms.size(); ++k) {
-    options.progress(0.05 + 0.7 * double(k) / double(forms.size()), std::string(info(forms[k]).name));
-    r.candidates.push_back(form_candidate(forms[k], table, false, costs));
-    if (info(forms[k]).anisotropic()) r.candidates.push_back(form_candidate(forms[k], table, true, costs));
-  }
-  for (const std::string& name : variant_names()) {
-    options.progress(0.8, name);
-    r.candidates.push_back(variant_candidate(name, table, costs));
-  }
+  const std::vector<Reflectance> models = options.models.empty() ? recommendable_models() : options.models;
+  for (const Reflectance& model : models)
+    if (!info(model).fittable())
+      throw InputError(std::string(info(model).name) + " cannot be fitted, so it cannot be recommended");
+  const std::optional<Ledger> ledger = ledger_of(options);
+  r.costs_from = options.ledger.empty() ? "measured now" : options.ledger.filename().string();
+  r.candidates =
+      fitted_candidates(models, costs_of(models, ledger), scene_samples(view, reference, kFitRows), options);
   for (Candidate& c : r.candidates) {
-    c.image_error = image_error(view, c.reflectance, reference);
-    c.brdf_error = brdf_error(c.reflectance, reference);
+    c.image_error = image_error(view, c.values, reference);
+    c.brdf_error = brdf_error(c.values, reference);
   }
   std::stable_sort(r.candidates.begin(), r.candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
+  r.measured_now = measured_now(r, options, ledger.has_value());
   options.progress(0.9, "rendering both");
   choose(r, options, view, reference);
   explain(r, options);

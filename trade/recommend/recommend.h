@@ -9,31 +9,42 @@
 
 namespace brdf::trade {
 
-enum class Judge { image, brdf };
+enum class Judge { image, brdf };  // which error the tolerance is about
 
 struct RecommendOptions {
   std::filesystem::path scene;
   std::filesystem::path reference;  // a material, or samples
-  std::filesystem::path ledger;     // empty: costs are measured now
+  std::filesystem::path ledger;     // empty: costs are measured now, as are those that it lacks
+  // What is compared, in the catalogue or not; empty: recommendable_models().
+  std::vector<Reflectance> models;
   double tolerance = 0.05;
   Judge judge = Judge::image;
   double max_cost_ns = 0;  // 0: any
   std::function<void(double fraction, const std::string& what)> progress = [](double, const std::string&) {};
 };
 
+// Every form that can be fitted, and the ledger's variants.
+std::vector<Reflectance> recommendable_models();
+
 struct Candidate {
-  std::string form;
-  std::string choice;  // "" for the form itself, or the ledger's variant
+  Reflectance model;
   bool anisotropic = false;
   double cost_ns = 0;
+  bool cost_measured = false;            // now, because no ledger had it
   double image_error = 0;                // in the scene, from the lit pixels' directions
   std::optional<double> rendered_error;  // the same from two pictures, where they were rendered
   double brdf_error = 0;                 // mean |df| cos_i / mean f cos_i over the hemispheres
   std::string reason;                    // why it was chosen or not
-  Material material;                     // of a form; for a variant its parent with the variant's parameters
-  RgbFunction reflectance;
+  Material material;                     // the model with the fitted parameters
+  RgbFunction values;
+  std::string form() const;    // the model's name; of a variant that of its form
+  std::string choice() const;  // the ledger's variant, or ""
   std::string label() const;
 };
+
+// The material as its file has it: in a form of the catalogue, for a variant the reference form with its
+// parameters. Nothing for what is not in the catalogue.
+std::optional<Material> material_for_file(const Candidate& candidate);
 
 struct Recommendation {
   double tolerance = 0;
@@ -46,6 +57,7 @@ struct Recommendation {
   Coverage coverage;
   render::Picture picture, reference_picture;  // of the chosen one, else of the best
   std::string costs_from;
+  std::string measured_now;  // a sentence on the costs that were not read; "" where no ledger was given
 };
 
 // Throws InputError.
@@ -56,7 +68,8 @@ const Candidate& shown(const Recommendation& r);
 
 io::Json to_json(const Recommendation& r);
 std::string to_text(const Recommendation& r);
-// Material file, both pictures with their difference as PNG, and report.html in the folder.
+// Material file (of what is in the catalogue), both pictures with their difference as PNG, and report.html
+// in the folder.
 void write_recommendation(const std::filesystem::path& folder, const Recommendation& r);
 
 // Fits of one form under a scene's own weighting and over the whole hemisphere, judged at light and camera

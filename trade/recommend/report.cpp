@@ -6,6 +6,7 @@
 
 #include "io/html_report.h"
 #include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "trade/measure/timing.h"
 #include "trade/recommend/recommend.h"
@@ -14,19 +15,25 @@ namespace brdf::trade {
 namespace {
 
 io::Json candidate_json(const Candidate& c) {
-  return {{"form", c.form},
-          {"choice", c.choice.empty() ? io::Json(nullptr) : io::Json(c.choice)},
+  return {{"form", c.form()},
+          {"choice", c.choice().empty() ? io::Json(nullptr) : io::Json(c.choice())},
           {"anisotropic", c.anisotropic},
           {"cost_ns", c.cost_ns},
+          {"cost_measured", c.cost_measured},
           {"image_error", c.image_error},
           {"brdf_error", c.brdf_error},
           {"reason", c.reason}};
 }
 
 std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
+  return io::short_number(x, 3);
+}
+
+std::vector<std::string> sentences_of(const Recommendation& r) {
+  std::vector<std::string> sentences = r.unneeded;
+  sentences.insert(sentences.end(), r.warnings.begin(), r.warnings.end());
+  if (!r.measured_now.empty()) sentences.push_back(r.measured_now);
+  return sentences;
 }
 
 std::string png_bytes(const std::filesystem::path& path) {
@@ -63,7 +70,8 @@ io::Json to_json(const Recommendation& r) {
   io::Json chosen = nullptr;
   if (r.chosen) {
     chosen = candidate_json(r.candidates[*r.chosen]);
-    chosen["material"] = io::to_json(r.candidates[*r.chosen].material);
+    const Candidate& c = r.candidates[*r.chosen];
+    chosen["material"] = io::to_json(material_for_file(c).value_or(c.material));
   }
   return {{"made", io::to_json(io::provenance())},
           {"tolerance", r.tolerance},
@@ -82,13 +90,13 @@ io::Json to_json(const Recommendation& r) {
             {"least_theta_h", r.coverage.least_theta_h},
             {"most_theta_h", r.coverage.most_theta_h},
             {"azimuth_spread", r.coverage.azimuth_spread}}},
-          {"costs_from", r.costs_from}};
+          {"costs_from", r.costs_from},
+          {"measured_now", r.measured_now}};
 }
 
 std::string to_text(const Recommendation& r) {
   std::string text = verdict_of(r) + "\n";
-  for (const std::string& sentence : r.unneeded) text += "  " + sentence + "\n";
-  for (const std::string& sentence : r.warnings) text += "  " + sentence + "\n";
+  for (const std::string& sentence : sentences_of(r)) text += "  " + sentence + "\n";
   char line[256];
   std::snprintf(line, sizeof line, "\n  %-48s %8s %10s %10s\n", "candidate", "ns", "image", "brdf");
   text += line;
@@ -105,8 +113,9 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   std::filesystem::create_directories(folder);
   const Candidate& candidate = shown(r);
   io::Json fit = {{"made", io::to_json(io::provenance())}, {"image_error", candidate.image_error}};
-  if (!candidate.choice.empty()) fit["choice"] = candidate.choice;
-  io::write_material_file(folder / "material.json", {candidate.material, fit});
+  if (!candidate.choice().empty()) fit["choice"] = candidate.choice();
+  const std::optional<Material> material = material_for_file(candidate);
+  if (material) io::write_material_file(folder / "material.json", {*material, fit});
   const float exposure = exposure_of(r.reference_picture);
   const auto tone = [exposure](const render::Picture& p) {
     return render::displayed(p, render::ToneMap::srgb, exposure);
@@ -116,8 +125,8 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   render::write_png(folder / "difference.png", render::difference_picture(r.picture, r.reference_picture));
   io::HtmlReport report("What this scene requires");
   report.verdict(r.chosen ? io::Mark::good : io::Mark::bad, verdict_of(r));
-  for (const std::string& sentence : r.unneeded) report.paragraph(sentence);
-  for (const std::string& sentence : r.warnings) report.paragraph(sentence);
+  for (const std::string& sentence : sentences_of(r)) report.paragraph(sentence);
+  if (!material) report.paragraph(candidate.label() + " is not in the catalogue: there is no material.json.");
   report.heading("Pictures");
   const std::string exposed = ", exposure " + number(double(exposure)) + " stops";
   report.picture(png_bytes(folder / "model.png"), candidate.label() + exposed);

@@ -1,9 +1,9 @@
 #include "trade/recommend/scene_fit.h"
-#include "brdf/forms.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "brdf/geometry.h"
 #include "fit/fit.h"
 #include "io/error.h"
 #include "render/compare/measured.h"
@@ -18,11 +18,25 @@ Vec3<double> vec(const glm::vec3& v) {
 glm::vec3 vec(const std::array<double, 3>& v) {
   return {float(v[0]), float(v[1]), float(v[2])};
 }
-double in_degrees(double radians) {
-  return radians * 180 / kPi;
-}
 double polar(double cosine) {
-  return in_degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  return radians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees();
+}
+
+io::SampleTable rgb_table() {
+  io::SampleTable table;
+  table.channels = {"r", "g", "b"};
+  table.values.resize(3);
+  table.sigma.resize(3);
+  return table;
+}
+void add_row(io::SampleTable& table, const Vec3<double>& wi, const Vec3<double>& wo,
+             const RgbFunction& reference) {
+  double theta_i, phi_i, theta_o, phi_o;
+  io::polar_degrees(wi, theta_i, phi_i);
+  io::polar_degrees(wo, theta_o, phi_o);
+  table.add_directions(theta_i, phi_i, theta_o, phi_o);
+  const std::array<double, 3> f = reference(wi, wo);
+  for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
 }
 
 struct Azimuths {
@@ -35,7 +49,7 @@ Azimuths azimuths_of(const std::vector<double>& phi) {
   const double mean = 0.5 * std::atan2(s, c);
   double spread = 0;
   for (double p : phi) spread = std::max(spread, std::abs(std::remainder(p - mean, kPi)));
-  return {in_degrees(mean), in_degrees(spread)};
+  return {radians(mean).degrees(), radians(spread).degrees()};
 }
 
 }  // namespace
@@ -64,7 +78,7 @@ RgbFunction rgb_function(const io::SampleTable& table) {
 
 SceneView view_of(render::Scene scene) {
   for (render::Object& object : scene.objects) {
-    object.material = make_material(lambert{});
+    object.material = make_material(catalogue().front());  // any: only its directions are asked for
     object.textures = {};
   }
   SceneView view{render::prepare(std::move(scene)), {}};
@@ -73,41 +87,31 @@ SceneView view_of(render::Scene scene) {
 }
 
 io::SampleTable scene_samples(const SceneView& view, const RgbFunction& reference, std::size_t rows) {
-  io::SampleTable table;
-  table.channels = {"r", "g", "b"};
-  table.values.resize(3);
-  table.sigma.resize(3);
+  io::SampleTable table = rgb_table();
   const std::size_t stride = std::max<std::size_t>(1, view.points.size() / rows);
   for (std::size_t k = stride / 2; k < view.points.size(); k += stride) {
     const render::LitPoint& p = view.points[k];
-    const Vec3<double> wi = vec(p.wi), wo = vec(p.wo);
-    const std::array<double, 3> f = reference(wi, wo);
     const double irradiance = double(p.irradiance.x + p.irradiance.y + p.irradiance.z) / 3;
     if (!(irradiance > 0)) continue;
-    table.add_directions(polar(wi.z), in_degrees(std::atan2(wi.y, wi.x)), polar(wo.z),
-                         in_degrees(std::atan2(wo.y, wo.x)));
-    for (std::size_t c = 0; c < 3; ++c) {
-      table.values[c].push_back(f[c]);
-      table.sigma[c].push_back(1 / irradiance);
-    }
+    add_row(table, vec(p.wi), vec(p.wo), reference);
+    for (std::vector<double>& sigma : table.sigma) sigma.push_back(1 / irradiance);
   }
   return table;
 }
 
 io::SampleTable hemisphere_samples(const RgbFunction& reference, std::size_t rows) {
-  io::SampleTable table;
-  table.channels = {"r", "g", "b"};
-  table.values.resize(3);
-  table.sigma.resize(3);
-  const double least = std::cos(85 * kPi / 180);
+  io::SampleTable table = rgb_table();
+  const double least = std::cos(degrees(85).radians());
   const Points points = sample(
-      {{{"cos_i", least, 1}, {"cos_o", least, 1}, {"phi_i", -180, 180}, {"phi_o", -180, 180}}, {}, ""}, rows);
-  for (const std::vector<double>& at : points.at) {
-    const double theta_i = polar(at[0]), theta_o = polar(at[1]);
-    const auto f =
-        reference(direction(degrees(theta_i), degrees(at[2])), direction(degrees(theta_o), degrees(at[3])));
-    table.add_directions(theta_i, at[2], theta_o, at[3]);
-    for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
+      make_domain({{"cos_i", least, 1}, {"cos_o", least, 1}, {"phi_i", -180, 180}, {"phi_o", -180, 180}},
+                  [](std::span<const double> at) {
+                    return DirectionRow<double>{direction(radians(std::acos(at[0])), degrees(at[2])),
+                                                direction(radians(std::acos(at[1])), degrees(at[3]))};
+                  }),
+      rows);
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    const auto row = row_at<DirectionRow>(points.columns, k);
+    add_row(table, row.wi, row.wo, reference);
   }
   return table;
 }

@@ -1,0 +1,124 @@
+#include "trade/recommend/recommend.h"
+
+#include <gtest/gtest.h>
+
+#include "brdf/forms.h"
+#include "brdf/reflectance_of.h"
+#include "io/error.h"
+#include "io/output.h"
+#include "trade/recommend/costs.h"
+
+namespace brdf::trade {
+namespace {
+
+std::filesystem::path data(const std::string& name) {
+  return std::filesystem::path(BRDF_SOURCE_DIR) / "data" / name;
+}
+
+RecommendOptions close_up() {
+  RecommendOptions options;
+  options.scene = data("scenes/recommend_close_up.json");
+  options.reference = data("materials/glossy_grey_paper.json");
+  options.tolerance = 0.05;
+  return options;
+}
+
+TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
+  RecommendOptions options = close_up();
+  const Recommendation r = recommend(options);
+  ASSERT_TRUE(r.chosen.has_value());
+  EXPECT_LE(*shown(r).rendered_error, options.tolerance);
+  EXPECT_EQ(info(r.candidates[*r.chosen].model).family, "ward");
+  bool grazing = false, anisotropy = false;
+  for (const std::string& s : r.unneeded) {
+    grazing |= s.find("grazing accuracy is not needed") != std::string::npos;
+    anisotropy |= s.find("anisotropy is not needed") != std::string::npos;
+  }
+  EXPECT_TRUE(grazing);
+  EXPECT_TRUE(anisotropy);
+  for (std::size_t k = 1; k < r.candidates.size(); ++k)
+    EXPECT_LE(r.candidates[k - 1].cost_ns, r.candidates[k].cost_ns);
+  for (const Candidate& c : r.candidates) EXPECT_FALSE(c.reason.empty()) << c.label();
+}
+
+TEST(Recommend, SaysNoneAndNamesTheBest) {
+  RecommendOptions options = close_up();
+  options.max_cost_ns = 1e-3;  // nothing is that cheap
+  const Recommendation r = recommend(options);
+  EXPECT_FALSE(r.chosen.has_value());
+  for (const Candidate& c : r.candidates) EXPECT_GE(c.image_error, r.candidates[r.best].image_error);
+  EXPECT_TRUE(to_json(r).at("chosen").is_null());
+}
+
+// Not in the catalogue: a power of the half vector's cosine, as it stands.
+struct plain_lobe : Takes<LobeWeights, Exponent> {
+  static constexpr std::string_view name = "plain_lobe";
+  static constexpr std::string_view family = "plain_lobe";
+  static constexpr NoViolations violations{};
+  template <class S, class G>
+  static std::array<S, 2> lobes(const Exponent<S>& shape, const Geometry<G>& g) {
+    return {S(1 / kPi), half_cosine_power(shape.exponent, g)};
+  }
+};
+
+TEST(Recommend, TakesAReflectanceThatIsNotInTheCatalogue) {
+  RecommendOptions options = close_up();
+  options.models = {lambert{}, plain_lobe{}};
+  options.ledger = data("ledger.json");
+  const Recommendation r = recommend(options);
+  ASSERT_EQ(r.candidates.size(), 2u);
+  const std::size_t own = info(r.candidates[0].model).name == "plain_lobe" ? 0 : 1;
+  EXPECT_EQ(r.candidates[own].label(), "plain_lobe");
+  EXPECT_LT(r.candidates[own].image_error, 0.2 * r.candidates[1 - own].image_error);
+  EXPECT_TRUE(r.candidates[own].cost_measured);
+  EXPECT_FALSE(r.candidates[1 - own].cost_measured);
+  EXPECT_NE(to_text(r).find("ledger.json lacks these, so their costs were measured now: plain_lobe"),
+            std::string::npos);
+  EXPECT_FALSE(material_for_file(r.candidates[own]).has_value());
+  EXPECT_TRUE(material_for_file(r.candidates[1 - own]).has_value());
+}
+
+TEST(Recommend, RefusesWhatCannotBeFitted) {
+  RecommendOptions options = close_up();
+  options.models = {ward_as_coded{}};
+  EXPECT_THROW(recommend(options), InputError);
+}
+
+TEST(Costs, AreReadWhereTheLedgerHasTheRowAndMeasuredWhereNot) {
+  Ledger ledger = read_ledger(data("ledger.json"));
+  const std::vector<Reflectance> models = recommendable_models();
+  const Costs whole = costs_of(models, ledger);
+  EXPECT_EQ(std::count(whole.measured.begin(), whole.measured.end(), true), 0);
+  // Ten times dearer than it is: what is measured is told relative to it.
+  for (LedgerRow& row : ledger.rows) row.cost.seconds *= 10;
+  std::erase_if(ledger.rows,
+                [](const LedgerRow& row) { return row.choice == "ward" || row.choice == "masking dropped"; });
+  const Costs costs = costs_of(models, ledger);
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const std::string_view name = info(models[k]).name;
+    EXPECT_EQ(costs.measured[k], name == "ward" || name == "masking dropped") << name;
+    EXPECT_GT(costs.ns[k], 0) << name;
+    if (!costs.measured[k]) {
+      EXPECT_NEAR(costs.ns[k], 10 * whole.ns[k], 1e-9 * costs.ns[k]) << name;
+    } else {
+      EXPECT_GT(costs.ns[k], 2 * whole.ns[k]) << name;  // another machine, a busy one: only the order is told
+    }
+  }
+}
+
+TEST(Costs, OfALedgerOfAnotherVersionAreMeasured) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "brdf_ledger_of_tomorrow.json";
+  io::write_file_atomically(path, R"({"format": "brdf-ledger", "version": 2, "rows": "otherwise"})");
+  EXPECT_FALSE(read_current_ledger(path).has_value());
+  EXPECT_THROW(read_ledger(path), InputError);
+  RecommendOptions options = close_up();
+  options.models = {lambert{}};
+  options.ledger = path;
+  const Recommendation r = recommend(options);
+  EXPECT_TRUE(r.candidates[0].cost_measured);
+  EXPECT_NE(to_text(r).find("is of another version: all costs were measured now"), std::string::npos);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace brdf::trade
