@@ -75,13 +75,13 @@ class Batch : public Way {
   std::size_t count_;
 };
 
-std::vector<render::ProbeConfiguration> configurations(const Reflectance& form, const Columns<double>& in,
+std::vector<render::ProofConfiguration> configurations(const Reflectance& form, const Columns<double>& in,
                                                        std::size_t count) {
-  render::ProbeConfiguration c;
+  render::ProofConfiguration c;
   const ReflectanceInfo& about = info(form);
   for (std::size_t k = 0; k < about.shape.size(); ++k) c.shape[k] = float(about.shape[k].initial);
   for (std::size_t k = 0; k < about.weights.size(); ++k) c.weights[k].fill(float(about.weights[k].initial));
-  std::vector<render::ProbeConfiguration> all;
+  std::vector<render::ProofConfiguration> all;
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       c.wi[axis] = float(in[axis][k % in[axis].size()]);
@@ -99,7 +99,7 @@ class Shader : public Way {
   void run() override { batch_.run(); }
   std::vector<double> values() const override {
     std::vector<double> first;
-    for (const render::ProbeValues& v : batch_.values()) first.push_back(double(v[0]));
+    for (const render::ProofValues& v : batch_.values()) first.push_back(double(v[0]));
     return first;
   }
 
