@@ -19,13 +19,13 @@ namespace brdf::cli {
 
 namespace {
 
-void print_json(const std::vector<render::ProbeRow>& rows, const std::string& device, bool software,
+void print_json(const std::vector<render::ProofRow>& rows, const std::string& device, bool software,
                 std::uint64_t seed) {
   io::Json out;
   out["device"] = device;
   out["software"] = software;
   out["rows"] = io::Json::array();
-  for (const render::ProbeRow& row : rows)
+  for (const render::ProofRow& row : rows)
     out["rows"].push_back({{"form", row.form},
                            {"count", row.count},
                            {"differing", row.differing},
@@ -37,12 +37,12 @@ void print_json(const std::vector<render::ProbeRow>& rows, const std::string& de
   std::cout << io::to_text(out) << '\n';
 }
 
-void print_table(const std::vector<render::ProbeRow>& rows, const std::string& device, bool software) {
+void print_table(const std::vector<render::ProofRow>& rows, const std::string& device, bool software) {
   std::cout << device << (software ? ": every bit must agree" : ": within the tolerance") << '\n'
             << std::left << std::setw(28) << "form" << std::right << std::setw(14) << "configurations"
             << std::setw(18) << "differing values" << std::setw(12) << "max ulp" << std::setw(18)
             << "beyond tolerance" << '\n';
-  for (const render::ProbeRow& row : rows)
+  for (const render::ProofRow& row : rows)
     std::cout << std::left << std::setw(28) << row.form << std::right << std::setw(14) << row.count
               << std::setw(18) << row.differing << std::setw(12) << row.max_ulp << std::setw(18)
               << row.beyond_tolerance << (render::passes(row, software) ? "" : "  FAILS") << '\n';
@@ -55,14 +55,14 @@ Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool j
   const bool software = render::is_software(device);
   const auto progress = progress_line("brdf validate: forms probed");
   int done = 0;
-  const std::vector<render::ProbeRow> rows = render::probe(
-      device, forms, {.seed = seed}, [&](const render::ProbeRow&) { progress(++done, int(forms.size())); });
+  const std::vector<render::ProofRow> rows = render::shader_proof(
+      device, forms, {.seed = seed}, [&](const render::ProofRow&) { progress(++done, int(forms.size())); });
   if (json)
     print_json(rows, device.name(), software, seed);
   else
     print_table(rows, device.name(), software);
   return std::all_of(rows.begin(), rows.end(),
-                     [&](const render::ProbeRow& row) { return render::passes(row, software); })
+                     [&](const render::ProofRow& row) { return render::passes(row, software); })
              ? Exit::good
              : Exit::failed;
 }

@@ -37,7 +37,7 @@ io::Json json_of(const glm::vec3& v) {
   return io::Json::array({v.x, v.y, v.z});
 }
 
-io::Json json_of(const render::Probe& probe, const render::JobReport& report) {
+io::Json json_of(const render::PixelProbe& probe, const render::JobReport& report) {
   io::Json out;
   out["hit"] = probe.hit;
   out["picture"] = json_of(glm::vec3(report.probed_a));
@@ -95,12 +95,11 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_option("--gbuffer-bits", job.gbuffer_bits, "Bits per channel of the seven targets: 8, 16 or 32")
       ->check(CLI::IsMember({8, 16, 32}))
       ->capture_default_str();
-  verb.add_option("--shading", job.shading,
-                  "brdf, vertex_color, flat, gouraud, phong, phong_blinn or lookup, instead of the scene's");
+  verb.add_option("--shading", job.shading, known_names<render::Shading>() + ", instead of the scene's");
   verb.add_flag("--per-vertex", job.per_vertex,
                 "phong, phong_blinn, lookup: once per vertex instead of per pixel");
   verb.add_flag("--as-coded", job.as_coded, "With the articles' slips");
-  verb.add_option("--tone-map", job.tone_map, "none, srgb, reinhard or thesis, instead of the scene's");
+  verb.add_option("--tone-map", job.tone_map, known_names<render::ToneMap>() + ", instead of the scene's");
   verb.add_option("--exposure", job.exposure, "Stops, instead of the scene's")
       ->check(CLI::Range(-20.0f, 20.0f));
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");

@@ -65,7 +65,7 @@ std::vector<std::string> write_exr_table(const std::filesystem::path& path, cons
     try {
       write(temporary, table);
     } catch (const std::exception& error) {
-      throw InputError(path.string() + ": cannot be written: " + error.what());
+      throw EnvironmentError(path.string() + ": cannot be written: " + error.what());
     }
   });
   return {"digits beyond 32-bit float (7 significant ones)", "free-text comments and line numbers"};

@@ -13,13 +13,11 @@
 namespace brdf::render {
 namespace {
 
-template <class Enum, std::size_t N>
-Enum named(const std::string& text, const std::array<const char*, N>& names, const std::string& option) {
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found != names.end()) return Enum(found - names.begin());
-  std::string known;
-  for (const char* name : names) (known += known.empty() ? "" : ", ") += name;
-  throw InputError(option + " " + text + ": must be one of " + known);
+template <class Enum>
+Enum named(const std::string& text, const std::string& option) {
+  const std::optional<Enum> found = find_named<Enum>(text);
+  if (!found) throw InputError(option + " " + text + ": must be one of " + known_names<Enum>());
+  return *found;
 }
 
 bool compared(const Job& job) {
@@ -42,11 +40,7 @@ void check_usage(const Job& job) {
 
 std::pair<std::string, Material> load_material(const std::filesystem::path& file) {
   Material material = io::read_material(file);
-  const std::size_t channels = material.channels.size();
-  if (channels != 1 && channels != 3) {
-    throw InputError(file.string() + ": has " + std::to_string(channels) +
-                     " channels; the renderer takes 1 or 3");
-  }
+  require_one_or_three_channels(material.channels.size(), file.string());
   return {file.stem().string(), std::move(material)};
 }
 
@@ -72,10 +66,10 @@ void apply_overrides(const Job& job, Scene& scene) {
   if (job.height) scene.camera.height = *job.height;
   if (job.exposure) scene.exposure = *job.exposure;
   if (job.shading) {
-    scene.shading = named<Shading>(*job.shading, kShadingNames, "--shading");
+    scene.shading = named<Shading>(*job.shading, "--shading");
     if (scene.shading != Shading::brdf) scene.tone_map = ToneMap::none;
   }
-  if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, kToneMapNames, "--tone-map");
+  if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, "--tone-map");
   scene.per_vertex |= job.per_vertex;
   scene.as_coded |= job.as_coded;
 }
@@ -103,7 +97,7 @@ ViewState state_of(const Job& job) {
   }
   apply_overrides(job, state.scene);
   if (job.gbuffer && is_png(job.output)) state.display = Display::gbuffer;
-  if (job.show) state.display = named<Display>(*job.show, kDisplayNames, "--show");
+  if (job.show) state.display = named<Display>(*job.show, "--show");
   if (job.state.empty() && needs_other(state.display) && !compared(job))
     throw InputError("--show " + *job.show + " needs --compare or --measured");
   if (job.plot_theta) state.plot_theta = float(*job.plot_theta);
@@ -117,9 +111,10 @@ void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures
   std::vector<Layer> layers{{"", &a, true}};
   std::vector<Picture> targets;
   for (int k = 0; job.gbuffer && k < kTargetCount; ++k) {
-    targets.push_back(picture_from(a.width, a.height, pictures.a().read_target(k)));
+    targets.push_back(picture_from(a.width, a.height, pictures.a().read_target(Target(k))));
   }
-  for (std::size_t k = 0; k < targets.size(); ++k) layers.push_back({kTargetNames[k], &targets[k], true});
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    layers.push_back({std::string(kNames<Target>[k]), &targets[k], true});
   Picture difference = a;
   if (with_other) {
     const Picture& b = pictures.b_picture();
@@ -176,7 +171,7 @@ JobReport run(const Job& job) {
     report.difference = pictures.difference();
   }
   if (job.probe) {
-    report.probe = probe(pictures.prepared(), job.probe->x, job.probe->y);
+    report.probe = pixel_probe(pictures.prepared(), job.probe->x, job.probe->y);
     report.probed_a = pictures.a_picture().at(job.probe->x, job.probe->y);
     if (with_other) report.probed_b = pictures.b_picture().at(job.probe->x, job.probe->y);
   }
@@ -219,14 +214,15 @@ void write_maps(const std::string& kind, int size, std::uint64_t seed, const std
   }
   const auto maps = rusty_metal(size, seed);
   for (std::size_t k = 0; k < maps.size(); ++k) {
-    write_png(folder / (std::string(kTextureNames[k]) + ".png"), bytes_of(maps[k]));
+    write_png(folder / (std::string(kNames<TextureSlot>[k]) + ".png"), bytes_of(maps[k]));
   }
 }
 
 void write_lookup_pictures(const std::filesystem::path& folder) {
   make_folder(folder);
-  for (std::size_t k = 0; k < kLookupNames.size(); ++k) {
-    write_png(folder / (std::string(kLookupNames[k]) + ".png"), lookup_picture(LookupFactor(k), false));
+  for (std::size_t k = 0; k < kNames<LookupFactor>.size(); ++k) {
+    write_png(folder / (std::string(name_of(LookupFactor(k))) + ".png"),
+              lookup_picture(LookupFactor(k), false));
   }
   write_png(folder / "product_as_coded.png", lookup_picture(LookupFactor::product, true));
 }

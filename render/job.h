@@ -27,7 +27,7 @@ struct Job {
   bool gbuffer = false;              // EXR: the seven targets as layers too
   std::string compare;               // B: "embree", or a material's file
   std::filesystem::path measured;    // B: a sample table, with the same lights
-  std::optional<std::string> show;   // PNG: one of kDisplayNames
+  std::optional<std::string> show;   // PNG: the name of a Display
   bool labels = true;                // PNG: names and numbers where it holds several pictures
   std::optional<glm::ivec2> probe;   // pixel whose values are wanted
   std::optional<double> plot_theta;  // lobe plot: angle of the light in degrees
@@ -42,7 +42,7 @@ struct JobReport {
   std::string other;   // name of B, where there is one
   std::optional<Difference> difference;
   std::vector<std::pair<std::string, double>> passes;  // milliseconds
-  std::optional<Probe> probe;
+  std::optional<PixelProbe> probe;
   glm::vec4 probed_a{0}, probed_b{0};  // the pictures' values at the probed pixel
   unsigned validation_messages = 0;
 };

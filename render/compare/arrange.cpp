@@ -49,22 +49,23 @@ BytePicture false_colors(const Comparison& c) {
   return out;
 }
 
-// In the order of kTargetNames: 0 colour, 1 direction, 2 position.
-constexpr std::array kTargetKinds{0, 1, 0, 2, 0, 1, 1};
+bool is_direction(Target target) {
+  return target == Target::normal || target == Target::tangent || target == Target::bitangent;
+}
 
-BytePicture target_picture(Renderer& renderer, int target, const Picture& ids, float extent) {
-  const int kind = kTargetKinds[std::size_t(target)];
+BytePicture target_picture(Renderer& renderer, Target target, const Picture& ids, float extent) {
+  const bool direction = is_direction(target), vector = direction || target == Target::position;
   Picture picture = picture_from(ids.width, ids.height, renderer.read_target(target));
   for (std::size_t p = 0; p < picture.pixels.size(); ++p) {
     glm::vec4& pixel = picture.pixels[p];
     const glm::vec3 value(pixel);
     if (ids.pixels[p].a < 0.5f / 255) {
       pixel = glm::vec4(0);
-    } else if (kind > 0 && renderer.gbuffer_bits() != 8) {  // bytes hold v/2 + 1/2 already
-      pixel = glm::vec4((kind == 1 ? value : value / extent) * 0.5f + 0.5f, 1);
+    } else if (vector && renderer.gbuffer_bits() != 8) {  // bytes hold v/2 + 1/2 already
+      pixel = glm::vec4((direction ? value : value / extent) * 0.5f + 0.5f, 1);
     }
   }
-  return displayed(picture, kind == 0 ? ToneMap::srgb : ToneMap::none, 0);
+  return displayed(picture, vector ? ToneMap::none : ToneMap::srgb, 0);
 }
 
 }  // namespace
@@ -106,14 +107,15 @@ BytePicture target_sheet(Renderer& renderer, bool labels) {
   const Scene& scene = renderer.scene().scene;
   float extent = 1e-6f;
   for (const Item& item : renderer.scene().layers[0]) extent = std::max(extent, item.extent);
-  const Picture ids = picture_from(scene.camera.width, scene.camera.height, renderer.read_target(3));
+  const Picture ids =
+      picture_from(scene.camera.width, scene.camera.height, renderer.read_target(Target::position));
   std::vector<BytePicture> pictures;
-  for (int k = 0; k < kTargetCount; ++k) pictures.push_back(target_picture(renderer, k, ids, extent));
+  for (int k = 0; k < kTargetCount; ++k) pictures.push_back(target_picture(renderer, Target(k), ids, extent));
   pictures.push_back(
       displayed(picture_from(ids.width, ids.height, renderer.read_color()), scene.tone_map, scene.exposure));
   std::vector<std::string> names;
   if (labels) {
-    names.assign(kTargetNames.begin(), kTargetNames.end());
+    names.assign(kNames<Target>.begin(), kNames<Target>.end());
     names.emplace_back("lighting");
   }
   return sheet(std::move(pictures), names, 4);

@@ -6,14 +6,13 @@
 
 #include "render/picture/picture.h"
 
-namespace brdf::render {
+namespace brdf {
+namespace render {
 
 class Renderer;
 
 // What the viewer can show, and `brdf render` too.
 enum class Display { picture, split, flip, difference, gbuffer };
-inline constexpr std::array<const char*, 5> kDisplayNames{"picture", "split", "flip", "difference",
-                                                          "gbuffer"};
 
 // Two linear pictures of one size and how they are shown.
 struct Comparison {
@@ -40,4 +39,10 @@ BytePicture sheet(std::vector<BytePicture> pictures, const std::vector<std::stri
 // the lighting, in two rows.
 BytePicture target_sheet(Renderer& renderer, bool labels);
 
-}  // namespace brdf::render
+}  // namespace render
+
+template <>
+inline constexpr std::array<std::string_view, 5> kNames<render::Display>{"picture", "split", "flip",
+                                                                         "difference", "gbuffer"};
+
+}  // namespace brdf

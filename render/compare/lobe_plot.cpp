@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "io/numbers.h"
 
 namespace brdf::render {
 namespace {
@@ -11,25 +12,18 @@ constexpr ByteColor kGrid{110, 110, 115}, kLight{255, 220, 120}, kWords{225, 225
 constexpr std::array kFirst{ByteColor{235, 80, 70}, ByteColor{90, 205, 90}, ByteColor{90, 145, 255}};
 constexpr std::array kSecond{ByteColor{255, 175, 155}, ByteColor{185, 245, 175}, ByteColor{175, 210, 255}};
 
-glm::vec2 at_angle(double degrees, float radius) {
-  const double angle = degrees * kPi / 180;
-  return radius * glm::vec2(float(std::sin(angle)), float(std::cos(angle)));
+glm::vec2 at_angle(Angle angle, float radius) {
+  return radius * glm::vec2(float(std::sin(angle.radians())), float(std::cos(angle.radians())));
 }
 
 std::vector<glm::vec2> half_circle(float radius) {
   std::vector<glm::vec2> points;
-  for (int k = -90; k <= 90; k += 3) points.push_back(at_angle(k, radius));
+  for (int k = -90; k <= 90; k += 3) points.push_back(at_angle(degrees(k), radius));
   return points;
 }
 
 bool shown(int solo, std::size_t curve) {
   return solo < 0 || std::size_t(solo) == curve;
-}
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
 }
 
 }  // namespace
@@ -41,8 +35,8 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
   std::vector<double> f(channels);
   const Vec3<double> wi = direction(degrees(theta_i_degrees), {});
   for (int k = 0; k < kLobePoints; ++k) {
-    const double theta = (k - kSteepest) * kPi / 180;
-    eval(material, wi, direction(radians(std::abs(theta)), radians(theta > 0 ? kPi : 0)), f);
+    const int theta = k - kSteepest;
+    eval(material, wi, direction(degrees(std::abs(theta)), degrees(theta > 0 ? 180 : 0)), f);
     for (std::size_t c = 0; c < channels; ++c) curves[c].values.push_back(float(f[c]));
   }
   for (std::size_t c = 0; c < channels; ++c) {
@@ -69,14 +63,14 @@ LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees,
   }
   for (const float radius : {0.5f, 1.0f}) plot.paths.push_back({half_circle(radius), kGrid, 1});
   for (int angle = -90; angle <= 90; angle += 30)
-    plot.paths.push_back({{{0, 0}, at_angle(angle, 1)}, kGrid, 1});
-  plot.paths.push_back({{{0, 0}, at_angle(-theta_i_degrees, 1)}, kLight, 1.5f});
+    plot.paths.push_back({{{0, 0}, at_angle(degrees(angle), 1)}, kGrid, 1});
+  plot.paths.push_back({{{0, 0}, at_angle(degrees(-theta_i_degrees), 1)}, kLight, 1.5f});
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (!shown(solo, c)) continue;
     LobePath path{{}, curves[c].color, 2};
     for (int k = 0; k < kLobePoints; ++k) {
       const float share = std::max(0.0f, curves[c].values[std::size_t(k)]) / plot.largest;
-      path.points.push_back(at_angle(k - kSteepest, std::cbrt(share)));
+      path.points.push_back(at_angle(degrees(k - kSteepest), std::cbrt(share)));
     }
     plot.paths.push_back(std::move(path));
   }
@@ -100,13 +94,14 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
     draw_text(out, at - glm::vec2(text_width(text, pixels) / 2, 0), text, pixels, color);
   };
   for (int angle = -90; angle <= 90; angle += 30) {
-    centred(place(at_angle(angle, 1 + 1.2f * float(pixels) / radius)) + glm::vec2(0, 0.35f * float(pixels)),
+    centred(place(at_angle(degrees(angle), 1 + 1.2f * float(pixels) / radius)) +
+                glm::vec2(0, 0.35f * float(pixels)),
             std::to_string(std::abs(angle)) + "°", kWords);
   }
   // Radius: the cube root of the share, so half of it is an eighth.
   const float below = origin.y + 1.6f * float(pixels);
-  centred({origin.x + radius / 2, below}, number(double(plot.largest) / 8), kWords);
-  centred({origin.x + radius, below}, number(double(plot.largest)), kWords);
+  centred({origin.x + radius / 2, below}, io::short_number(double(plot.largest) / 8, 3), kWords);
+  centred({origin.x + radius, below}, io::short_number(double(plot.largest), 3), kWords);
   centred({origin.x, below}, "0", kWords);
   centred({origin.x - radius / 2, below}, "f_r in 1/sr, radius its cube root", kWords);
   float left = float(pixels);
@@ -115,7 +110,7 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
     draw_text(out, {left, line}, text, pixels, color);
     left += text_width(text, pixels) + 1.5f * float(pixels);
   };
-  word("light at " + number(theta_i_degrees) + "°", kLight);
+  word("light at " + io::short_number(theta_i_degrees, 3) + "°", kLight);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (shown(solo, c)) word(curves[c].name, curves[c].color);
   }

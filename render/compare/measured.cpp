@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
-#include <numeric>
+#include <nanoflann.hpp>
 
 #include "io/error.h"
 
@@ -35,16 +34,9 @@ Point coordinates(const glm::vec3& wi, const glm::vec3& wo) {
   }
   // wi and wo exchanged turn phi_d by pi, a mirrored surface changes its sign: fold to [0, pi/2].
   phi_d = std::abs(phi_d);
-  phi_d = std::min(phi_d, 3.14159265f - phi_d);
+  phi_d = std::min(phi_d, float(kPi) - phi_d);
   return {std::sqrt(theta_h), theta_d,
           phi_d * std::sin(theta_d) * std::min(1.0f, 2 * std::sqrt(theta_h)) * 0.5f};
-}
-
-float distance2(const Point& a, const Point& b) {
-  float sum = 0;
-  for (int k = 0; k < kDimensions; ++k)
-    sum += (a[std::size_t(k)] - b[std::size_t(k)]) * (a[std::size_t(k)] - b[std::size_t(k)]);
-  return sum;
 }
 
 struct Row {
@@ -73,84 +65,51 @@ std::vector<Row> merged(std::vector<Row> rows) {
   return rows;
 }
 
-// A balanced k-d tree in one array: the median of each range splits it along the axis of its depth.
-class Tree {
+// The rows as nanoflann asks for them, and its tree over them.
+class Rows {
  public:
-  explicit Tree(std::vector<Row> rows) : rows_(std::move(rows)) { build(0, rows_.size(), 0); }
+  explicit Rows(std::vector<Row> rows) : rows_(std::move(rows)), tree_(kDimensions, *this) {}
+  Rows(const Rows&) = delete;
+  Rows& operator=(const Rows&) = delete;
 
-  struct Found {
-    std::array<std::pair<float, std::size_t>, kNeighbours>
-        nearest;  // squared distance and row, nearest first
-    std::size_t count = 0;
-    float reach() const {
-      return count < kNeighbours ? std::numeric_limits<float>::infinity() : nearest[count - 1].first;
-    }
-    void add(float d2, std::size_t row) {
-      if (!(d2 < reach())) return;
-      if (count < kNeighbours) ++count;
-      std::size_t k = count - 1;
-      for (; k > 0 && nearest[k - 1].first > d2; --k) nearest[k] = nearest[k - 1];
-      nearest[k] = {d2, row};
-    }
-  };
-  Found find(const Point& at) const {
-    Found found;
-    search(at, 0, rows_.size(), 0, found);
-    return found;
+  std::size_t kdtree_get_point_count() const { return rows_.size(); }
+  float kdtree_get_pt(std::size_t row, std::size_t axis) const { return rows_[row].at[axis]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
   }
-  const Row& operator[](std::size_t k) const { return rows_[k]; }
+
+  // The mean of the rows round a place, by distance; of the logarithms where all are positive.
+  glm::vec3 mean_at(const Point& at) const {
+    std::array<std::uint32_t, kNeighbours> row{};
+    std::array<float, kNeighbours> d2{};  // squared distances, the nearest first
+    const std::size_t count = tree_.knnSearch(at.data(), kNeighbours, row.data(), d2.data());
+    glm::vec3 logs(0), plain(0);
+    float total = 1e-20f;
+    bool positive = true;
+    for (std::size_t k = 0; k < count; ++k) {
+      const glm::vec3& f = rows_[row[k]].value;
+      // 0 at the farthest one: rows that come and go among the nearest leave no edge.
+      const float inside = 1 - d2[k] / (d2[count - 1] + 1e-8f);
+      const float weight = inside * inside / (d2[k] + 1e-8f);
+      total += weight;
+      plain += weight * f;
+      positive = positive && f.r > 0 && f.g > 0 && f.b > 0;
+      if (positive) logs += weight * glm::log(f);
+    }
+    return positive ? glm::exp(logs / total) : glm::max(plain / total, glm::vec3(0));
+  }
 
  private:
-  void build(std::size_t begin, std::size_t end, int axis) {
-    if (end - begin < 2) return;
-    const std::size_t middle = (begin + end) / 2;
-    const auto at = [&](std::size_t k) { return rows_.begin() + std::ptrdiff_t(k); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Row& a, const Row& b) {
-      return a.at[std::size_t(axis)] < b.at[std::size_t(axis)];
-    });
-    build(begin, middle, (axis + 1) % kDimensions);
-    build(middle + 1, end, (axis + 1) % kDimensions);
-  }
-  void search(const Point& p, std::size_t begin, std::size_t end, int axis, Found& found) const {
-    if (begin >= end) return;
-    const std::size_t middle = (begin + end) / 2;
-    found.add(distance2(p, rows_[middle].at), middle);
-    const float side = p[std::size_t(axis)] - rows_[middle].at[std::size_t(axis)];
-    const int next = (axis + 1) % kDimensions;
-    const auto lower = [&] { search(p, begin, middle, next, found); };
-    const auto upper = [&] { search(p, middle + 1, end, next, found); };
-    side < 0 ? lower() : upper();
-    if (side * side < found.reach()) side < 0 ? upper() : lower();
-  }
   std::vector<Row> rows_;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Rows>, Rows, kDimensions> tree_;
 };
-
-glm::vec3 weighted_mean(const Tree& tree, const Tree::Found& found) {
-  glm::vec3 logs(0), plain(0);
-  float total = 1e-20f;
-  bool positive = true;
-  for (std::size_t k = 0; k < found.count; ++k) {
-    const auto [d2, row] = found.nearest[k];
-    const glm::vec3& f = tree[row].value;
-    // 0 at the farthest one: rows that come and go among the nearest leave no edge.
-    const float inside = 1 - d2 / (found.nearest[found.count - 1].first + 1e-8f);
-    const float weight = inside * inside / (d2 + 1e-8f);
-    total += weight;
-    plain += weight * f;
-    positive = positive && f.r > 0 && f.g > 0 && f.b > 0;
-    if (positive) logs += weight * glm::log(f);
-  }
-  return positive ? glm::exp(logs / total) : glm::max(plain / total, glm::vec3(0));
-}
 
 }  // namespace
 
 Measured interpolate(const io::SampleTable& table) {
   const std::size_t channels = table.channels.size();
-  if (channels != 1 && channels != 3) {
-    throw InputError(table.source + ": has " + std::to_string(channels) +
-                     " channels; the renderer takes 1 or 3");
-  }
+  require_one_or_three_channels(channels, table.source);
   if (table.rows() == 0) throw InputError(table.source + ": has no rows");
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
@@ -162,10 +121,9 @@ Measured interpolate(const io::SampleTable& table) {
     for (std::size_t c = 0; c < 3; ++c) row.value[int(c)] = float(table.values[channels == 1 ? 0 : c][k]);
     rows.push_back(row);
   }
-  const auto tree = std::make_shared<const Tree>(merged(std::move(rows)));
-  return [tree](const glm::vec3& wi, const glm::vec3& wo) {
-    if (!(wi.z > 0 && wo.z > 0)) return glm::vec3(0);
-    return weighted_mean(*tree, tree->find(coordinates(wi, wo))) * wi.z;
+  const auto table_rows = std::make_shared<const Rows>(merged(std::move(rows)));
+  return [table_rows](const glm::vec3& wi, const glm::vec3& wo) {
+    return wi.z > 0 && wo.z > 0 ? table_rows->mean_at(coordinates(wi, wo)) * wi.z : glm::vec3(0);
   };
 }
 

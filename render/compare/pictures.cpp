@@ -1,5 +1,7 @@
 #include "render/compare/pictures.h"
 
+#include <tuple>
+
 #include "io/samples.h"
 #include "render/reference/reference.h"
 
@@ -24,6 +26,14 @@ bool same_resources(const Scene& a, const Scene& b) {
   return true;
 }
 
+// Whether B is the same where A is.
+bool same_other(const ViewState& a, const ViewState& b) {
+  const auto parts = [](const ViewState& s) {
+    return std::tie(s.other, s.selected, s.everywhere, s.material, s.samples);
+  };
+  return parts(a) == parts(b);
+}
+
 }  // namespace
 
 float Pictures::extent() const {
@@ -40,7 +50,8 @@ Picture Pictures::read(Renderer& renderer) {
 void Pictures::prepare_to_sample(VkCommandBuffer commands) {
   a_->color().transition(commands, Use::sampled);
   if (b_) b_->color().transition(commands, Use::sampled);
-  for (int k = 0; has_targets() && k < kTargetCount; ++k) a_->target(k).transition(commands, Use::sampled);
+  for (int k = 0; has_targets() && k < kTargetCount; ++k)
+    a_->target(Target(k)).transition(commands, Use::sampled);
 }
 
 void Pictures::update(const ViewState& state, VkExtent2D size) {
@@ -54,14 +65,14 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   scene.camera.height = int(size.height);
   // Samples hold no ambient light: leave it out on both sides.
   if (needs_b(state) && state.other == Other::samples) scene.ambient = glm::vec3(0);
-  const std::string key = scene_text(scene);
-  if (key == drawn_a_) return;
+  if (drawn_a_ == scene) return;
+  drawn_a_.reset();
   if (a_ && same_resources(scene, prepared_.scene)) {
-    prepared_.scene = std::move(scene);
+    prepared_.scene = scene;
     update_items(prepared_);
     a_->update(prepared_);
   } else {
-    PreparedScene fresh = prepare(std::move(scene));
+    PreparedScene fresh = prepare(scene);
     a_.reset();
     b_.reset();
     upload_ = {};
@@ -72,8 +83,8 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   a_->draw(&times_);
   a_picture_.reset();
   pass_times_ = times_.read();
-  drawn_a_ = key;
-  drawn_b_.clear();
+  drawn_a_ = std::move(scene);
+  drawn_b_.reset();
 }
 
 void Pictures::draw_other_material(const ViewState& state) {
@@ -92,11 +103,8 @@ void Pictures::draw_other_material(const ViewState& state) {
 }
 
 void Pictures::update_b(const ViewState& state) {
-  ViewState shown = state;
-  shown.display = Display::split;  // how the pictures are arranged does not matter to them
-  shown.split = 0;
-  const std::string key = state_text(shown);
-  if (key == drawn_b_) return;
+  if (drawn_b_ && same_other(*drawn_b_, state)) return;
+  drawn_b_.reset();
   if (state.other == Other::material) {
     draw_other_material(state);
   } else {
@@ -118,7 +126,7 @@ void Pictures::update_b(const ViewState& state) {
   }
   difference_ = compare(a_picture(), b_picture_);
   images_changed_ = true;
-  drawn_b_ = key;
+  drawn_b_ = state;
 }
 
 std::string Pictures::other_name(const ViewState& state) const {

@@ -59,7 +59,8 @@ class Pictures {
   Picture b_picture_;
   std::filesystem::path samples_file_;
   Measured samples_;
-  std::string drawn_a_, drawn_b_;  // the state that the pictures show
+  std::optional<Scene> drawn_a_;  // what the pictures show
+  std::optional<ViewState> drawn_b_;
   bool images_changed_ = true;
   std::vector<std::pair<std::string, double>> pass_times_;
   std::optional<Difference> difference_;

@@ -4,30 +4,18 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "io/content.h"
 #include "io/error.h"
-#include "io/json.h"
 #include "io/material_json.h"
 #include "io/samples.h"
 #include "render/mesh/mesh.h"
+#include "render/scene/scene_json.h"
 
 namespace brdf::render {
 namespace {
 
 using io::Json;
 using io::JsonPlace;
-
-template <std::size_t N>
-std::size_t index_of(const JsonPlace& place, const std::array<const char*, N>& names) {
-  const std::string text = place.text();
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found == names.end()) place.fail("is not known");
-  return std::size_t(found - names.begin());
-}
-
-bool flag(const JsonPlace& place) {
-  if (!place.value().is_boolean()) place.fail("must be true or false");
-  return place.value().get<bool>();
-}
 
 // Relative names start from the scene's folder, which a state saved elsewhere does not know.
 Scene with_absolute_names(Scene scene) {
@@ -48,25 +36,38 @@ std::string lower_case_suffix(const std::filesystem::path& file) {
   return suffix;
 }
 
-// The value of "format" where the file is JSON, "" where it is not. A file that calls itself JSON must be.
-std::string json_format(const std::filesystem::path& file) {
-  const bool named_so = lower_case_suffix(file) == ".json";
-  try {
-    const Json json = io::read_json(file);
-    if (json.is_object() && json.contains("format") && json["format"].is_string())
-      return json["format"].get<std::string>();
-  } catch (const InputError&) {
-    if (named_so) throw;
-  }
-  if (named_so)
+// What a file holds where it is JSON. One that calls itself JSON must be.
+std::optional<Json> json_of(const std::filesystem::path& file) {
+  if (lower_case_suffix(file) != ".json" && !io::is_json(file)) return std::nullopt;
+  Json json = io::read_json(file);
+  if (!json.is_object() || !json.contains("format") || !json["format"].is_string())
     throw InputError(file.string() + ": has no \"format\" (brdf-scene, brdf-material, brdf-view)");
-  return "";
+  return json;
 }
 
-void put_material(ViewState& state, const std::filesystem::path& file) {
-  Object& object = state.scene.objects.at(state.selected);
-  object.material = io::read_material(file);
-  object.material_name = file.stem().string();
+ViewState state_from_json(const JsonPlace& root) {
+  require_format(root, "brdf-view");
+  root.allow_keys({"format", "version", "scene", "selected", "compare_with", "material", "material_name",
+                   "everywhere", "samples", "display", "split", "turntable", "plot"});
+  ViewState state;
+  state.scene = scene_from_json(root.at("scene"), "");
+  state.selected = std::size_t(root.at("selected").number(0, double(state.scene.objects.size() - 1)));
+  state.other = read_named<Other>(root.at("compare_with"));
+  if (root.has("material")) {
+    state.material = io::material_from_json(root.at("material")).material;
+    state.material_name = root.at("material_name").text();
+    if (root.has("everywhere")) state.everywhere = read_flag(root.at("everywhere"));
+  }
+  if (root.has("samples")) state.samples = root.at("samples").text();
+  state.display = read_named<Display>(root.at("display"));
+  state.split = float(root.at("split").number(0, 1));
+  state.turntable = read_flag(root.at("turntable"));
+  const JsonPlace plot = root.at("plot");
+  plot.allow_keys({"shown", "theta", "solo"});
+  state.show_plot = read_flag(plot.at("shown"));
+  state.plot_theta = float(plot.at("theta").number(0, 90));
+  state.plot_solo = int(plot.at("solo").number(-1, 5));
+  return state;
 }
 
 bool is_model(const std::filesystem::path& file) {
@@ -81,99 +82,86 @@ std::string state_text(const ViewState& state) {
   Json json;
   json["format"] = "brdf-view";
   json["version"] = 1;
-  json["scene"] = io::parse_json(scene_text(with_absolute_names(state.scene)), "scene");
+  json["scene"] = to_json(with_absolute_names(state.scene));
   json["selected"] = state.selected;
-  json["compare_with"] = kOtherNames[std::size_t(state.other)];
+  json["compare_with"] = name_of(state.other);
   if (state.material) {
     json["material"] = io::to_json(*state.material);
     json["material_name"] = state.material_name;
     json["everywhere"] = state.everywhere;
   }
   if (!state.samples.empty()) json["samples"] = std::filesystem::absolute(state.samples).string();
-  json["display"] = kDisplayNames[std::size_t(state.display)];
+  json["display"] = name_of(state.display);
   json["split"] = state.split;
   json["turntable"] = state.turntable;
   json["plot"] = {{"shown", state.show_plot}, {"theta", state.plot_theta}, {"solo", state.plot_solo}};
   return io::to_text(json);
 }
 
-ViewState parse_state(const std::string& text, const std::string& name) {
-  const Json json = io::parse_json(text, name);
-  const JsonPlace root(json, name);
-  if (root.at("format").text() != "brdf-view") root.at("format").fail("must be \"brdf-view\"");
-  root.allow_keys({"format", "version", "scene", "selected", "compare_with", "material", "material_name",
-                   "everywhere", "samples", "display", "split", "turntable", "plot"});
-  if (root.at("version").number() != 1) root.at("version").fail("must be 1");
-  ViewState state;
-  state.scene = parse_scene(root.at("scene").value().dump(), name + ": $.scene", "");
-  state.selected = std::size_t(root.at("selected").number(0, double(state.scene.objects.size() - 1)));
-  state.other = Other(index_of(root.at("compare_with"), kOtherNames));
-  if (root.has("material")) {
-    state.material = io::material_from_json(root.at("material")).material;
-    state.material_name = root.at("material_name").text();
-    if (root.has("everywhere")) state.everywhere = flag(root.at("everywhere"));
+ViewState load_state(const std::filesystem::path& file) {
+  const Json json = io::read_json(file);
+  return state_from_json({json, file.string()});
+}
+
+namespace {
+
+// `state` with what the document holds, by its format.
+ViewState with_document(ViewState state, const Json& json, const std::filesystem::path& file) {
+  const JsonPlace place(json, file.string());
+  const std::string format = place.at("format").text();
+  if (format == "brdf-view") return state_from_json(place);
+  if (format == "brdf-scene") {
+    state.scene = scene_from_json(place, file.parent_path());
+    state.selected = 0;
+  } else if (format == "brdf-material") {
+    Object& object = state.scene.objects.at(state.selected);
+    object.material = io::material_from_json(place).material;
+    object.material_name = file.stem().string();
+  } else {
+    throw InputError(file.string() + ": the format \"" + format + "\" cannot be opened");
   }
-  if (root.has("samples")) state.samples = root.at("samples").text();
-  state.display = Display(index_of(root.at("display"), kDisplayNames));
-  state.split = float(root.at("split").number(0, 1));
-  state.turntable = flag(root.at("turntable"));
-  const JsonPlace plot = root.at("plot");
-  plot.allow_keys({"shown", "theta", "solo"});
-  state.show_plot = flag(plot.at("shown"));
-  state.plot_theta = float(plot.at("theta").number(0, 90));
-  state.plot_solo = int(plot.at("solo").number(-1, 5));
   return state;
 }
 
-ViewState load_state(const std::filesystem::path& file) {
-  return parse_state(io::read_json(file).dump(), file.string());
-}
+}  // namespace
 
 void open_file(ViewState& state, const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such file");
-  const std::string format = json_format(file);
-  ViewState next = state;
-  if (format == "brdf-view") {
-    next = load_state(file);
-  } else if (format == "brdf-scene") {
-    next.scene = load_scene(file);
-    next.selected = 0;
-  } else if (format == "brdf-material") {
-    put_material(next, file);
-  } else if (!format.empty()) {
-    throw InputError(file.string() + ": the format \"" + format + "\" cannot be opened");
+  if (const std::optional<Json> json = json_of(file)) {
+    state = with_document(state, *json, file);
   } else if (is_model(file)) {
     load_model(file);  // refused here rather than in the next frame
-    next.scene.objects.at(next.selected).mesh = std::filesystem::absolute(file).string();
+    state.scene.objects.at(state.selected).mesh = std::filesystem::absolute(file).string();
   } else {
-    const std::size_t channels = io::read_samples(file).channels.size();
-    if (channels != 1 && channels != 3) {
-      throw InputError(file.string() + ": has " + std::to_string(channels) +
-                       " channels; the viewer takes 1 or 3");
-    }
-    next.samples = file;
-    next.other = Other::samples;
-    next.display = Display::split;
+    require_one_or_three_channels(io::read_samples(file).channels.size(), file.string());
+    state.samples = file;
+    state.other = Other::samples;
+    state.display = Display::split;
   }
-  state = next;
 }
+
+namespace {
+
+// The place in the other table of what has the same name, or else the same role.
+int counterpart(const ParameterInfo& p, int by_name, int by_role) {
+  return by_name < 0 && p.role != Role::other ? by_role : by_name;
+}
+
+}  // namespace
 
 void switch_form(Term& term, const Reflectance& form) {
   const ReflectanceInfo &from = info(term.form), &to = info(form);
   Term next = make_term(form, term.weights.size());
   for (std::size_t k = 0; k < to.shape.size(); ++k) {
-    const int same = from.shape_index(to.shape[k].name);
-    if (same >= 0) next.shape[0][k] = term.shape[0][std::size_t(same)];
+    const ParameterInfo& p = to.shape[k];
+    const int same = counterpart(p, from.shape_index(p.name), from.shape_index(p.role));
+    if (same >= 0) next.shape[0][k] = std::clamp(term.shape[0][std::size_t(same)], p.min, p.max);
   }
   for (std::size_t k = 0; k < to.weights.size(); ++k) {
-    int same = from.weight_index(to.weights[k].name);
-    // The diffuse colour has three names: rho, kd, albedo.
-    if (same < 0 && k == 0) same = 0;
-    if (same < 0) continue;
-    for (std::size_t c = 0; c < next.weights.size(); ++c) {
-      next.weights[c][k] =
-          std::clamp(term.weights[c][std::size_t(same)], to.weights[k].min, to.weights[k].max);
-    }
+    const ParameterInfo& p = to.weights[k];
+    const int same = counterpart(p, from.weight_index(p.name), from.weight_index(p.role));
+    for (std::size_t c = 0; same >= 0 && c < next.weights.size(); ++c)
+      next.weights[c][k] = std::clamp(term.weights[c][std::size_t(same)], p.min, p.max);
   }
   next.tangent_phi = to.anisotropic() ? term.tangent_phi : Angle{};
   term = next;

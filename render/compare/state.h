@@ -8,11 +8,11 @@
 #include "render/compare/arrange.h"
 #include "render/scene/scene.h"
 
-namespace brdf::render {
+namespace brdf {
+namespace render {
 
 // What A is compared with.
 enum class Other { material, samples, embree };
-inline constexpr std::array<const char*, 3> kOtherNames{"material", "samples", "embree"};
 
 struct ViewState {
   Scene scene;               // A
@@ -28,18 +28,18 @@ struct ViewState {
   bool show_ui = true, show_plot = false;
   float plot_theta = 45;  // degrees
   int plot_solo = -1;     // curve shown alone; -1: all
+  friend bool operator==(const ViewState&, const ViewState&) = default;
 };
 
 // As JSON text, file names absolute; and back. Throws InputError.
 std::string state_text(const ViewState& state);
-ViewState parse_state(const std::string& text, const std::string& name);
 ViewState load_state(const std::filesystem::path& file);
 
 // Opens any file by its content: scene or saved state, material, sample table, model. Throws InputError and
 // leaves the state as it was.
 void open_file(ViewState& state, const std::filesystem::path& file);
 
-// The selected object's first term gets another form; parameters of the same name keep their values.
+// The term gets another form; parameters of the same name or role keep their values.
 void switch_form(Term& term, const Reflectance& form);
 
 // Camera movements. Angles in radians; `factor` scales the distance.
@@ -48,4 +48,9 @@ void zoom(Camera& camera, float factor);
 void pan(Camera& camera, glm::vec2 share_of_picture);
 void fit(Camera& camera, const glm::vec4& bounds);
 
-}  // namespace brdf::render
+}  // namespace render
+
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<render::Other>{"material", "samples", "embree"};
+
+}  // namespace brdf

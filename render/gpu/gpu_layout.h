@@ -1,11 +1,23 @@
-// The structs of shaders/frame.glsl, byte for byte.
+// What C++ and the shaders agree on: limits, the targets, and the structs of shaders/frame.glsl byte for byte.
+// shaders/emit_shaders.cpp writes the limits and enumerators as layout.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
 
 #include "render/scene/scene.h"
 
-namespace brdf::render {
+namespace brdf {
+namespace render {
+
+// The seven that the geometry is drawn into.
+enum class Target { albedo, normal, specular, position, roughness, tangent, bitangent };
+inline constexpr int kTargetCount = 7;
+
+inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold these
+// Parameters that the targets, and the shaders' arguments, have room for.
+inline constexpr std::size_t kMostWeights = 3, kMostShape = 3;
+// 16-bit targets hold the digits of the normal that rounding takes, times this, along tangent and bitangent.
+inline constexpr int kRemainderScale = 4096;
 
 struct GpuLight {
   glm::vec4 vector;
@@ -23,13 +35,17 @@ static_assert(sizeof(GpuFrame) == 64 + 8 * 16 + 16 + 32 * kMostLights);
 
 struct GpuItem {
   glm::mat4 model, normals;
-  glm::vec4 weights[3];
+  glm::vec4 weights[kMostWeights];
   glm::vec4 shape, shape_low, shape_high;
-  glm::ivec4 shape_roles, weight_roles, form;
+  glm::ivec4 shape_rules, weight_rules, form;
   glm::vec4 weight_scale;
 };
 static_assert(sizeof(GpuItem) == 128 + 10 * 16);
 
-inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold these
+}  // namespace render
 
-}  // namespace brdf::render
+template <>
+inline constexpr std::array<std::string_view, render::kTargetCount> kNames<render::Target>{
+    "albedo", "normal", "specular", "position", "roughness", "tangent", "bitangent"};
+
+}  // namespace brdf

@@ -1,5 +1,6 @@
 #include "render/gpu/gpu_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::array kFrameBindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
                                     Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
-constexpr std::array<Binding, 1> kMapBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
+constexpr std::array<Binding, 1> kMapBindings{
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kNames<TextureSlot>.size())}};
 
 GpuLight gpu_light(const Light& light) {
   const glm::vec3 irradiance = light.color * light.intensity;
@@ -39,36 +41,54 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   return frame;
 }
 
-GpuItem gpu_item(const Item& item, const TextureSet& textures) {
-  GpuItem out{};
-  out.model = glm::mat4(item.linear);
-  out.model[3] = glm::vec4(item.origin, 1);
-  out.normals = glm::mat4(item.normals);
-  for (int k = 0; k < 3; ++k) out.weights[k] = glm::vec4(item.weights[std::size_t(k)], 0);
-  out.weights[0].a = item.cos_turn;
-  out.weights[1].a = item.sin_turn;
-  out.weights[2].a = item.extent;
-  float largest = 1;
-  for (int k = 0; k < 2; ++k) {
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, item.weights[std::size_t(k)][c]);
-  }
-  out.weight_scale.x = largest;
+// How the shape's parameters are stored in bytes.
+void set_ranges(GpuItem& out, std::span<const ParameterInfo> shape) {
   out.shape_high = glm::vec4(1);
-  out.form = {item.form, 0, 0, 0};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const int i = int(k);
-    out.shape[i] = item.shape[k];
-    out.shape_roles[i] = int(item.shape_roles[k]);
-    if (k < 3) out.weight_roles[i] = int(item.weight_roles[k]);
-    if (textures[k]) out.weight_roles.w |= 1 << i;
-    if (item.form < 0 || k >= info(catalogue()[std::size_t(item.form)]).shape.size()) continue;
-    const ParameterInfo& p = info(catalogue()[std::size_t(item.form)]).shape[k];
+  for (int i = 0; i < int(shape.size()); ++i) {
+    const ParameterInfo& p = shape[std::size_t(i)];
     // A logarithmic parameter that starts at 0 (an exponent) is stored from 1 upwards.
     const double low = p.log_scale ? std::log2(p.min > 0 ? p.min : 1.0) : p.min;
     out.shape_low[i] = float(low);
     out.shape_high[i] = float(p.log_scale ? std::log2(p.usual_max) : p.usual_max);
     if (p.log_scale) out.form.y |= 1 << i;
   }
+}
+
+// At most kMostWeights weights and kMostShape shape parameters; the pictures of other shadings need no more.
+GpuItem gpu_item(const Item& item, const TextureSet& textures, const ReflectanceNumbers& numbers) {
+  GpuItem out{};
+  out.model = glm::mat4(item.linear);
+  out.model[3] = glm::vec4(item.origin, 1);
+  out.normals = glm::mat4(item.normals);
+  out.form = {-1, 0, -1, -1};
+  const std::size_t weights = std::min(item.weight_rules.size(), kMostWeights);
+  const std::size_t shape = std::min(item.shape.size(), kMostShape);
+  float largest = 1;
+  for (std::size_t k = 0; k < weights; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      out.weights[k][int(c)] = item.weights[c][k];
+      if (k < 2) largest = std::max(largest, item.weights[c][k]);
+    }
+    out.weight_rules[int(k)] = int(item.weight_rules[k]);
+  }
+  for (std::size_t k = 0; k < shape; ++k) {
+    out.shape[int(k)] = item.shape[k];
+    out.shape_rules[int(k)] = int(item.shape_rules[k]);
+  }
+  out.weights[0].a = item.cos_turn;
+  out.weights[1].a = item.sin_turn;
+  out.weights[2].a = item.extent;
+  out.weight_scale.x = largest;
+  for (std::size_t slot = 0; slot < textures.size(); ++slot)
+    if (textures[slot]) out.weight_rules.w |= 1 << slot;
+  if (!item.form) return out;
+  const ReflectanceInfo& info = item.form->info();
+  set_ranges(out, info.shape.first(shape));
+  const auto place = [&](Role role) {
+    const int at = info.weight_index(role);
+    return at < int(weights) ? at : -1;
+  };
+  out.form = {numbers.of(*item.form), out.form.y, place(Role::diffuse), place(Role::specular)};
   return out;
 }
 
@@ -113,11 +133,13 @@ void GpuScene::upload_textures(const PreparedScene& scene) {
   for (const TextureSet& set : scene.textures) {
     maps_sets_.push_back(allocate_set(*device_, maps_pool_.get(), maps_layout_.get()));
     textured_.push_back(false);
-    for (std::uint32_t slot = 0; slot < 4; ++slot) {
+    for (std::uint32_t slot = 0; slot < set.size(); ++slot) {
       const Image* image = &white_;
       if (set[slot]) {
         // Albedo maps hold sRGB: the device decodes them.
-        images_.push_back(make(*set[slot], slot == 0 ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM));
+        images_.push_back(make(*set[slot], TextureSlot(slot) == TextureSlot::albedo
+                                               ? VK_FORMAT_R8G8B8A8_SRGB
+                                               : VK_FORMAT_R8G8B8A8_UNORM));
         image = &images_.back();
         textured_.back() = true;
       }
@@ -133,7 +155,10 @@ void GpuScene::update(const PreparedScene& scene) {
     throw InputError("the renderer draws at most " + std::to_string(kMostItems) + " objects, terms counted");
   }
   for (const auto& layer : scene.layers) {
-    for (const Item& item : layer) items.push_back(gpu_item(item, scene.textures[item.object]));
+    for (const Item& item : layer) {
+      if (item.form) numbers_.add(*item.form);
+      items.push_back(gpu_item(item, scene.textures[item.object], numbers_));
+    }
   }
   if (!frame_) frame_ = Buffer(*device_, sizeof frame, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   if (!items_) items_ = Buffer(*device_, kMostItems * sizeof(GpuItem), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

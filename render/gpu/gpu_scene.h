@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "render/gpu/fragment_code.h"
 #include "render/scene/prepared.h"
 #include "render/vulkan/pipeline.h"
 #include "render/vulkan/resource.h"
@@ -21,6 +22,8 @@ class GpuScene {
   VkDescriptorSetLayout maps_layout() const { return maps_layout_.get(); }
   VkDescriptorSet frame_set() const { return frame_set_; }
   VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
+  // The number that shaders know a reflectance of the scene by.
+  int number_of(const Reflectance& reflectance) const { return numbers_.of(reflectance); }
   bool textured(std::size_t object) const { return textured_[object]; }
   // Faces seen from behind are left out where they are hidden anyway: closed meshes seen from outside.
   VkCullModeFlags cull_mode(const PreparedScene& scene, std::size_t object) const;
@@ -49,6 +52,7 @@ class GpuScene {
   VkDescriptorSet frame_set_ = VK_NULL_HANDLE;
   std::vector<VkDescriptorSet> maps_sets_;
   std::vector<bool> textured_;
+  ReflectanceNumbers numbers_;
 };
 
 // The item's index in the shader's table, for an item of a layer.

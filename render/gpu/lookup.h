@@ -7,7 +7,8 @@
 
 #include "render/picture/picture.h"
 
-namespace brdf::render {
+namespace brdf {
+namespace render {
 
 inline constexpr int kLookupSize = 512;
 inline constexpr double kLookupIndex = 1.5, kLookupWidth = 0.3;
@@ -21,8 +22,6 @@ enum class LookupFactor {
   reciprocal,    // 1 / (n.v)
   power,         // (n.h)^20, the table of "Phong" beside it
 };
-inline constexpr std::array<const char*, 6> kLookupNames{"product",   "fresnel",    "distribution",
-                                                         "shadowing", "reciprocal", "power"};
 
 // size x size values at texel centres, rows from y = 0 upwards. as_coded: Fresnel with the article's slip, (g
 // - c) (g - c) / (g + c) * (g + c).
@@ -39,4 +38,10 @@ std::vector<std::byte> lookup_texels(const LookupTexture& texture, bool as_coded
 // The same as a picture, y upwards.
 BytePicture lookup_picture(LookupFactor factor, bool as_coded);
 
-}  // namespace brdf::render
+}  // namespace render
+
+template <>
+inline constexpr std::array<std::string_view, 6> kNames<render::LookupFactor>{
+    "product", "fresnel", "distribution", "shadowing", "reciprocal", "power"};
+
+}  // namespace brdf

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "render/gpu/shader_code.h"
 #include "render/scene/camera_view.h"
@@ -30,7 +29,7 @@ void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first
 }
 
 // The index of the one item of this form, -1 where there are several.
-int only_item(const PreparedScene& scene, std::size_t layer, int form) {
+int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& form) {
   int found = -1;
   for (const Item& item : scene.layers[layer]) {
     if (item.form != form) continue;
@@ -40,11 +39,11 @@ int only_item(const PreparedScene& scene, std::size_t layer, int form) {
   return found;
 }
 
-std::set<int> forms_in(const std::vector<Item>& layer) {
-  std::set<int> forms;
-  for (const Item& item : layer) {
-    if (item.form >= 0) forms.insert(item.form);
-  }
+std::vector<Reflectance> forms_in(const std::vector<Item>& layer) {
+  std::vector<Reflectance> forms;
+  for (const Item& item : layer)
+    if (item.form && std::find(forms.begin(), forms.end(), *item.form) == forms.end())
+      forms.push_back(*item.form);
   return forms;
 }
 
@@ -84,7 +83,8 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
   return info;
 }
 
-VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, int form, VkExtent2D extent) {
+VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,
+                         VkExtent2D extent) {
   const glm::mat4 project = view_projection(scene.scene.camera, 1e-3f);
   glm::vec2 low(1), high(-1);
   for (const Item& item : scene.layers[layer]) {
@@ -134,7 +134,9 @@ void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const
 }
 
 DeferredPass::DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer)
-    : device_(&device), gbuffer_(&gbuffer) {
+    : device_(&device),
+      gbuffer_(&gbuffer),
+      lighting_code_(shader_code::lighting(), shader_code::lighting_text) {
   sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   targets_layout_ = make_set_layout(device, kTargetBindings);
   targets_pool_ = make_descriptor_pool(device, kTargetBindings, 1);
@@ -163,13 +165,13 @@ VkPipeline DeferredPass::geometry_pipeline(bool textured) {
   return pipeline.get();
 }
 
-VkPipeline DeferredPass::lighting_pipeline(int form, bool add, bool single) {
-  Owned<VkPipeline>& pipeline = lighting_pipelines_[{form, add, single}];
+VkPipeline DeferredPass::lighting_pipeline(const Reflectance& form, int number, bool add, bool single) {
+  Owned<VkPipeline>& pipeline = lighting_pipelines_[{number, add, single}];
   if (!pipeline) {
     pipeline =
         make_pipeline(*device_, {.vertex = shader_code::screen_vertex(),
-                                 .fragment = shader_code::lighting(),
-                                 .constants = {std::uint32_t(form), std::uint32_t(gbuffer_->bits), single},
+                                 .fragment = lighting_code_.of(form, number),
+                                 .constants = {std::uint32_t(number), std::uint32_t(gbuffer_->bits), single},
                                  .colors = {kColorFormat},
                                  .blend = add ? Blend::add : Blend::replace,
                                  .layout = lighting_layout_.get()});
@@ -216,12 +218,12 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
   set_viewport(commands, color.extent());
   bind(commands, lighting_layout_.get(), 0, gpu.frame_set());
   bind(commands, lighting_layout_.get(), 1, targets_set_);
-  for (const int form : forms_in(scene.layers[layer])) {
+  for (const Reflectance& form : forms_in(scene.layers[layer])) {
     const VkRect2D scissor = covered_by_form(scene, layer, form, color.extent());
     vkCmdSetScissor(commands, 0, 1, &scissor);
     const int single = only_item(scene, layer, form);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      lighting_pipeline(form, layer > 0, single >= 0));
+                      lighting_pipeline(form, gpu.number_of(form), layer > 0, single >= 0));
     vkCmdPushConstants(commands, lighting_layout_.get(),
                        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof single, &single);
     vkCmdDraw(commands, 3, 1, 0, 0);
@@ -241,17 +243,18 @@ void begin_forward(VkCommandBuffer commands, Image& color, Image& depth) {
   set_viewport(commands, color.extent());
 }
 
-ForwardPass::ForwardPass(Device& device, const GpuScene& gpu) : device_(&device) {
+ForwardPass::ForwardPass(Device& device, const GpuScene& gpu)
+    : device_(&device), code_(shader_code::forward(), shader_code::forward_text) {
   const std::array sets{gpu.frame_layout(), gpu.maps_layout()};
   layout_ = make_pipeline_layout(device, sets, sizeof(int));
 }
 
-VkPipeline ForwardPass::pipeline(int form, bool textured) {
-  Owned<VkPipeline>& found = pipelines_[{form, textured}];
+VkPipeline ForwardPass::pipeline(const Reflectance& form, int number, bool textured) {
+  Owned<VkPipeline>& found = pipelines_[{number, textured}];
   if (!found) {
     found = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex(),
-                                     .fragment = shader_code::forward(),
-                                     .constants = {std::uint32_t(form), textured},
+                                     .fragment = code_.of(form, number),
+                                     .constants = {std::uint32_t(number), textured},
                                      .input = VertexInput::mesh,
                                      .colors = {kColorFormat},
                                      .depth = true,
@@ -267,7 +270,9 @@ void ForwardPass::record(VkCommandBuffer commands, const PreparedScene& scene, G
   bind(commands, layout_.get(), 0, gpu.frame_set());
   for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
     const Item& item = scene.layers[0][object];
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline(item.form, gpu.textured(object)));
+    if (!item.form) continue;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      pipeline(*item.form, gpu.number_of(*item.form), gpu.textured(object)));
     bind(commands, layout_.get(), 1, gpu.maps_set(object));
     vkCmdSetCullMode(commands, gpu.cull_mode(scene, object));
     gpu.draw(commands, layout_.get(), object, item_index(scene, 0, object));

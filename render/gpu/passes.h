@@ -5,13 +5,11 @@
 #include <map>
 #include <tuple>
 
+#include "render/gpu/gpu_layout.h"
 #include "render/gpu/gpu_scene.h"
 
 namespace brdf::render {
 
-inline constexpr int kTargetCount = 7;
-inline constexpr std::array<const char*, kTargetCount> kTargetNames{
-    "albedo", "normal", "specular", "position", "roughness", "tangent", "bitangent"};
 inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 // The seven targets and their depth, at 8, 16 or 32 bits per channel.
@@ -57,7 +55,7 @@ class DeferredPass {
 
  private:
   VkPipeline geometry_pipeline(bool textured);
-  VkPipeline lighting_pipeline(int form, bool add, bool single);
+  VkPipeline lighting_pipeline(const Reflectance& form, int number, bool add, bool single);
 
   Device* device_;
   GBuffer* gbuffer_;
@@ -67,6 +65,7 @@ class DeferredPass {
   VkDescriptorSet targets_set_ = VK_NULL_HANDLE;
   Owned<VkPipelineLayout> geometry_layout_, lighting_layout_;
   std::map<bool, Owned<VkPipeline>> geometry_pipelines_;
+  FragmentCode lighting_code_;
   std::map<std::tuple<int, bool, bool>, Owned<VkPipeline>> lighting_pipelines_;
 };
 
@@ -78,15 +77,17 @@ class ForwardPass {
               Image& depth);
 
  private:
-  VkPipeline pipeline(int form, bool textured);
+  VkPipeline pipeline(const Reflectance& form, int number, bool textured);
 
   Device* device_;
   Owned<VkPipelineLayout> layout_;
+  FragmentCode code_;
   std::map<std::pair<int, bool>, Owned<VkPipeline>> pipelines_;
 };
 
 // The smallest rectangle of pixels that holds the sphere round every item of this form; the whole picture
 // when one reaches behind the camera.
-VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, int form, VkExtent2D extent);
+VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,
+                         VkExtent2D extent);
 
 }  // namespace brdf::render

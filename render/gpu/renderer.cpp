@@ -9,6 +9,13 @@ VkExtent2D extent_of(const Camera& camera) {
   return {std::uint32_t(camera.width), std::uint32_t(camera.height)};
 }
 
+void require_shaders(const PreparedScene& scene) {
+  if (scene.scene.shading != Shading::brdf) return;
+  for (const auto& layer : scene.layers)
+    for (const Item& item : layer)
+      if (item.form) require_shader(*item.form);
+}
+
 // Before anything is allocated: a picture that cannot fit is refused at once.
 Device& checked(Device& device, const PreparedScene& scene, const RendererOptions& options) {
   const Camera& camera = scene.scene.camera;
@@ -17,6 +24,7 @@ Device& checked(Device& device, const PreparedScene& scene, const RendererOption
     throw InputError("a picture of " + size + " is larger than the device's " +
                      std::to_string(device.max_image_size()));
   }
+  require_shaders(scene);
   device.require_memory(picture_bytes(scene.scene, options), "a picture of " + size);
   const std::size_t items = scene.layers.size() * scene.meshes.size();
   if (options.gbuffer_bits == 8 && items > 255) {
@@ -71,6 +79,7 @@ void Renderer::make_passes() {
 }
 
 void Renderer::update(const PreparedScene& scene) {
+  require_shaders(scene);
   scene_ = scene;
   gpu_.update(scene_);
   make_passes();
@@ -111,7 +120,7 @@ std::vector<float> Renderer::read_color() {
   return read_rgba(*device_, color_);
 }
 
-std::vector<float> Renderer::read_target(int target) {
+std::vector<float> Renderer::read_target(Target target) {
   if (!uses_gbuffer(scene_.scene, options_))
     throw InputError("this scene is drawn without the seven targets");
   if (scene_.layers.size() > 1) {  // later layers have overwritten the first

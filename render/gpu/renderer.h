@@ -37,8 +37,8 @@ class Renderer {
   std::vector<float> read_color();
   // Reads a target of the first layer back, after draw().
   // Throws InputError where the scene is drawn without targets.
-  std::vector<float> read_target(int target);
-  Image& target(int k) { return gbuffer_->targets[std::size_t(k)]; }
+  std::vector<float> read_target(Target target);
+  Image& target(Target target) { return gbuffer_->targets[std::size_t(target)]; }
   const PreparedScene& scene() const { return scene_; }
   int gbuffer_bits() const { return options_.gbuffer_bits; }
 

@@ -30,14 +30,21 @@ constexpr std::uint32_t kClassic[] =
 constexpr std::uint32_t kDisplay[] =
 #include "display.frag.inc"
     ;
-constexpr std::uint32_t kProbe[] =
-#include "probe.comp.inc"
+constexpr std::uint32_t kProof[] =
+#include "proof.comp.inc"
     ;
 constexpr std::uint32_t kCopy[] =
 #include "copy.frag.inc"
     ;
 
 }  // namespace
+
+const char* const lighting_text =
+#include "lighting.frag.text.inc"
+    ;
+const char* const forward_text =
+#include "forward.frag.text.inc"
+    ;
 
 Spirv mesh_vertex() {
   return kMeshVertex;
@@ -66,8 +73,8 @@ Spirv classic() {
 Spirv display() {
   return kDisplay;
 }
-Spirv probe() {
-  return kProbe;
+Spirv proof() {
+  return kProof;
 }
 Spirv copy() {
   return kCopy;

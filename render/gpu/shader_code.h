@@ -1,4 +1,5 @@
-// SPIR-V of the shaders in render/shaders, compiled at build time.
+// SPIR-V of the shaders in render/shaders, compiled at build time, and the sources of those that are compiled
+// again at run time.
 #pragma once
 
 #include "render/vulkan/pipeline.h"
@@ -14,7 +15,11 @@ Spirv sky();
 Spirv classic_vertex();
 Spirv classic();
 Spirv display();
-Spirv probe();
+Spirv proof();
 Spirv copy();
+
+// Without brdf.glsl (see FragmentCode).
+extern const char* const lighting_text;
+extern const char* const forward_text;
 
 }  // namespace brdf::render::shader_code

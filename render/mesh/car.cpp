@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "brdf/scalar.h"
 #include "render/mesh/mesh.h"
 
 namespace brdf::render {
@@ -19,7 +20,7 @@ Mesh loft(const std::vector<Station>& stations, int around, float squareness) {
   for (std::size_t s = 0; s < stations.size(); ++s) {
     const Station& at = stations[s];
     for (int i = 0; i <= around; ++i) {
-      const float angle = 2 * 3.14159265f * float(i) / float(around);
+      const float angle = 2 * float(kPi) * float(i) / float(around);
       const float y = (at.top + at.bottom) / 2 + (at.top - at.bottom) / 2 * rounded(std::sin(angle));
       mesh.vertices.push_back({{at.x, y, at.half_width * rounded(std::cos(angle))},
                                {0, 0, 0},
@@ -123,7 +124,7 @@ Mesh wheels() {
   for (const float x : {-1.25f, 1.25f}) {
     for (const float z : {-0.82f, 0.82f}) {
       const glm::mat4 place = glm::translate(glm::mat4(1), {x, 0.36f, z});
-      append(four, wheel, glm::rotate(place, 1.57079633f, {0, 1, 0}));
+      append(four, wheel, glm::rotate(place, float(kPi / 2), {0, 1, 0}));
     }
   }
   return four;

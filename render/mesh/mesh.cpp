@@ -4,9 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <glm/ext/scalar_constants.hpp>
 #include <map>
 
+#include "brdf/scalar.h"
 #include "io/error.h"
 
 namespace brdf::render {
@@ -29,7 +29,7 @@ int count_of(const std::string& specification, std::size_t colon, int low, int h
 }
 
 Vertex sphere_vertex(const glm::vec3& n) {
-  const float pi = glm::pi<float>();
+  const auto pi = float(kPi);
   const float azimuth = std::atan2(-n.z, n.x);
   const float ring = std::hypot(n.x, n.z);
   const glm::vec3 tangent = ring > 1e-6f ? glm::vec3(n.z, 0, -n.x) / ring : any_tangent(n);
@@ -52,9 +52,9 @@ Mesh make_sphere(int slices, int stacks) {
   Mesh mesh;
   mesh.closed = true;
   for (int j = 0; j <= stacks; ++j) {
-    const double theta = glm::pi<double>() * j / stacks;
+    const double theta = kPi * j / stacks;
     for (int i = 0; i <= slices; ++i) {
-      const double phi = 2 * glm::pi<double>() * i / slices - glm::pi<double>();
+      const double phi = 2 * kPi * i / slices - kPi;
       const glm::vec3 n(
           glm::dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)));
       const glm::vec3 t(glm::dvec3(-std::sin(phi), 0, -std::cos(phi)));

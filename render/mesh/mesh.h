@@ -46,8 +46,8 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font =
 // non-finite vertices). Normals and tangents that the file lacks are made.
 Mesh load_model(const std::filesystem::path& file);
 
-// What a scene file's "mesh" may say: sphere, sphere:N
-// triangles, icosphere:L, plane, plane:N, car, text:..., FILE.
+// What a scene file's "mesh" may say: sphere, sphere:N (triangles), icosphere:L, plane, plane:N, checker_even:N,
+// checker_odd:N, car, car:PART, text:..., FILE.
 Mesh make_mesh(const std::string& specification, const std::filesystem::path& folder);
 
 // A unit vector perpendicular to `normal`, continuous but at one pole.

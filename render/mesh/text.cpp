@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 
+#include "brdf/scalar.h"
 #include "io/error.h"
 #include "render/mesh/mesh.h"
 #include "render/text/font.h"
@@ -159,7 +160,7 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) 
   auto [contours, width] = text_outlines(text, font.empty() ? Font::kBold : font);
   if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has nothing to draw");
   // Longitude from x: the text goes round once at most; the capital's middle lies on the equator.
-  const double scale = std::min(double(kLatitude), 2 * 3.14159265358979 / width);
+  const double scale = std::min(double(kLatitude), 2 * kPi / width);
   for (Contour& contour : contours) {
     for (glm::dvec2& p : contour) p = (p - glm::dvec2(width / 2, 0.36)) * scale;
   }

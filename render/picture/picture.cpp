@@ -4,18 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "render/scene/display_rule.h"
+
 namespace brdf::render {
 namespace {
 
 constexpr double kRelMseFloor = 0.01;  // the usual one: keeps black pixels from dominating
-
-float srgb(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-}
-
-glm::vec3 srgb(glm::vec3 c) {
-  return {srgb(c.r), srgb(c.g), srgb(c.b)};
-}
 
 std::array<std::uint8_t, 3> to_bytes(glm::vec3 c) {
   std::array<std::uint8_t, 3> out{};
@@ -59,18 +53,8 @@ Difference compare(const Picture& picture, const Picture& reference) {
 }
 
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure) {
-  const glm::vec3 c = glm::max(linear * std::exp2(exposure), glm::vec3(0));
-  switch (tone_map) {
-    case ToneMap::srgb:
-      return srgb(glm::min(c, glm::vec3(1)));
-    case ToneMap::reinhard:
-      return srgb(c / (c + 1.0f));
-    case ToneMap::thesis:
-      return glm::pow(c / (c + 1.0f), glm::vec3(1 / 2.2f));
-    case ToneMap::none:
-      break;
-  }
-  return glm::min(c, glm::vec3(1));
+  const glm::vec3 c = linear * std::exp2(exposure);
+  return {tone_curve(tone_map, c.r), tone_curve(tone_map, c.g), tone_curve(tone_map, c.b)};
 }
 
 BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure) {
@@ -95,13 +79,8 @@ double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
 }
 
 glm::vec3 false_color(float relative_difference) {
-  if (!(relative_difference > 0)) return glm::vec3(0);
-  const float t = glm::clamp((std::log10(relative_difference) + 6) / 6, 0.0f, 1.0f) * 3;
-  const glm::vec3 blue(0.1f, 0.2f, 0.8f), green(0.1f, 0.7f, 0.3f), yellow(0.95f, 0.85f, 0.1f),
-      red(0.85f, 0.1f, 0.1f);
-  if (t < 1) return glm::mix(blue, green, t);
-  if (t < 2) return glm::mix(green, yellow, t - 1);
-  return glm::mix(yellow, red, t - 2);
+  const std::array<float, 3> c = false_color_of(relative_difference);
+  return {c[0], c[1], c[2]};
 }
 
 BytePicture difference_picture(const Picture& picture, const Picture& reference) {

@@ -42,7 +42,7 @@ struct Difference {
 };
 Difference compare(const Picture& picture, const Picture& reference);
 
-// What the screen shows for a linear colour. The same curves in shaders/tone_map.glsl.
+// What the screen shows for a linear colour (scene/display_rule.h).
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure);
 BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure);
 // Share of surface pixels with a channel that the display clips: above 1, or shown as the brightest byte.

@@ -13,7 +13,7 @@ namespace brdf::render {
 
 struct ParityRow {
   std::string form;
-  std::string parameters;  // "defaults", or "alpha=0.05" (and what stands for it)
+  std::string parameters;  // "defaults", or "width 0.05" (and what stands for it)
   int gbuffer_bits = 16;
   Difference difference;
 };
@@ -23,8 +23,8 @@ inline constexpr double kMostCoverageMismatch = 1e-4;
 double parity_bound(int gbuffer_bits);
 bool passes(const ParityRow& row);
 
-// Every form at its table's defaults and, where it has a width, at alpha 0.05 (roughness sqrt(0.05), exponent
-// 2/alpha^2 - 2); 16 and 32 bits each. `report` is called after each row.
+// Every form, of the catalogue or not, at its table's defaults and, where it has a width, at width 0.05
+// (roughness sqrt(0.05), exponent 2/width^2 - 2); 16 and 32 bits each. `report` is called after each row.
 std::vector<ParityRow> parity(Device& device, const std::vector<Reflectance>& forms, int size = 512,
                               const std::function<void(const ParityRow&)>& report = {});
 

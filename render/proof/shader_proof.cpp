@@ -7,14 +7,15 @@
 
 #include "brdf/geometry.h"
 #include "io/error.h"
+#include "render/gpu/fragment_code.h"
 #include "render/gpu/shader_code.h"
+#include "render/shaders/reflectance_glsl.h"
 #include "render/vulkan/resource.h"
 
 namespace brdf::render {
 namespace {
 
 constexpr std::size_t kBatch = ShaderBatch::kMost;  // configurations of one dispatch
-constexpr std::uint32_t kGroup = 64;                // as the shader's local size
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 
 double now() {
@@ -31,10 +32,17 @@ double ulps(float a, float b) {
   return std::abs(double(ordered(a) - ordered(b)));
 }
 
+Owned<VkShaderModule> make_module(const Device& device, Spirv code) {
+  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  return owned(device.get(), vkCreateShaderModule, vkDestroyShaderModule, info, "vkCreateShaderModule");
+}
+
 // The compute pipelines of one shader, one form each, and the buffers they share.
-class Probe {
+class Machine {
  public:
-  Probe(Device& device, Spirv shader) : device_(device) {
+  Machine(Device& device, Spirv of_catalogue) : device_(device), of_catalogue_(of_catalogue) {
     const std::array<VkDescriptorSetLayoutBinding, 2> bindings{
         VkDescriptorSetLayoutBinding{0, kStorage, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
         VkDescriptorSetLayoutBinding{1, kStorage, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr}};
@@ -52,48 +60,50 @@ class Probe {
     layout_info.pPushConstantRanges = &push;
     layout_ = owned(device.get(), vkCreatePipelineLayout, vkDestroyPipelineLayout, layout_info,
                     "vkCreatePipelineLayout");
-    VkShaderModuleCreateInfo module_info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    module_info.codeSize = shader.size_bytes();
-    module_info.pCode = shader.data();
-    module_ =
-        owned(device.get(), vkCreateShaderModule, vkDestroyShaderModule, module_info, "vkCreateShaderModule");
     const std::array<Binding, 2> kinds{Binding{kStorage}, Binding{kStorage}};
     pool_ = make_descriptor_pool(device, kinds, 1);
     set_ = allocate_set(device, pool_.get(), set_layout);
-    input_ = Buffer(device, kBatch * sizeof(ProbeConfiguration), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    input_ = Buffer(device, kBatch * sizeof(ProofConfiguration), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     output_ = Buffer(device, kBatch * sizeof(Result), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     write_buffer(device, set_, 0, kStorage, input_.get());
     write_buffer(device, set_, 1, kStorage, output_.get());
   }
 
   Owned<VkPipeline> pipeline(const Reflectance& form) const {
+    require_shader(form);
     const auto index = std::int32_t(catalogue_index(form));
     const VkSpecializationMapEntry entry{0, 0, sizeof index};
     const VkSpecializationInfo constants{1, &entry, sizeof index, &index};
-    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = module_.get();
-    info.stage.pName = "main";
-    info.stage.pSpecializationInfo = &constants;
-    info.layout = layout_.get();
+    std::vector<std::uint32_t> own;
+    if (index < 0) {
+      const NumberedReflectance only{index, form};
+      own = compiled(proof_glsl({&only, 1}), Stage::compute, info(form).name);
+    }
+    const Owned<VkShaderModule> module = make_module(device_, index < 0 ? Spirv(own) : of_catalogue_);
+    VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    create.stage.module = module.get();
+    create.stage.pName = "main";
+    create.stage.pSpecializationInfo = &constants;
+    create.layout = layout_.get();
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(device_.get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+    check(vkCreateComputePipelines(device_.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
           "vkCreateComputePipelines");
     return Owned<VkPipeline>(device_.get(), pipeline, vkDestroyPipeline);
   }
 
   // At most kBatch configurations; calls visit(configuration, values).
   template <class Visit>
-  void evaluate(VkPipeline pipeline, std::span<const ProbeConfiguration> configurations, Visit&& visit) {
+  void evaluate(VkPipeline pipeline, std::span<const ProofConfiguration> configurations, Visit&& visit) {
     load(configurations);
     dispatch(pipeline, configurations.size());
     for (std::size_t i = 0; i < configurations.size(); ++i) visit(configurations[i], values(i));
   }
 
-  void load(std::span<const ProbeConfiguration> configurations) {
+  void load(std::span<const ProofConfiguration> configurations) {
     std::copy(configurations.begin(), configurations.end(),
-              reinterpret_cast<ProbeConfiguration*>(input_.data()));
+              reinterpret_cast<ProofConfiguration*>(input_.data()));
   }
   // Evaluates the first configurations and waits.
   void dispatch(VkPipeline pipeline, std::size_t configurations) {
@@ -103,7 +113,7 @@ class Probe {
       vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0,
                               nullptr);
       vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof count, &count);
-      vkCmdDispatch(commands, (count + kGroup - 1) / kGroup, 1, 1);
+      vkCmdDispatch(commands, (count + kProofGroup - 1) / kProofGroup, 1, 1);
       VkMemoryBarrier2 to_host{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
       to_host.srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
       to_host.srcAccessMask = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
@@ -115,7 +125,7 @@ class Probe {
       vkCmdPipelineBarrier2(commands, &dependency);
     });
   }
-  ProbeValues values(std::size_t i) const {
+  ProofValues values(std::size_t i) const {
     const auto& r = reinterpret_cast<const Result*>(output_.data())[i];
     return {r.f[0], r.f[1], r.f[2], r.f_cos[0], r.f_cos[1], r.f_cos[2]};
   }
@@ -125,15 +135,15 @@ class Probe {
     std::array<float, 4> f, f_cos;
   };
   Device& device_;
+  Spirv of_catalogue_;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkPipelineLayout> layout_;
-  Owned<VkShaderModule> module_;
   Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
   Buffer input_, output_;
 };
 
-void compare(ProbeRow& row, const ProbeValues& device, const ProbeValues& library) {
+void compare(ProofRow& row, const ProofValues& device, const ProofValues& library) {
   ++row.count;
   for (std::size_t k = 0; k < device.size(); ++k) {
     const float a = device[k], b = library[k];
@@ -141,20 +151,20 @@ void compare(ProbeRow& row, const ProbeValues& device, const ProbeValues& librar
     if (std::isnan(a) && std::isnan(b)) continue;
     ++row.differing;
     row.max_ulp = std::max(row.max_ulp, ulps(a, b));
-    if (!(std::abs(a - b) <= kProbeRelative * std::abs(b) + kProbeAbsolute)) ++row.beyond_tolerance;
+    if (!(std::abs(a - b) <= kProofRelative * std::abs(b) + kProofAbsolute)) ++row.beyond_tolerance;
   }
 }
 
-ProbeRow probe_form(Probe& probe, const Reflectance& form, const ProbeOptions& options) {
-  ProbeRow row{.form = std::string(info(form).name)};
+ProofRow proof_of(Machine& machine, const Reflectance& form, const ProofOptions& options) {
+  ProofRow row{.form = std::string(info(form).name)};
   const double start = now();
-  const Owned<VkPipeline> pipeline = probe.pipeline(form);
+  const Owned<VkPipeline> pipeline = machine.pipeline(form);
   row.seconds_to_compile = now() - start;
-  const auto run = [&](std::span<const ProbeConfiguration> configurations) {
-    probe.evaluate(pipeline.get(), configurations,
-                   [&](const ProbeConfiguration& c, const ProbeValues& values) {
-                     compare(row, values, library_values(form, c));
-                   });
+  const auto run = [&](std::span<const ProofConfiguration> configurations) {
+    machine.evaluate(pipeline.get(), configurations,
+                     [&](const ProofConfiguration& c, const ProofValues& values) {
+                       compare(row, values, library_values(form, c));
+                     });
   };
   const auto extremes = extreme_configurations(form);
   for (std::size_t at = 0; at < extremes.size(); at += kBatch)
@@ -168,13 +178,13 @@ ProbeRow probe_form(Probe& probe, const Reflectance& form, const ProbeOptions& o
 
 }  // namespace
 
-ProbeValues library_values(const Reflectance& form, const ProbeConfiguration& c) {
+ProofValues library_values(const Reflectance& form, const ProofConfiguration& c) {
   const Vec3<float> wi{c.wi[0], c.wi[1], c.wi[2]}, wo{c.wo[0], c.wo[1], c.wo[2]};
   const auto weights_of = [&](std::size_t channel) {
     return std::array{c.weights[0][channel], c.weights[1][channel], c.weights[2][channel]};
   };
   const std::array first = weights_of(0);
-  ProbeValues values;
+  ProofValues values;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const std::array own = weights_of(channel);
     const ParameterValues<float> p{own, first, c.shape, channel};
@@ -190,41 +200,42 @@ bool is_software(const Device& device) {
   return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
 
-bool passes(const ProbeRow& row, bool software) {
+bool passes(const ProofRow& row, bool software) {
   return (software ? row.differing : row.beyond_tolerance) == 0;
 }
 
 struct ShaderBatch::State {
-  Probe probe;
+  Machine machine;
   Owned<VkPipeline> pipeline;
 };
 
 ShaderBatch::ShaderBatch(Device& device, const Reflectance& form,
-                         std::span<const ProbeConfiguration> configurations)
-    : state_(new State{Probe(device, shader_code::probe()), {}}), count_(configurations.size()) {
+                         std::span<const ProofConfiguration> configurations)
+    : state_(new State{Machine(device, shader_code::proof()), {}}), count_(configurations.size()) {
   if (count_ > kMost)
     throw InputError("a shader batch holds at most " + std::to_string(kMost) + " directions");
-  state_->pipeline = state_->probe.pipeline(form);
-  state_->probe.load(configurations);
+  state_->pipeline = state_->machine.pipeline(form);
+  state_->machine.load(configurations);
 }
 ShaderBatch::~ShaderBatch() = default;
 
 void ShaderBatch::run() {
-  state_->probe.dispatch(state_->pipeline.get(), count_);
+  state_->machine.dispatch(state_->pipeline.get(), count_);
 }
 
-std::vector<ProbeValues> ShaderBatch::values() const {
-  std::vector<ProbeValues> values;
-  for (std::size_t k = 0; k < count_; ++k) values.push_back(state_->probe.values(k));
+std::vector<ProofValues> ShaderBatch::values() const {
+  std::vector<ProofValues> values;
+  for (std::size_t k = 0; k < count_; ++k) values.push_back(state_->machine.values(k));
   return values;
 }
 
-std::vector<ProbeRow> probe(Device& device, std::span<const Reflectance> forms, const ProbeOptions& options,
-                            const std::function<void(const ProbeRow&)>& report) {
-  Probe machine(device, options.shader.empty() ? shader_code::probe() : options.shader);
-  std::vector<ProbeRow> rows;
+std::vector<ProofRow> shader_proof(Device& device, std::span<const Reflectance> forms,
+                                   const ProofOptions& options,
+                                   const std::function<void(const ProofRow&)>& report) {
+  Machine machine(device, options.shader.empty() ? shader_code::proof() : options.shader);
+  std::vector<ProofRow> rows;
   for (const Reflectance& form : forms) {
-    rows.push_back(probe_form(machine, form, options));
+    rows.push_back(proof_of(machine, form, options));
     if (report) report(rows.back());
   }
   return rows;

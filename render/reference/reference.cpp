@@ -2,16 +2,16 @@
 
 #include <embree3/rtcore.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <thread>
 
 #include "io/error.h"
+#include "io/parallel.h"
 #include "render/reference/surface_hit.h"
 #include "render/scene/camera_view.h"
+#include "render/scene/display_rule.h"
 
 namespace brdf::render {
 namespace {
@@ -24,9 +24,9 @@ struct SceneRelease {
 };
 
 // Every object as world-space triangles; geometry ids are object indices.
-class Tracer {
+class SceneRays {
  public:
-  explicit Tracer(const PreparedScene& scene) : device_(rtcNewDevice(nullptr)) {
+  explicit SceneRays(const PreparedScene& scene) : device_(rtcNewDevice(nullptr)) {
     if (!device_) throw EnvironmentError("Embree cannot be started");
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
@@ -86,7 +86,10 @@ Lit lit_by(const Light& light, const glm::vec3& position) {
 
 glm::vec3 sky(const Scene& scene, const glm::vec3& ray) {
   if (!scene.sky_zenith) return scene.background;
-  return glm::mix(scene.background, *scene.sky_zenith, std::sqrt(std::max(glm::normalize(ray).y, 0.0f)));
+  const float up = glm::normalize(ray).y;
+  glm::vec3 color;
+  for (int c = 0; c < 3; ++c) color[c] = sky_color(scene.background[c], (*scene.sky_zenith)[c], up);
+  return color;
 }
 
 glm::vec3 shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
@@ -95,43 +98,34 @@ glm::vec3 shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::
   glm::vec3 sum(0);
   for (const auto& layer : prepared.layers) {
     const Item& item = layer[hit.hit.geomID];
-    if (item.form < 0) continue;
-    const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
+    if (!item.form) continue;
+    const SurfaceHit s = surface_at(prepared, item, hit.hit.primID, ray);
     if (!s.front) return scene.back_color;
     const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
-    if (!measured) sum += scene.ambient * s.weights[0];
+    if (!measured) sum += scene.ambient * s.diffuse;
     for (const Light& light : scene.lights) {
       const Lit lit = lit_by(light, s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
-      sum += lit.irradiance * (measured ? (*measured)(wi, wo) : eval_cos_at(item.form, s, wi, wo));
+      sum += lit.irradiance * (measured ? (*measured)(wi, wo) : eval_cos_at(item, s, wi, wo));
     }
     if (measured) break;
   }
   return sum;
 }
 
-}  // namespace
-
-namespace {
-
 // Calls visit(x, y, ray, hit) for every pixel, rows shared between threads.
 template <class Visit>
 void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit) {
   const Camera& camera = prepared.scene.camera;
   const View view = make_view(camera);
-  const Tracer tracer(prepared);
-  std::atomic<int> next_row = 0;
-  const auto work = [&] {
-    for (int y = next_row++; y < camera.height; y = next_row++) {
-      for (int x = 0; x < camera.width; ++x) {
-        const glm::vec3 ray = view.ray(pixel_center(x, y, camera.width, camera.height));
-        visit(x, y, ray, tracer.trace(camera.position, ray));
-      }
+  const SceneRays rays(prepared);
+  const auto row = [&](std::size_t y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const glm::vec3 ray = view.ray(pixel_center(x, int(y), camera.width, camera.height));
+      visit(x, int(y), ray, rays.trace(camera.position, ray));
     }
   };
-  std::vector<std::jthread> threads_beside;
-  for (unsigned k = 1; k < threads; ++k) threads_beside.emplace_back(work);
-  work();
+  io::parallel_for(std::size_t(camera.height), row, threads);
 }
 
 }  // namespace
@@ -148,57 +142,51 @@ Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& 
 
 std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
   const Scene& scene = prepared.scene;
-  const Camera& camera = scene.camera;
-  const View view = make_view(camera);
-  const Tracer tracer(prepared);
   std::vector<LitPoint> points;
-  for (int y = 0; y < camera.height; ++y)
-    for (int x = 0; x < camera.width; ++x) {
-      const glm::vec3 ray = view.ray(pixel_center(x, y, camera.width, camera.height));
-      const RTCRayHit hit = tracer.trace(camera.position, ray);
-      if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-      const Item& item = prepared.layers[0][hit.hit.geomID];
-      const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
-      if (!s.front) continue;
-      const glm::vec3 wo = to_local(glm::normalize(camera.position - s.position), s);
-      for (const Light& light : scene.lights) {
-        const Lit lit = lit_by(light, s.position);
-        const glm::vec3 wi = to_local(lit.wi, s);
-        if (wi.z > 0 && wo.z > 0) points.push_back({x, y, item.object, wi, wo, lit.irradiance});
-      }
+  for_each_pixel(prepared, 1, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+    const Item& item = prepared.layers[0][hit.hit.geomID];
+    const SurfaceHit s = surface_at(prepared, item, hit.hit.primID, ray);
+    if (!s.front) return;
+    const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
+    for (const Light& light : scene.lights) {
+      const Lit lit = lit_by(light, s.position);
+      const glm::vec3 wi = to_local(lit.wi, s);
+      if (wi.z > 0 && wo.z > 0) points.push_back({x, y, item.object, wi, wo, lit.irradiance});
     }
+  });
   return points;
 }
 
-Probe probe(const PreparedScene& prepared, int x, int y) {
+PixelProbe pixel_probe(const PreparedScene& prepared, int x, int y) {
   const Scene& scene = prepared.scene;
   const glm::vec3 ray =
       make_view(scene.camera).ray(pixel_center(x, y, scene.camera.width, scene.camera.height));
-  const RTCRayHit hit = Tracer(prepared).trace(scene.camera.position, ray);
-  Probe out;
+  const RTCRayHit hit = SceneRays(prepared).trace(scene.camera.position, ray);
+  PixelProbe out;
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return out;
   out.hit = true;
   out.object = hit.hit.geomID;
   for (const auto& layer : prepared.layers) {
     const Item& item = layer[hit.hit.geomID];
-    if (item.form < 0) continue;
-    const Surface s = surface_at(prepared, item, hit.hit.primID, ray);
+    if (!item.form) continue;
+    const SurfaceHit s = surface_at(prepared, item, hit.hit.primID, ray);
     out.position = s.position;
     out.normal = s.normal;
     out.wo = to_local(glm::normalize(scene.camera.position - s.position), s);
     if (scene.lights.empty()) return out;
     out.wi = to_local(lit_by(scene.lights[0], s.position).wi, s);
-    if (out.wi.z > 0) out.value += eval_cos_at(item.form, s, out.wi, out.wo) / out.wi.z;
+    if (out.wi.z > 0) out.value += eval_cos_at(item, s, out.wi, out.wo) / out.wi.z;
   }
   return out;
 }
 
-std::vector<std::string> lines(const Probe& p) {
+std::vector<std::string> lines(const PixelProbe& p) {
   if (!p.hit) return {"probe: background"};
-  const auto degrees = [](float cosine) {
-    return double(std::acos(glm::clamp(cosine, -1.0f, 1.0f))) * 180 / kPi;
+  const auto angle = [](float cosine) {
+    return radians(double(std::acos(glm::clamp(cosine, -1.0f, 1.0f)))).degrees();
   };
-  const auto azimuth = [](const glm::vec3& w) { return double(std::atan2(w.y, w.x)) * 180 / kPi; };
+  const auto azimuth = [](const glm::vec3& w) { return radians(double(std::atan2(w.y, w.x))).degrees(); };
   const glm::vec3 h = glm::normalize(p.wi + p.wo);
   std::vector<std::string> out;
   const auto add = [&](const char* format, auto... values) {
@@ -208,9 +196,9 @@ std::vector<std::string> lines(const Probe& p) {
   };
   add("probe: object %d at (%.3f, %.3f, %.3f)", int(p.object) + 1, double(p.position.x), double(p.position.y),
       double(p.position.z));
-  add("theta_i %.2f phi_i %.2f, theta_o %.2f phi_o %.2f deg", degrees(p.wi.z), azimuth(p.wi), degrees(p.wo.z),
+  add("theta_i %.2f phi_i %.2f, theta_o %.2f phi_o %.2f deg", angle(p.wi.z), azimuth(p.wi), angle(p.wo.z),
       azimuth(p.wo));
-  add("theta_h %.2f theta_d %.2f deg", degrees(h.z), degrees(glm::dot(p.wi, h)));
+  add("theta_h %.2f theta_d %.2f deg", angle(h.z), angle(glm::dot(p.wi, h)));
   add("f_r (%.5g, %.5g, %.5g) 1/sr", double(p.value.r), double(p.value.g), double(p.value.b));
   return out;
 }

@@ -30,16 +30,16 @@ struct LitPoint {
 };
 std::vector<LitPoint> lit_points(const PreparedScene& scene);
 
-// What a ray through the centre of a pixel meets: for the viewer's probe.
-struct Probe {
+// What a ray through the centre of a pixel meets.
+struct PixelProbe {
   bool hit = false;
   std::size_t object = 0;
   glm::vec3 position{0}, normal{0};
   glm::vec3 wi{0}, wo{0};  // local frame, wi to the first light
   glm::vec3 value{0};      // f_r of the first light
 };
-Probe probe(const PreparedScene& scene, int x, int y);
+PixelProbe pixel_probe(const PreparedScene& scene, int x, int y);
 // In words: object, place, angles in degrees, f_r.
-std::vector<std::string> lines(const Probe& probe);
+std::vector<std::string> lines(const PixelProbe& probe);
 
 }  // namespace brdf::render

@@ -5,25 +5,28 @@
 namespace brdf::render {
 namespace {
 
-constexpr float kLeastFacing = 0.05f;  // as in shaders/surface.glsl
+glm::vec3 diffuse_of(const SurfaceHit& s, int weight) {
+  if (weight < 0) return glm::vec3(0);
+  const auto k = std::size_t(weight);
+  return {s.weights[0][k], s.weights[1][k], s.weights[2][k]};
+}
 
-void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const glm::vec3& ray, Surface& s) {
-  glm::vec3 albedo = s.weights[0];
-  if (maps[0]) albedo = maps[0]->sample_srgb(uv);
-  const float roughness = maps[2] ? maps[2]->sample(uv).r : 0;
-  const float metallic = maps[3] ? maps[3]->sample(uv).r : 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (int c = 0; c < 3; ++c) {
-      s.weights[k][c] = driven(item.weight_roles[k], s.weights[k][c], albedo[c], roughness, metallic);
-    }
-  }
-  for (std::size_t k = 0; k < 4; ++k)
-    s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0f, roughness, metallic);
-  if (maps[1]) {
-    const glm::vec3 m = glm::vec3(maps[1]->sample(uv)) * 2.0f - 1.0f;
+void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const glm::vec3& ray, SurfaceHit& s) {
+  const auto map = [&](TextureSlot slot) { return maps[std::size_t(slot)].get(); };
+  const auto grey = [&](TextureSlot slot) { return map(slot) ? map(slot)->sample(uv).r : 0; };
+  glm::vec3 albedo = s.diffuse;
+  if (map(TextureSlot::albedo)) albedo = map(TextureSlot::albedo)->sample_srgb(uv);
+  const float roughness = grey(TextureSlot::roughness), metallic = grey(TextureSlot::metallic);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < s.weights[c].size(); ++k)
+      s.weights[c][k] = driven(item.weight_rules[k], s.weights[c][k], albedo[int(c)], roughness, metallic);
+  for (std::size_t k = 0; k < s.shape.size(); ++k)
+    s.shape[k] = driven(item.shape_rules[k], s.shape[k], 0.0f, roughness, metallic);
+  if (const Texture* normals = map(TextureSlot::normal)) {
+    const glm::vec3 m = glm::vec3(normals->sample(uv)) * 2.0f - 1.0f;
     glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
     const glm::vec3 v = -glm::normalize(ray);
-    n = glm::normalize(n + v * std::max(kLeastFacing - glm::dot(n, v), 0.0f));
+    n = glm::normalize(n + v * std::max(float(kLeastFacing) - glm::dot(n, v), 0.0f));
     const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
     s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
     s.bitangent = glm::cross(n, s.tangent) * hand;
@@ -48,16 +51,18 @@ std::array<float, 3> barycentric(const PreparedScene& scene, const Item& item,
 
 }  // namespace
 
-Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle,
-                   const glm::vec3& ray) {
+SurfaceHit surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle,
+                      const glm::vec3& ray) {
   const Mesh& mesh = *scene.meshes[item.object];
   const Vertex& a = mesh.vertices[mesh.indices[3 * triangle]];
   const Vertex& b = mesh.vertices[mesh.indices[3 * triangle + 1]];
   const Vertex& c = mesh.vertices[mesh.indices[3 * triangle + 2]];
   const auto [w, u, v] = barycentric(scene, item, {a.position, b.position, c.position}, ray);
-  Surface s;
+  SurfaceHit s;
   s.weights = item.weights;
   s.shape = item.shape;
+  const int diffuse = item.form->info().weight_index(Role::diffuse);
+  s.diffuse = diffuse_of(s, diffuse);
   const glm::vec3 relative = item.linear * (a.position * w + b.position * u + c.position * v);
   s.position = item.origin + relative;
   // Counter-clockwise seen from the front, also under a mirroring transform: as the rasteriser decides.
@@ -70,24 +75,22 @@ Surface surface_at(const PreparedScene& scene, const Item& item, std::uint32_t t
   s.tangent = glm::normalize(t - s.normal * glm::dot(s.normal, t));
   s.bitangent = glm::cross(s.normal, s.tangent) * (tangent.w < 0 ? -1.0f : 1.0f);
   const TextureSet& maps = scene.textures[item.object];
-  if (maps[0] || maps[1] || maps[2] || maps[3])
+  if (std::any_of(maps.begin(), maps.end(), [](const auto& map) { return bool(map); })) {
     apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, ray, s);
+    s.diffuse = diffuse_of(s, diffuse);
+  }
   const glm::vec3 turned = s.tangent * item.cos_turn + s.bitangent * item.sin_turn;
   s.bitangent = s.bitangent * item.cos_turn - s.tangent * item.sin_turn;
   s.tangent = turned;
   return s;
 }
 
-glm::vec3 eval_cos_at(int form, const Surface& s, const glm::vec3& wi, const glm::vec3& wo) {
+glm::vec3 eval_cos_at(const Item& item, const SurfaceHit& s, const glm::vec3& wi, const glm::vec3& wo) {
   const Vec3<float> i{wi.x, wi.y, wi.z}, o{wo.x, wo.y, wo.z};
-  const auto weights = [&](int channel) {
-    return std::array{s.weights[0][channel], s.weights[1][channel], s.weights[2][channel]};
-  };
-  const std::array first = weights(0);
   glm::vec3 out;
-  for (int c = 0; c < 3; ++c) {
-    const std::array own = weights(c);
-    catalogue()[std::size_t(form)]->eval_cos({own, first, s.shape, std::size_t(c)}, one_pair(i, o), &out[c]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const ParameterValues<float> p{s.weights[c], s.weights[0], s.shape, item.channels[c]};
+    (*item.form)->eval_cos(p, one_pair(i, o), &out[int(c)]);
   }
   return out;
 }

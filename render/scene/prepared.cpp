@@ -9,65 +9,57 @@
 namespace brdf::render {
 namespace {
 
-constexpr std::size_t kMostWeights = 3, kMostShapes = 3;  // what the targets have room for
+const Texture* map_of(const TextureSet& textures, TextureSlot slot) {
+  return textures[std::size_t(slot)].get();
+}
 
-void set_roles(Item& item, const ReflectanceInfo& form, const TextureSet& textures) {
-  const bool albedo = bool(textures[0]), roughness = bool(textures[2]), metallic = bool(textures[3]);
-  const bool has_f0 = form.weight_index("f0") >= 0;
-  for (std::size_t k = 0; k < form.weights.size(); ++k) {
-    const Role role = role_of(form.weights[k].name, has_f0);
-    const bool driven = metallic || (albedo && (role == Role::reflectance || role == Role::diffuse));
-    if (driven) item.weight_roles[k] = role;
+void set_rules(Item& item, const ReflectanceInfo& form, const TextureSet& textures) {
+  const bool albedo = map_of(textures, TextureSlot::albedo),
+             roughness = map_of(textures, TextureSlot::roughness),
+             metallic = map_of(textures, TextureSlot::metallic);
+  for (const ParameterInfo& p : form.weights) {
+    const Rule rule = rule_of(p, form);
+    const bool driven = metallic || (albedo && (rule == Rule::albedo || rule == Rule::diffuse));
+    item.weight_rules.push_back(driven ? rule : Rule::own);
   }
-  for (std::size_t k = 0; k < form.shape.size(); ++k) {
-    const Role role = role_of(form.shape[k].name, has_f0);
-    if (role == Role::metallic ? metallic : roughness) item.shape_roles[k] = role;
+  for (const ParameterInfo& p : form.shape) {
+    const Rule rule = rule_of(p, form);
+    item.shape_rules.push_back((rule == Rule::metallic ? metallic : roughness) ? rule : Rule::own);
   }
 }
 
-// `channel` -1: all channels with the shared shape; otherwise that channel alone, the others' weights zero.
-Item make_item(const Term& term, std::size_t channels, int channel, const TextureSet& textures) {
+// `only`: that channel alone, the others' weights zero; otherwise all of them with the shared shape.
+Item make_item(const Term& term, std::size_t channels, std::optional<std::size_t> only,
+               const TextureSet& textures) {
   Item item;
-  item.form = catalogue_index(term.form);
+  item.form = term.form;
   item.cos_turn = float(std::cos(term.tangent_phi.radians()));
   item.sin_turn = float(std::sin(term.tangent_phi.radians()));
-  const auto shape = term.shape_of(channel < 0 ? 0 : std::size_t(channel));
-  for (std::size_t k = 0; k < shape.size(); ++k) item.shape[k] = float(shape[k]);
-  for (int c = 0; c < 3; ++c) {
-    if (channel >= 0 && c != channel) continue;
-    const std::vector<double>& weights = term.weights[channels == 1 ? 0 : std::size_t(c)];
-    for (std::size_t k = 0; k < weights.size(); ++k) item.weights[k][c] = float(weights[k]);
+  for (const double value : term.shape_of(only.value_or(0))) item.shape.push_back(float(value));
+  for (std::size_t c = 0; c < 3; ++c) {
+    item.channels[c] = channels == 1 ? 0 : c;
+    for (const double value : term.weights[item.channels[c]])
+      item.weights[c].push_back(only.value_or(c) == c ? float(value) : 0);
   }
-  set_roles(item, info(term.form), textures);
+  set_rules(item, info(term.form), textures);
   return item;
 }
 
 std::vector<Item> items_of(const Object& object, const TextureSet& textures) {
   std::vector<Item> items;
   const std::size_t channels = object.material.channels.size();
-  if (channels != 1 && channels != 3) {
-    throw InputError("material " + object.material_name + " has " + std::to_string(channels) +
-                     " channels; the renderer takes 1 or 3");
-  }
+  require_one_or_three_channels(channels, "material " + object.material_name);
   for (const Term& term : object.material.terms) {
-    const ReflectanceInfo& form = info(term.form);
-    if (form.weights.size() > kMostWeights || form.shape.size() > kMostShapes) {
-      throw InputError("material " + object.material_name +
-                       ": the renderer has room for three weights per channel and "
-                       "three shape parameters, " +
-                       std::string(form.name) + " has more");
-    }
     if (term.shape.size() <= 1) {
-      items.push_back(make_item(term, channels, -1, textures));
+      items.push_back(make_item(term, channels, std::nullopt, textures));
       continue;
     }
-    if (!info(term.form).fittable()) {
+    if (info(term.form).mixes_channels) {
       throw InputError("material " + object.material_name + ": shapes per channel of " +
                        std::string(info(term.form).name) + ", which mixes channels, cannot be rendered");
     }
-    for (int channel = 0; channel < int(channels); ++channel) {
+    for (std::size_t channel = 0; channel < channels; ++channel)
       items.push_back(make_item(term, channels, channel, textures));
-    }
   }
   return items;
 }

@@ -20,13 +20,13 @@ struct Item {
   glm::mat3 linear{1}, normals{1};
   glm::vec3 origin{0};
   float extent = 1;  // no vertex is farther from the origin
-  int form =
-      -1;  // index in Reflectance; -1: only hides what is behind it (an object with fewer terms than layers)
-  float cos_turn = 1, sin_turn = 0;    // of tangent_phi
-  std::array<glm::vec3, 3> weights{};  // in the order of the form's table
-  std::array<float, 4> shape{};
-  std::array<Role, 3> weight_roles{};
-  std::array<Role, 4> shape_roles{};
+  // None: only hides what is behind it (an object with fewer terms than layers).
+  std::optional<Reflectance> form;
+  float cos_turn = 1, sin_turn = 0;             // of tangent_phi
+  std::array<std::vector<float>, 3> weights;    // of red, green, blue; in the order of the form's table
+  std::vector<float> shape;                     // the same
+  std::array<std::size_t, 3> channels{};        // the material's, of red, green, blue
+  std::vector<Rule> weight_rules, shape_rules;  // by which the object's maps drive them
 };
 
 struct PreparedScene {

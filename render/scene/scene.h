@@ -10,26 +10,28 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "brdf/names.h"
 
-namespace brdf::render {
+namespace brdf {
+namespace render {
 
 struct Camera {
   glm::vec3 position{0, 0, 4}, target{0, 0, 0}, up{0, 1, 0};
   float vertical_fov = 32;  // degrees
   int width = 512, height = 512;
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 struct Light {
   bool point = false;
-  glm::vec3 vector{1, -1,
-                   -1};  // the position of a point light, else the direction in which the light travels
+  glm::vec3 vector{1, -1, -1};  // a point light's position, else the direction in which the light travels
   glm::vec3 color{1};
   float intensity = 1;  // directional: irradiance on a surface facing it; point: the same at distance 1
+  friend bool operator==(const Light&, const Light&) = default;
 };
 inline constexpr std::size_t kMostLights = 64;
 
 enum class TextureSlot { albedo, normal, roughness, metallic };
-inline constexpr std::array<const char*, 4> kTextureNames{"albedo", "normal", "roughness", "metallic"};
 
 struct Object {
   std::string mesh = "sphere";
@@ -39,15 +41,13 @@ struct Object {
   glm::vec3 position{0};
   glm::vec3 rotation{0};  // degrees about x, then y, then z
   glm::vec3 scale{1};
+  friend bool operator==(const Object&, const Object&) = default;
 };
 
 enum class Shading { vertex_color, flat, gouraud, phong, phong_blinn, brdf, lookup };
-inline constexpr std::array<const char*, 7> kShadingNames{"vertex_color", "flat", "gouraud", "phong",
-                                                          "phong_blinn",  "brdf", "lookup"};
 // none: the value as it stands; srgb: clamped, then encoded; reinhard: c/(1+c), then encoded as sRGB; thesis:
 // c/(1+c) to the power 1/2.2.
 enum class ToneMap { none, srgb, reinhard, thesis };
-inline constexpr std::array<const char*, 4> kToneMapNames{"none", "srgb", "reinhard", "thesis"};
 
 struct Scene {
   Camera camera;
@@ -59,19 +59,18 @@ struct Scene {
   std::vector<Object> objects;
   std::filesystem::path folder;  // that relative file names start from
   Shading shading = Shading::brdf;
-  bool per_vertex =
-      false;  // phong, phong_blinn: colours, lookup: texture coordinates, per vertex instead of per pixel
+  // phong, phong_blinn: colours, lookup: texture coordinates, per vertex instead of per pixel.
+  bool per_vertex = false;
   bool as_coded = false;  // with the articles' slips
   ToneMap tone_map = ToneMap::srgb;
   float exposure = 0;  // factor 2^exposure before the tone map
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
-
-// Throws InputError with file, JSON path, value and rule.
+// Throws InputError with file, JSON path, value and rule; scene_json.h has the rest of the format.
 Scene load_scene(const std::filesystem::path& file);
-// The same from text; `name` stands for the file in messages.
-Scene parse_scene(const std::string& text, const std::string& name, const std::filesystem::path& folder);
-// The scene as a file's text, readable again.
-std::string scene_text(const Scene& scene);
+
+// Pictures are grey or RGB. Throws InputError naming what has another number of channels.
+void require_one_or_three_channels(std::size_t channels, const std::string& what);
 
 // A row of spheres, one per material, under one light and
 // a little ambient: what `brdf render MATERIAL...` shows.
@@ -80,4 +79,16 @@ Scene material_scene(const std::vector<std::pair<std::string, Material>>& materi
 // Rotation and scale of an object, and the same for normals.
 glm::mat3 linear_part(const Object& object);
 
-}  // namespace brdf::render
+}  // namespace render
+
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<render::TextureSlot>{"albedo", "normal", "roughness",
+                                                                             "metallic"};
+template <>
+inline constexpr std::array<std::string_view, 7> kNames<render::Shading>{
+    "vertex_color", "flat", "gouraud", "phong", "phong_blinn", "brdf", "lookup"};
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<render::ToneMap>{"none", "srgb", "reinhard",
+                                                                         "thesis"};
+
+}  // namespace brdf

@@ -6,17 +6,15 @@
 #include <memory>
 #include <random>
 
+#include "brdf/random.h"
 #include "io/error.h"
+#include "render/scene/display_rule.h"
 
 namespace brdf::render {
 namespace {
 
 std::uint8_t to_byte(float x) {
   return std::uint8_t(std::lround(glm::clamp(x, 0.0f, 1.0f) * 255));
-}
-
-float srgb_encoded(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
 // Tileable value noise: `octaves` lattices of random numbers, each twice as fine and half as strong.
@@ -28,7 +26,7 @@ class Noise {
       lattices_.emplace_back();
       lattices_.back().cells = cells;
       for (int i = 0; i < cells * cells; ++i) {
-        lattices_.back().values.push_back(float(double(random() >> 11) * 0x1p-53));
+        lattices_.back().values.push_back(float(uniform01(random)));
       }
     }
   }
@@ -59,10 +57,6 @@ class Noise {
   };
   std::vector<Lattice> lattices_;
 };
-
-}  // namespace
-
-namespace {
 
 // Bilinear interpolation of decode(texel).
 template <class Decode>

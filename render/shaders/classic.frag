@@ -1,8 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "frame.glsl"
 #include "classic.glsl"
-layout(push_constant) uniform Push { int item; } push;
+#include "frame.glsl"
+layout(push_constant) uniform Push {
+  int item;
+}
+push;
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec3 in_color;
@@ -16,17 +19,18 @@ vec3 looked_up() {
   const vec3 irradiance = frame.counts.x > 0 ? irradiance_of(frame.lights[0], in_position) : vec3(0.0);
   const vec2 at = kPerVertex ? in_coordinates : lookup_coordinates(in_position, normalize(in_normal));
   const float cosine = kAsCoded ? at.y : max(at.y, 0.0);
-  const vec3 diffuse = item.weights[0].rgb * max(frame.ambient.rgb + cosine * irradiance, 0.0);
+  const vec3 diffuse = item_weight(item, item.form.z) * max(frame.ambient.rgb + cosine * irradiance, 0.0);
   const float seen = kAsCoded || at.y > 0.0 ? 1.0 : 0.0;
-  return diffuse + seen * item.weights[1].rgb * irradiance * texture(table, at).r;
+  return diffuse + seen * item_weight(item, item.form.w) * irradiance * texture(table, at).r;
 }
 
 void main() {
   vec3 c = in_color;
-  if (!kPerVertex && (kShading == kPhong || kShading == kPhongBlinn)) {
+  if (!kPerVertex && (kShading == shading_phong || kShading == shading_phong_blinn)) {
     const vec3 n = kAsCoded ? in_normal : normalize(in_normal);  // the article never renormalises
-    c = lit(items[push.item].weights[0].rgb, in_position, n, kShading == kPhongBlinn);
+    c = lit(item_weight(items[push.item], items[push.item].form.z), in_position, n,
+            kShading == shading_phong_blinn);
   }
-  if (kShading == kLookup) c = looked_up();
+  if (kShading == shading_lookup) c = looked_up();
   color = vec4(c, 1.0);
 }

@@ -1,6 +1,8 @@
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#include "layout.glsl"
 // Copies the seven targets: what a pass over them costs at least.
-layout(set = 0, binding = 0) uniform sampler2D targets[7];
+layout(set = 0, binding = 0) uniform sampler2D targets[kTargetCount];
 layout(location = 0) out vec4 out0;
 layout(location = 1) out vec4 out1;
 layout(location = 2) out vec4 out2;

@@ -1,85 +1,135 @@
-// Build step: writes brdf.glsl (every form of the catalogue, traced), texture_rule.glsl and the probe's
-// compute shader (and its negative control, without `precise`) into a folder.
+// Build step: writes what the shaders include (brdf.glsl: every form of the catalogue, traced; layout.glsl: the
+// limits and enumerators that they share with C++; rules.glsl: the texture rule and the display's colours,
+// traced), the proof's compute shader (and its negative control, without `precise`), and the sources that are
+// compiled again at run time, into a folder.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <string>
-#include <vector>
+#include <iterator>
+#include <sstream>
 
-#include "brdf/trace.h"
+#include "render/compare/arrange.h"
+#include "render/gpu/gpu_layout.h"
+#include "render/scene/display_rule.h"
 #include "render/scene/texture_rule.h"
+#include "render/shaders/reflectance_glsl.h"
 
+namespace brdf {
+
+// What display_rule.h asks of a scalar: GLSL's own functions.
+Traced to_power(Traced x, Traced exponent) {
+  return Traced::from_node(
+      Trace::current().add({Trace::Type::float_type, "pow", {x.node(), exponent.node()}}));
+}
+Traced log_10(Traced x) {
+  return Traced::from_node(Trace::current().add({Trace::Type::float_type, "log2", {x.node()}})) /
+         Traced(std::log2(10.0));
+}
+
+namespace render {
 namespace {
 
-// A form's number in the shaders is its place in the catalogue,
-// a specialisation constant, so that the driver keeps one case.
-std::vector<brdf::NumberedReflectance> numbered() {
-  std::vector<brdf::NumberedReflectance> list;
-  for (const brdf::Reflectance& form : brdf::catalogue()) list.push_back({int(list.size()), form});
-  return list;
-}
-
-std::string forms(const brdf::GlslOptions& options = {}) {
-  std::string text = brdf::glsl_kernels(options);
-  for (const brdf::Reflectance& form : brdf::catalogue()) text += form->glsl(options);
-  return text + brdf::glsl_dispatch("brdf_eval_cos", numbered());
-}
-
-// The compute shader of the probe (render/proof/shader_proof.h): evaluates one form on many configurations.
-std::string probe(const brdf::GlslOptions& options) {
-  return R"(#version 450
-layout(local_size_x = 64) in;
-layout(constant_id = 0) const int form = 0;
-layout(std430, binding = 0) readonly buffer Configurations { vec4 configuration[]; };
-layout(std430, binding = 1) writeonly buffer Results { vec4 result[]; };
-layout(push_constant) uniform Push { uint count; };
-)" + forms(options) +
-         brdf::glsl_dispatch("brdf_eval", numbered()) + R"(
-void main() {
-  uint i = gl_GlobalInvocationID.x;
-  if (i >= count) return;
-  vec3 wi = configuration[6 * i].xyz, wo = configuration[6 * i + 1].xyz;
-  vec4 shape = configuration[6 * i + 2];
-  vec3 w0 = configuration[6 * i + 3].xyz, w1 = configuration[6 * i + 4].xyz, w2 = configuration[6 * i + 5].xyz;
-  result[2 * i] = vec4(brdf_eval(form, wi, wo, shape, w0, w1, w2), 0.0);
-  result[2 * i + 1] = vec4(brdf_eval_cos(form, wi, wo, shape, w0, w1, w2), 0.0);
-}
-)";
-}
-
-std::string texture_rule() {
-  using brdf::Traced;
-  std::string text =
-      "float driven(int role, float own, float albedo, float roughness, float metallic) {\n  switch (role) "
-      "{\n";
-  for (int role = 0; role < brdf::render::kRoleCount; ++role) {
-    brdf::Trace trace;
-    const brdf::Trace::Scope scope(trace);
-    const Traced value =
-        brdf::render::driven(brdf::render::Role(role), Traced::input("own"), Traced::input("albedo"),
-                             Traced::input("roughness"), Traced::input("metallic"));
-    text += "  case " + std::to_string(role) + ": {\n" +
-            trace.statements({value.node()}, "return %0;", true) + "  }\n";
+// One `case` per enumerator of a function that returns value(enumerator).
+template <class Enum, class Value>
+std::string switch_over(const std::string& argument, int count, Value value) {
+  std::string text = "  switch (" + argument + ") {\n";
+  for (int k = 0; k < count; ++k) {
+    Trace trace;
+    const Trace::Scope scope(trace);
+    const Traced result = value(Enum(k));
+    text += "  case " + std::to_string(k) + ": {\n" + trace.statements({result.node()}, "return %0;", true) +
+            "  }\n";
   }
-  return text + "  }\n  return own;\n}\n";
+  return text + "  }\n";
+}
+
+std::string traced_rules() {
+  const auto in = [](const char* name) { return Traced::input(name); };
+  std::string text =
+      "float driven(int rule, float own, float albedo, float roughness, float metallic) {\n" +
+      switch_over<Rule>(
+          "rule", kRuleCount,
+          [&](Rule rule) { return driven(rule, in("own"), in("albedo"), in("roughness"), in("metallic")); }) +
+      "  return own;\n}\n";
+  text += "float tone_curve(int tone_map, float linear) {\n" +
+          switch_over<ToneMap>("tone_map", int(kNames<ToneMap>.size()),
+                               [&](ToneMap map) { return tone_curve(map, in("linear")); }) +
+          "  return linear;\n}\n";
+  Trace trace;
+  const Trace::Scope scope(trace);
+  const auto [r, g, b] = false_color_of(in("relative"));
+  text +=
+      detail::glsl_function("vec3 false_color(float relative)", {r, g, b}, "return vec3(%0, %1, %2);", true);
+  text += detail::glsl_function("float sky_color(float horizon, float zenith, float up)",
+                                {sky_color(in("horizon"), in("zenith"), in("up"))}, "return %0;", true);
+  return text;
+}
+
+template <class Enum>
+std::string enumerators(const std::string& prefix) {
+  std::string text;
+  for (std::size_t k = 0; k < kNames<Enum>.size(); ++k)
+    text += "const int " + prefix + "_" + std::string(kNames<Enum>[k]) + " = " + std::to_string(k) + ";\n";
+  return text;
+}
+
+std::string layout() {
+  const auto constant = [](const char* name, std::size_t value) {
+    return "const int " + std::string(name) + " = " + std::to_string(value) + ";\n";
+  };
+  return constant("kMostLights", kMostLights) + constant("kMostItems", kMostItems) +
+         constant("kMostWeights", kMostWeights) + constant("kTargetCount", kTargetCount) +
+         constant("kRemainderScale", kRemainderScale) +
+         "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
+         enumerators<Shading>("shading") + enumerators<ToneMap>("tone_map") +
+         enumerators<Display>("display") + enumerators<Target>("target") + enumerators<TextureSlot>("map");
+}
+
+// A shader with its includes in place of their lines; brdf.glsl is left to be put there.
+std::string expanded(const std::vector<std::string>& folders, const std::string& name) {
+  std::ifstream in;
+  for (const std::string& folder : folders) {
+    in.open(folder + "/" + name);
+    if (in) break;
+    in.clear();
+  }
+  std::string text, line;
+  while (std::getline(in, line)) {
+    const bool include = line.starts_with("#include \"") && line.find("brdf.glsl") == std::string::npos;
+    text += include ? expanded(folders, line.substr(10, line.find('"', 10) - 10)) : line + "\n";
+  }
+  return text;
 }
 
 bool write(const std::string& path, const std::string& text) {
   std::ofstream out(path);
-  return bool(out << text) && bool(out.flush());
+  return !text.empty() && bool(out << text) && bool(out.flush());
+}
+
+bool write_all(const std::string& sources, const std::string& folder) {
+  const std::vector<NumberedReflectance> list = numbered_catalogue();
+  if (!write(folder + "/brdf.glsl", reflectances_glsl(list)) ||
+      !write(folder + "/rules.glsl", traced_rules()) || !write(folder + "/layout.glsl", layout()) ||
+      !write(folder + "/proof.comp", proof_glsl(list)) ||
+      !write(folder + "/proof_unprecise.comp", proof_glsl(list, {.precise = false})))
+    return false;
+  for (const char* shader : {"lighting.frag", "forward.frag"})
+    if (!write(folder + "/" + shader + ".text.inc",
+               "R\"glsl(" + expanded({sources, folder}, shader) + ")glsl\"\n"))
+      return false;
+  return true;
 }
 
 }  // namespace
+}  // namespace render
+}  // namespace brdf
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: emit_shaders FOLDER\n");
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: emit_shaders SOURCES FOLDER\n");
     return 2;
   }
-  const std::string folder = argv[1];
-  if (write(folder + "/brdf.glsl", forms()) && write(folder + "/texture_rule.glsl", texture_rule()) &&
-      write(folder + "/probe.comp", probe({})) &&
-      write(folder + "/probe_unprecise.comp", probe({.precise = false})))
-    return 0;
-  std::fprintf(stderr, "emit_shaders: cannot write into %s\n", argv[1]);
+  if (brdf::render::write_all(argv[1], argv[2])) return 0;
+  std::fprintf(stderr, "emit_shaders: cannot write into %s\n", argv[2]);
   return 1;
 }

@@ -1,4 +1,5 @@
 // What every pass knows. The same structs in C++: gpu_layout.h.
+#include "layout.glsl"
 struct Light {
   vec4 vector;      // point: position, w = 1; directional: unit vector to the light, w = 0
   vec4 irradiance;  // colour * intensity; w: length of the scene file's direction
@@ -9,22 +10,27 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 right, up, forward;  // of the picture plane: the ray through ndc (x, y) is forward + x right + y up
   vec4 ambient, back_color, background, zenith;
   ivec4 counts;  // x: lights, y: there is a sky, zw: the picture's width and height
-  Light lights[64];
-} frame;
+  Light lights[kMostLights];
+}
+frame;
 
 struct Item {
-  mat4 model;          // column 3: the object's origin
+  mat4 model;  // column 3: the object's origin
   mat4 normals;
-  vec4 weights[3];     // a: cosine and sine of tangent_phi, the object's extent
+  vec4 weights[kMostWeights];  // a: cosine and sine of tangent_phi, the object's extent
   vec4 shape;
   vec4 shape_low, shape_high;  // range of the 8-bit encoding
-  ivec4 shape_roles;   // see texture_rule.h
-  ivec4 weight_roles;  // w: which maps there are, bit per slot
-  ivec4 form;          // x: index of the form, -1: none; y: shapes on a logarithmic scale, bit per slot
-  vec4 weight_scale;   // x: of the 8-bit encoding
+  ivec4 shape_rules;           // see texture_rule.h
+  ivec4 weight_rules;          // w: which maps there are, bit per slot
+  // x: number of the reflectance, -1: none; y: shapes on a logarithmic scale, bit per slot; z, w: which of the weights
+  // are the diffuse and the specular one, -1: none.
+  ivec4 form;
+  vec4 weight_scale;  // x: of the 8-bit encoding
 };
 // A uniform buffer: the software driver loads from storage buffers lane by lane.
-layout(set = 0, binding = 1, std140) uniform Items { Item items[224]; };
+layout(set = 0, binding = 1, std140) uniform Items {
+  Item items[kMostItems];
+};
 
 // From the camera through this place in the picture (gl_FragCoord.xy); not normalised.
 vec3 ray_through(vec2 at) {
@@ -32,5 +38,10 @@ vec3 ray_through(vec2 at) {
   return frame.forward.xyz + frame.right.xyz * ndc.x + frame.up.xyz * ndc.y;
 }
 
-// 16-bit targets hold the digits of the normal that rounding takes, times this, along tangent and bitangent.
-const float kRemainderScale = 4096.0;
+// The weight at a place of Item.form; nothing where there is none.
+vec3 weight_at(vec3 weights[kMostWeights], int place) {
+  return place < 0 ? vec3(0.0) : weights[place];
+}
+vec3 item_weight(Item item, int place) {
+  return place < 0 ? vec3(0.0) : item.weights[place].rgb;
+}

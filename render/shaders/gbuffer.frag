@@ -3,7 +3,7 @@
 layout(constant_id = 0) const int kBits = 16;
 layout(constant_id = 1) const bool kTextured = false;
 #include "frame.glsl"
-#include "texture_rule.glsl"
+#include "rules.glsl"
 #include "surface.glsl"
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out vec4 out_normal;
@@ -20,10 +20,14 @@ vec4 to_half(vec4 v) {
   return uintBitsToFloat(bits);
 }
 
-vec4 stored(vec4 v) { return kBits == 16 ? to_half(v) : v; }
-vec4 signed_to_byte(vec3 v, float last) { return vec4(v * 0.5 + 0.5, last); }
+vec4 stored(vec4 v) {
+  return kBits == 16 ? to_half(v) : v;
+}
+vec4 signed_to_byte(vec3 v, float last) {
+  return vec4(v * 0.5 + 0.5, last);
+}
 
-void store_bytes(Surface s, const Item item) {
+void store_bytes(SurfaceHit s, const Item item) {
   const float scale = 1.0 / item.weight_scale.x;
   out_albedo = vec4(s.weights[0] * scale, s.front ? 1.0 : 0.0);
   out_normal = signed_to_byte(s.normal, s.weights[2].r);
@@ -39,7 +43,7 @@ void store_bytes(Surface s, const Item item) {
 }
 
 void main() {
-  const Surface s = surface(kTextured);
+  const SurfaceHit s = surface(kTextured);
   if (kBits == 8) {
     store_bytes(s, items[s.item]);
     return;

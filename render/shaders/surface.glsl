@@ -1,17 +1,18 @@
-// The surface at a fragment: parameters and frame, with textures applied. C++ counterpart: surface.cpp.
-layout(push_constant) uniform Push { int item; } push;
+// The surface at a fragment: parameters and frame, with textures applied. C++ counterpart: reference/surface_hit.cpp.
+layout(push_constant) uniform Push {
+  int item;
+}
+push;
 layout(location = 0) in vec3 in_relative;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec2 in_uv;
 layout(set = 1, binding = 0) uniform sampler2D maps[4];  // albedo, normal, roughness, metallic
 
-const float kLeastFacing = 0.05;  // cosine of a mapped normal with the viewer; the same in surface.cpp
-
-struct Surface {
+struct SurfaceHit {
   int item;
   bool front;
-  vec3 weights[3];
+  vec3 weights[kMostWeights];
   vec4 shape;
   vec3 relative;
   vec3 normal, tangent, bitangent;
@@ -29,21 +30,24 @@ vec4 bilinear(int slot) {
   return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);
 }
 
-void apply_maps(const Item item, inout Surface s) {
-  const int present = item.weight_roles.w;
-  const vec3 albedo = (present & 1) != 0 ? bilinear(0).rgb : s.weights[0];
-  const float roughness = (present & 4) != 0 ? bilinear(2).r : 0.0;
-  const float metallic = (present & 8) != 0 ? bilinear(3).r : 0.0;
-  for (int k = 0; k < 3; ++k) {
+bool has_map(Item item, int slot) {
+  return (item.weight_rules.w >> slot & 1) != 0;
+}
+
+void apply_maps(const Item item, inout SurfaceHit s) {
+  const vec3 albedo =
+      has_map(item, map_albedo) ? bilinear(map_albedo).rgb : weight_at(s.weights, item.form.z);
+  const float roughness = has_map(item, map_roughness) ? bilinear(map_roughness).r : 0.0;
+  const float metallic = has_map(item, map_metallic) ? bilinear(map_metallic).r : 0.0;
+  for (int k = 0; k < kMostWeights; ++k) {
     for (int c = 0; c < 3; ++c) {
-      s.weights[k][c] = driven(item.weight_roles[k], s.weights[k][c], albedo[c], roughness, metallic);
+      s.weights[k][c] = driven(item.weight_rules[k], s.weights[k][c], albedo[c], roughness, metallic);
     }
   }
-  for (int k = 0; k < 4; ++k) s.shape[k] = driven(item.shape_roles[k], s.shape[k], 0.0, roughness, metallic);
-  if ((present & 2) != 0) {
-    const vec3 m = bilinear(1).rgb * 2.0 - 1.0;
+  for (int k = 0; k < 4; ++k) s.shape[k] = driven(item.shape_rules[k], s.shape[k], 0.0, roughness, metallic);
+  if (has_map(item, map_normal)) {
+    const vec3 m = bilinear(map_normal).rgb * 2.0 - 1.0;
     vec3 n = normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
-    // A mapped normal cannot face away from the viewer: it would leave black specks along the edge of the object.
     const vec3 v = normalize(frame.camera.xyz - (item.model[3].xyz + s.relative));
     n = normalize(n + v * max(kLeastFacing - dot(n, v), 0.0));
     const float hand = sign(dot(cross(s.normal, s.tangent), s.bitangent));
@@ -53,12 +57,12 @@ void apply_maps(const Item item, inout Surface s) {
   }
 }
 
-Surface surface(bool textured) {
+SurfaceHit surface(bool textured) {
   const Item item = items[push.item];
-  Surface s;
+  SurfaceHit s;
   s.item = push.item;
   s.front = gl_FrontFacing;
-  for (int k = 0; k < 3; ++k) s.weights[k] = item.weights[k].rgb;
+  for (int k = 0; k < kMostWeights; ++k) s.weights[k] = item.weights[k].rgb;
   s.shape = item.shape;
   s.relative = in_relative;
   s.normal = normalize(in_normal);

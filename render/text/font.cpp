@@ -2,7 +2,9 @@
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include <utf8.h>
 
+#include <iterator>
 #include <string>
 
 #include "io/error.h"
@@ -29,25 +31,10 @@ Font::Font(const std::filesystem::path& file) {
 }
 
 std::vector<char32_t> code_points(std::string_view text) {
+  if (const auto bad = utf8::find_invalid(text.begin(), text.end()); bad != text.end())
+    throw InputError("text: byte " + std::to_string(bad - text.begin() + 1) + " is not UTF-8");
   std::vector<char32_t> out;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const int length = lead < 0x80         ? 1
-                       : (lead >> 5) == 6  ? 2
-                       : (lead >> 4) == 14 ? 3
-                       : (lead >> 3) == 30 ? 4
-                                           : 0;
-    char32_t code = length == 1 ? lead : lead & (0xffu >> (length + 1));
-    bool good = length > 0 && i + std::size_t(length) <= text.size();
-    for (int k = 1; good && k < length; ++k) {
-      const auto byte = static_cast<unsigned char>(text[i + std::size_t(k)]);
-      good = (byte >> 6) == 2;
-      code = (code << 6) | (byte & 0x3f);
-    }
-    if (!good) throw InputError("text: byte " + std::to_string(i + 1) + " is not UTF-8");
-    out.push_back(code);
-    i += std::size_t(length);
-  }
+  utf8::utf8to32(text.begin(), text.end(), std::back_inserter(out));
   return out;
 }
 

@@ -1,5 +1,7 @@
 #include "render/viewer/display_pass.h"
 
+#include <cmath>
+
 #include "render/gpu/shader_code.h"
 
 namespace brdf::render {
@@ -12,7 +14,7 @@ constexpr std::array kBindings{
 struct Push {  // of shaders/display.frag
   glm::ivec2 size;
   int display, tone_map;
-  float exposure, split, extent;
+  float gain, split, extent;
   int bits;
 };
 
@@ -36,7 +38,7 @@ void DisplayPass::show(const Image& a, const Image& b, Renderer* targets) {
   write_image(*device_, set_, 0, a.view(), sampler_.get(), 0);
   write_image(*device_, set_, 0, b.view(), sampler_.get(), 1);
   for (std::uint32_t k = 0; k < kTargetCount; ++k) {
-    write_image(*device_, set_, 1, targets ? targets->target(int(k)).view() : a.view(), sampler_.get(), k);
+    write_image(*device_, set_, 1, targets ? targets->target(Target(k)).view() : a.view(), sampler_.get(), k);
   }
 }
 
@@ -51,7 +53,7 @@ void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, VkExt
   const Push push{{int(extent.width), int(extent.height)},
                   int(state.display),
                   int(state.scene.tone_map),
-                  state.scene.exposure,
+                  std::exp2(state.scene.exposure),
                   state.split,
                   object_extent,
                   bits};

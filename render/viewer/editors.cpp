@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/compare/state.h"
@@ -38,25 +39,29 @@ bool slider(const char* label, double& value, double min, double max, double ini
   return moved;
 }
 
+// The families of the catalogue and the forms of the term's own; what is not in the catalogue is a family of one.
 void form_panel(Term& term) {
   std::vector<std::string> families, forms;
   const ReflectanceInfo& now = info(term.form);
   std::size_t family = 0, form = 0;
-  for (const Reflectance& f : catalogue()) {
-    const std::string name(info(f).family);
-    if (families.empty() || families.back() != name) families.push_back(name);
-    if (name == now.family) {
-      if (info(f).name == now.name) form = forms.size();
-      forms.emplace_back(info(f).name);
-    }
-  }
-  for (std::size_t k = 0; k < families.size(); ++k) {
-    if (families[k] == now.family) family = k;
-  }
+  const auto list = [&](const ReflectanceInfo& f) {
+    if (families.empty() || families.back() != f.family) families.emplace_back(f.family);
+    if (f.family != now.family) return;
+    family = families.size() - 1;
+    if (f.name == now.name) form = forms.size();
+    forms.emplace_back(f.name);
+  };
+  for (const Reflectance& f : catalogue()) list(f.info());
+  if (catalogue_index(term.form) < 0) list(now);
+  const auto switch_to = [&](auto&& wanted) {
+    const auto found = std::find_if(catalogue().begin(), catalogue().end(),
+                                    [&](const Reflectance& f) { return wanted(f.info()); });
+    if (found != catalogue().end()) switch_form(term, *found);
+  };
   if (combo("family", family, families))
-    switch_form(term, *find_form(families[family]));
+    switch_to([&](const ReflectanceInfo& f) { return f.family == families[family]; });
   else if (combo("form", form, forms))
-    switch_form(term, *find_form(forms[form]));
+    switch_to([&](const ReflectanceInfo& f) { return f.name == forms[form]; });
 }
 
 void parameter_sliders(Term& term, const std::vector<std::string>& channels) {

@@ -1,7 +1,6 @@
 // The parts of the panels that edit a material, an object, the lights.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -12,10 +11,10 @@ namespace brdf::render {
 // A list to choose from; true when another entry was chosen.
 bool combo(const char* label, std::size_t& index, const std::vector<std::string>& names);
 
-template <class Enum, std::size_t N>
-void enum_combo(const char* label, Enum& value, const std::array<const char*, N>& names) {
+template <class Enum>
+void enum_combo(const char* label, Enum& value) {
   std::size_t index = std::size_t(value);
-  if (combo(label, index, std::vector<std::string>(names.begin(), names.end()))) value = Enum(index);
+  if (combo(label, index, {kNames<Enum>.begin(), kNames<Enum>.end()})) value = Enum(index);
 }
 
 // Family, form, and a slider per parameter of the form's table, for every term.

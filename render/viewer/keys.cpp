@@ -22,9 +22,9 @@ void next_form(ViewState& state, bool by_family) {
   switch_form(term, forms[k]);
 }
 
-template <class Enum, std::size_t N>
-void advance(Enum& value, const std::array<const char*, N>&) {
-  value = Enum((std::size_t(value) + 1) % N);
+template <class Enum>
+void advance(Enum& value) {
+  value = Enum((std::size_t(value) + 1) % kNames<Enum>.size());
 }
 
 void toggle(ViewState& state, Display display) {
@@ -86,13 +86,13 @@ KeyRequest press(ViewState& state, int key, int mods, const Whereabouts& where) 
       next_form(state, mods & GLFW_MOD_SHIFT);
       break;
     case GLFW_KEY_M:
-      advance(state.scene.shading, kShadingNames);
+      advance(state.scene.shading);
       break;
     case GLFW_KEY_C:
-      advance(state.scene.tone_map, kToneMapNames);
+      advance(state.scene.tone_map);
       break;
     case GLFW_KEY_K:
-      advance(state.other, kOtherNames);
+      advance(state.other);
       break;
     case GLFW_KEY_G:
       toggle(state, Display::gbuffer);

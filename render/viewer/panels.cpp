@@ -13,16 +13,16 @@ namespace brdf::render {
 namespace {
 
 void display_panel(ViewState& state, const PanelInfo& info) {
-  enum_combo("shading", state.scene.shading, kShadingNames);
+  enum_combo("shading", state.scene.shading);
   if (state.scene.shading != Shading::brdf) {
     ImGui::Checkbox("as coded", &state.scene.as_coded);
     ImGui::SameLine();
     ImGui::Checkbox("per vertex", &state.scene.per_vertex);
   }
-  enum_combo("tone map", state.scene.tone_map, kToneMapNames);
+  enum_combo("tone map", state.scene.tone_map);
   ImGui::SliderFloat("exposure", &state.scene.exposure, -8, 8, "%.2f stops");
-  enum_combo("show", state.display, kDisplayNames);
-  enum_combo("B is", state.other, kOtherNames);
+  enum_combo("show", state.display);
+  enum_combo("B is", state.other);
   if (ImGui::Button("keep this material as B")) {
     state.material = state.scene.objects[state.selected].material;
     state.material_name = state.scene.objects[state.selected].material_name;
@@ -51,9 +51,9 @@ void labels(const ViewState& state, const PanelInfo& info) {
   const std::string a = "A: " + state.scene.objects[state.selected].material_name,
                     b = "B: " + info.pictures->other_name(state);
   if (state.display == Display::gbuffer) {
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k <= kTargetCount; ++k) {
       text(size.x * float(k % 4) / 4 + 6, size.y * float(k / 4 + 1) / 2 - 20,
-           k < 7 ? kTargetNames[std::size_t(k)] : "lighting");
+           k < kTargetCount ? std::string(name_of(Target(k))) : "lighting");
     }
   } else if (state.display == Display::split) {
     text(size.x * state.split - ImGui::CalcTextSize(a.c_str()).x - 8, size.y - 24, a);

@@ -15,7 +15,7 @@ struct PanelInfo {
   const Pictures* pictures = nullptr;
   float frame_rate = 0;
   std::string device, message;  // message: the last thing that went wrong or was done
-  std::optional<Probe> probe;
+  std::optional<PixelProbe> probe;
 };
 
 // What the user asked for beyond changes of the state.

@@ -235,7 +235,7 @@ class Viewer {
     dragging_ = action == GLFW_PRESS ? button : -1;
     if (action == GLFW_PRESS && (button == GLFW_MOUSE_BUTTON_MIDDLE || mods & GLFW_MOD_SHIFT)) {
       dragging_ = -1;
-      probe_ = probe(pictures_.prepared(), int(cursor_[0]), int(cursor_[1]));
+      probe_ = pixel_probe(pictures_.prepared(), int(cursor_[0]), int(cursor_[1]));
     }
   }
 
@@ -262,7 +262,7 @@ class Viewer {
   std::optional<Interface> interface_;
   Panels panels_;
   std::string message_;
-  std::optional<Probe> probe_;
+  std::optional<PixelProbe> probe_;
   std::array<double, 2> cursor_{};
   int dragging_ = -1;
   int awake_ = kFramesAfterInput;

@@ -104,12 +104,14 @@ VkExtent2D Window::framebuffer_size() const {
 }
 
 Swapchain::Swapchain(Device& device, const Window& window) : device_(&device), window_(&window) {
-  check(glfwCreateWindowSurface(device.instance(), window.get(), nullptr, &surface_),
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  check(glfwCreateWindowSurface(device.instance(), window.get(), nullptr, &surface),
         "glfwCreateWindowSurface");
+  surface_ = {device.instance(), surface, vkDestroySurfaceKHR};
   VkBool32 supported = VK_FALSE;
-  vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface_, &supported);
+  vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface, &supported);
   if (!supported) throw EnvironmentError("the Vulkan device cannot draw into this display");
-  format_ = pick_format(device.physical(), surface_);
+  format_ = pick_format(device.physical(), surface);
   render_pass_ = make_render_pass(device, format_.format);
   acquired_ = make_semaphore(device);
   VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
@@ -122,21 +124,18 @@ Swapchain::Swapchain(Device& device, const Window& window) : device_(&device), w
 
 Swapchain::~Swapchain() {
   vkDeviceWaitIdle(device_->get());
-  frames_.clear();
-  swapchain_ = {};
-  vkDestroySurfaceKHR(device_->instance(), surface_, nullptr);
 }
 
 void Swapchain::create() {
   vkDeviceWaitIdle(device_->get());
   frames_.clear();
   VkSurfaceCapabilitiesKHR capabilities;
-  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &capabilities),
+  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_.get(), &capabilities),
         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
   extent_ = capabilities.currentExtent.width == 0xffffffffu ? window_->framebuffer_size()
                                                             : capabilities.currentExtent;
   VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
-  info.surface = surface_;
+  info.surface = surface_.get();
   info.minImageCount = std::max(2u, capabilities.minImageCount);
   info.imageFormat = format_.format;
   info.imageColorSpace = format_.colorSpace;

@@ -59,7 +59,7 @@ class Swapchain {
 
   Device* device_;
   const Window* window_;
-  VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+  OwnedByInstance<VkSurfaceKHR> surface_;
   VkSurfaceFormatKHR format_{};
   VkExtent2D extent_{};
   Owned<VkRenderPass> render_pass_;

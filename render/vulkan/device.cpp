@@ -72,17 +72,6 @@ Device::Device(const DeviceOptions& options) : memory_limit_(options.memory_limi
   create_device(!options.instance_extensions.empty());
 }
 
-Device::~Device() {
-  if (pool_) vkDestroyCommandPool(device_, pool_, nullptr);
-  if (device_) vkDestroyDevice(device_, nullptr);
-  if (messenger_) {
-    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-        vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
-    destroy(instance_, messenger_, nullptr);
-  }
-  if (instance_) vkDestroyInstance(instance_, nullptr);
-}
-
 void Device::create_instance(const DeviceOptions& options) {
   const VkApplicationInfo application{
       VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "brdf", 1, "brdf", 1, VK_API_VERSION_1_3};
@@ -111,22 +100,28 @@ void Device::create_instance(const DeviceOptions& options) {
   }
   info.enabledExtensionCount = std::uint32_t(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
-  const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+  VkInstance instance = VK_NULL_HANDLE;
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
   if (result != VK_SUCCESS) {
     throw EnvironmentError("no Vulkan driver: vkCreateInstance failed with VkResult " +
                            std::to_string(int(result)) + " (Debian: mesa-vulkan-drivers)");
   }
+  instance_.reset(instance);
   if (!options.validation) return;
   const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-      vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
-  check(create(instance_, &messages, nullptr, &messenger_), "vkCreateDebugUtilsMessengerEXT");
+      vkGetInstanceProcAddr(instance, "vkCreateDebugUtilsMessengerEXT"));
+  const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+      vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
+  VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
+  check(create(instance, &messages, nullptr, &messenger), "vkCreateDebugUtilsMessengerEXT");
+  messenger_ = {instance, messenger, destroy};
 }
 
 void Device::pick_physical_device() {
   std::uint32_t count = 0;
-  vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  vkEnumeratePhysicalDevices(instance_.get(), &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
-  vkEnumeratePhysicalDevices(instance_, &count, devices.data());
+  vkEnumeratePhysicalDevices(instance_.get(), &count, devices.data());
   const auto usable = std::find_if(devices.begin(), devices.end(), [](VkPhysicalDevice device) {
     return has_needed_features(device) && graphics_family(device) >= 0;
   });
@@ -162,21 +157,23 @@ void Device::create_device(bool window) {
     info.enabledExtensionCount = 1;
     info.ppEnabledExtensionNames = &swapchain;
   }
-  check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
-  vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+  VkDevice device = VK_NULL_HANDLE;
+  check(vkCreateDevice(physical_, &info, nullptr, &device), "vkCreateDevice");
+  device_.reset(device);
+  vkGetDeviceQueue(device, queue_family_, 0, &queue_);
   VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   pool.queueFamilyIndex = queue_family_;
-  check(vkCreateCommandPool(device_, &pool, nullptr, &pool_), "vkCreateCommandPool");
+  pool_ = owned(device, vkCreateCommandPool, vkDestroyCommandPool, pool, "vkCreateCommandPool");
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) const {
   VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-  allocate.commandPool = pool_;
+  allocate.commandPool = pool_.get();
   allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   allocate.commandBufferCount = 1;
   VkCommandBuffer commands = VK_NULL_HANDLE;
-  check(vkAllocateCommandBuffers(device_, &allocate, &commands), "vkAllocateCommandBuffers");
+  check(vkAllocateCommandBuffers(device_.get(), &allocate, &commands), "vkAllocateCommandBuffers");
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
@@ -189,7 +186,7 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) const {
   submit.pCommandBufferInfos = &buffer;
   check(vkQueueSubmit2(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
   check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
-  vkFreeCommandBuffers(device_, pool_, 1, &commands);
+  vkFreeCommandBuffers(device_.get(), pool_.get(), 1, &commands);
 }
 
 void Device::require_memory(std::uint64_t bytes, const std::string& what) const {
@@ -201,13 +198,13 @@ void Device::require_memory(std::uint64_t bytes, const std::string& what) const 
 VkDeviceMemory Device::allocate(const VkMemoryAllocateInfo& info) {
   require_memory(info.allocationSize, "the scene");
   VkDeviceMemory memory = VK_NULL_HANDLE;
-  check(vkAllocateMemory(device_, &info, nullptr, &memory), "vkAllocateMemory");
+  check(vkAllocateMemory(device_.get(), &info, nullptr, &memory), "vkAllocateMemory");
   memory_used_ += info.allocationSize;
   return memory;
 }
 
 void Device::release(VkDeviceMemory memory, std::uint64_t bytes) {
-  vkFreeMemory(device_, memory, nullptr);
+  vkFreeMemory(device_.get(), memory, nullptr);
   memory_used_ -= bytes;
 }
 

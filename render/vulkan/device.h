@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,16 +24,15 @@ class Device {
   // (VK_DRIVER_FILES chooses the driver). Throws EnvironmentError when there is
   // none, or when validation is wanted and the layer is not installed.
   explicit Device(const DeviceOptions& options = {});
-  ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  VkInstance instance() const { return instance_; }
+  VkInstance instance() const { return instance_.get(); }
   VkPhysicalDevice physical() const { return physical_; }
-  VkDevice get() const { return device_; }
+  VkDevice get() const { return device_.get(); }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
-  VkCommandPool command_pool() const { return pool_; }
+  VkCommandPool command_pool() const { return pool_.get(); }
   const std::string& name() const { return name_; }
   double timestamp_period_ns() const { return timestamp_period_; }
   std::uint32_t max_image_size() const { return max_image_size_; }
@@ -56,12 +56,17 @@ class Device {
   void pick_physical_device();
   void create_device(bool window);
 
-  VkInstance instance_ = VK_NULL_HANDLE;
-  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  struct Destroy {
+    void operator()(VkInstance instance) const { vkDestroyInstance(instance, nullptr); }
+    void operator()(VkDevice device) const { vkDestroyDevice(device, nullptr); }
+  };
+  // Each is destroyed before what it was made from, also where the constructor throws.
+  std::unique_ptr<VkInstance_T, Destroy> instance_;
+  OwnedByInstance<VkDebugUtilsMessengerEXT> messenger_;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
-  VkDevice device_ = VK_NULL_HANDLE;
+  std::unique_ptr<VkDevice_T, Destroy> device_;
   VkQueue queue_ = VK_NULL_HANDLE;
-  VkCommandPool pool_ = VK_NULL_HANDLE;
+  Owned<VkCommandPool> pool_;
   std::uint32_t queue_family_ = 0;
   std::uint32_t max_image_size_ = 0;
   double timestamp_period_ = 1;

@@ -10,14 +10,14 @@ namespace brdf::render {
 // Throws EnvironmentError naming the call when result is an error code.
 void check(VkResult result, const char* call);
 
-// A child of a device, destroyed by the vkDestroy... function it was made with.
-template <class T>
+// A child of a device (or an instance), destroyed by the vkDestroy... function it was made with.
+template <class T, class Parent = VkDevice>
 class Owned {
  public:
-  using Destroy = void(VKAPI_PTR*)(VkDevice, T, const VkAllocationCallbacks*);
+  using Destroy = void(VKAPI_PTR*)(Parent, T, const VkAllocationCallbacks*);
 
   Owned() = default;
-  Owned(VkDevice device, T handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
+  Owned(Parent parent, T handle, Destroy destroy) : parent_(parent), handle_(handle), destroy_(destroy) {}
   Owned(Owned&& other) noexcept { swap(other); }
   Owned& operator=(Owned&& other) noexcept {
     Owned taken(std::move(other));
@@ -25,21 +25,24 @@ class Owned {
     return *this;
   }
   ~Owned() {
-    if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, nullptr);
+    if (handle_ != VK_NULL_HANDLE) destroy_(parent_, handle_, nullptr);
   }
   T get() const { return handle_; }
   explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
 
  private:
   void swap(Owned& other) noexcept {
-    std::swap(device_, other.device_);
+    std::swap(parent_, other.parent_);
     std::swap(handle_, other.handle_);
     std::swap(destroy_, other.destroy_);
   }
-  VkDevice device_ = VK_NULL_HANDLE;
+  Parent parent_ = VK_NULL_HANDLE;
   T handle_ = VK_NULL_HANDLE;
   Destroy destroy_ = nullptr;
 };
+
+template <class T>
+using OwnedByInstance = Owned<T, VkInstance>;
 
 // owned(device, vkCreateSampler, vkDestroySampler, info)
 template <class T, class Info>

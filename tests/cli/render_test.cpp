@@ -83,8 +83,10 @@ TEST_F(RenderCli, WithoutADriverOrADisplayTheEnvironmentIsToBlame) {
     const Setting driver("VK_DRIVER_FILES", "/nonexistent"), older("VK_ICD_FILENAMES", "/nonexistent");
     expect_refused("render m.json -o x.png", 3, "no Vulkan driver");
   }
+#ifdef BRDF_HAS_VIEWER
   const Setting display("DISPLAY", nullptr), wayland("WAYLAND_DISPLAY", nullptr);
   expect_refused("view m.json", 3, "no display");
+#endif
 }
 
 TEST_F(RenderCli, BrokenTexturesAreNamed) {

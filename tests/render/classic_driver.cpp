@@ -176,7 +176,7 @@ TEST(Classic, TextSphereShowsItsFiveModes) {
     pictures.push_back(drawn(device, article_scene("text:TEXT", shading)));
     std::size_t covered = 0;
     for (const glm::vec4& p : pictures.back().pixels) covered += p.a > 0.5f;
-    EXPECT_GT(covered, 5000u) << kShadingNames[std::size_t(shading)];
+    EXPECT_GT(covered, 5000u) << kNames<Shading>[std::size_t(shading)];
   }
   for (std::size_t a = 0; a < pictures.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
@@ -212,7 +212,7 @@ TEST(Classic, LookupPictureShowsTheTable) {
 
 TEST(Classic, EveryModeIsSilentUnderTheValidationLayers) {
   Device device({.validation = true});
-  for (std::size_t mode = 0; mode < kShadingNames.size(); ++mode) {
+  for (std::size_t mode = 0; mode < kNames<Shading>.size(); ++mode) {
     for (const bool flag : {false, true}) {
       Scene scene = article_scene("icosphere:1", Shading(mode));
       scene.as_coded = scene.per_vertex = flag;

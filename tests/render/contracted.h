@@ -6,6 +6,6 @@
 namespace brdf::render {
 
 // Of ward, cook_torrance and oren_nayar. Needs a processor with fused multiply-add.
-ProbeValues contracted_values(const Reflectance& form, const ProbeConfiguration& configuration);
+ProofValues contracted_values(const Reflectance& form, const ProofConfiguration& configuration);
 
 }  // namespace brdf::render

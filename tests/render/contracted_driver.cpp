@@ -10,13 +10,13 @@ template <class F>
 #if defined(__x86_64__)
 [[gnu::flatten, gnu::target("fma")]]
 #endif
-ProbeValues
-contracted(F f, const ProbeConfiguration& c) {
+ProofValues
+contracted(F f, const ProofConfiguration& c) {
   using Weights = typename F::template Weights<float>;
   const auto shape = from_values<typename F::template Shape<float>>(std::span<const float>(c.shape));
   const Geometry<float> g =
       geometry(Vec3<float>{c.wi[0], c.wi[1], c.wi[2]}, Vec3<float>{c.wo[0], c.wo[1], c.wo[2]});
-  ProbeValues values;
+  ProofValues values;
   Weights first{};
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const std::array<float, 3> w{c.weights[0][channel], c.weights[1][channel], c.weights[2][channel]};
@@ -30,7 +30,7 @@ contracted(F f, const ProbeConfiguration& c) {
 
 }  // namespace
 
-ProbeValues contracted_values(const Reflectance& form, const ProbeConfiguration& c) {
+ProofValues contracted_values(const Reflectance& form, const ProofConfiguration& c) {
   if (form == Reflectance(ward{})) return contracted(ward{}, c);
   if (form == Reflectance(cook_torrance{})) return contracted(cook_torrance{}, c);
   return contracted(oren_nayar{}, c);

@@ -88,7 +88,7 @@ TEST(Deferred, ValidationAndSynchronisationLayersAreSilent) {
     Renderer renderer(device, scene, {.gbuffer_bits = bits});
     renderer.draw();
     renderer.draw();
-    for (int k = 0; k < kTargetCount; ++k) renderer.read_target(k);
+    for (int k = 0; k < kTargetCount; ++k) renderer.read_target(Target(k));
     renderer.read_color();
   }
   const PreparedScene plain = prepare(sphere_scene(make_material(*find_form("phong")), 64));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render/reference/surface_hit.h"
+#include "tests/render/strangers.h"
 
 namespace brdf::render {
 namespace {
@@ -22,7 +23,7 @@ TEST(Reference, LambertianSphereHasItsClosedForm) {
   const Picture picture = render_reference(prepared);
   const glm::vec3 to_light = glm::normalize(glm::vec3(-1, 1, 1));
   for (const auto& [x, y] : {std::pair{24, 24}, {12, 20}, {20, 8}}) {
-    const float cosine = glm::dot(probe(prepared, x, y).normal, to_light);
+    const float cosine = glm::dot(pixel_probe(prepared, x, y).normal, to_light);
     EXPECT_NEAR(picture.at(x, y).r, 0.5f * (0.1f + cosine), 1e-6f);
   }
   EXPECT_EQ(picture.at(0, 0).a, 0);
@@ -38,7 +39,7 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
     }
     const PreparedScene scene = prepare(small_scene(material));
     for (const auto& [x, y] : {std::pair{20, 17}, {24, 30}, {10, 14}}) {
-      const Probe at = probe(scene, x, y);
+      const PixelProbe at = pixel_probe(scene, x, y);
       ASSERT_TRUE(at.hit);
       // The probe's directions are in the turned frame: an unturned material has the same values there.
       Material unturned = material;
@@ -51,6 +52,31 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
       }
     }
   });
+}
+
+TEST(Reference, DrawsWhatIsNotInTheCatalogue) {
+  // Seven weights of 0.1, no GLSL: f_r is 0.7 everywhere, and ambient light finds no diffuse weight.
+  const PreparedScene plain = prepare(small_scene(make_material(Reflectance(std::make_shared<Plain>(7)))));
+  const Picture picture = render_reference(plain);
+  const float cosine = glm::dot(pixel_probe(plain, 24, 24).normal, glm::normalize(glm::vec3(-1, 1, 1)));
+  EXPECT_NEAR(picture.at(24, 24).g, 0.7f * cosine * float(kPi), 1e-5f);
+  // A grey material takes its one channel everywhere.
+  const PreparedScene grey = prepare(small_scene(make_material(gleam{}, {"fr"})));
+  const PixelProbe at = pixel_probe(grey, 20, 20);
+  std::vector<double> f(1);
+  eval(grey.scene.objects[0].material, {at.wi.x, at.wi.y, at.wi.z}, {at.wo.x, at.wo.y, at.wo.z}, f);
+  EXPECT_NEAR(at.value.b, f[0], 1e-5 * f[0]);
+}
+
+TEST(Reference, MapsDriveByRole) {
+  // The rule knows no names: a lobe's weight beside no f0, a diffuse one beside a specular, an exponent.
+  const Reflectance form = gleam{};
+  const ReflectanceInfo& about = form.info();
+  EXPECT_EQ(rule_of(about.weights[0], about), Rule::specular);
+  EXPECT_EQ(rule_of(about.weights[1], about), Rule::diffuse);
+  EXPECT_EQ(rule_of(about.shape[0], about), Rule::exponent);
+  const ReflectanceInfo& lambert = find_form("lambert")->info();
+  EXPECT_EQ(rule_of(lambert.weights[0], lambert), Rule::albedo);
 }
 
 TEST(Reference, NothingIsClippedForTheDefaultDisplay) {

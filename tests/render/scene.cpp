@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "render/compare/state.h"
 #include "render/scene/prepared.h"
+#include "render/scene/scene_json.h"
 
 namespace brdf::render {
 namespace {
@@ -20,9 +22,14 @@ std::string scene_with(const std::string& keys, const std::string& object = "") 
          "}]}";
 }
 
+Scene parsed(const std::string& text) {
+  const io::Json json = io::parse_json(text, "s.json");
+  return scene_from_json({json, "s.json"}, ".");
+}
+
 std::string message_of(const std::string& text) {
   try {
-    prepare(parse_scene(text, "s.json", "."));
+    prepare(parsed(text));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -35,9 +42,14 @@ TEST(Scene, ReadsWhatItWrote) {
          "background":{"horizon":[1,1,1],"zenith":[0,0,1]},"lights":[{"type":"point","position":[1,2,3],"intensity":2},
          {"type":"directional","direction":[0,-1,0],"color":[1,0,0]}],"shading":"phong","as_coded":true,)",
       R"(,"mesh":"icosphere:2","rotation":[10,20,30],"scale":[1,2,1])");
-  const Scene once = parse_scene(text, "s", ".");
-  const std::string written = scene_text(once);
-  EXPECT_EQ(scene_text(parse_scene(written, "s", ".")), written);
+  const Scene once = parsed(text);
+  Scene again = parsed(io::to_text(to_json(once)));
+  EXPECT_EQ(again, once);
+  again.objects[0].material.terms[0].weights[1][0] += 1e-12;
+  EXPECT_NE(again, once);
+  again = once;
+  again.lights[0].color.g = 0.5f;
+  EXPECT_NE(again, once);
   EXPECT_TRUE(once.as_coded);
   EXPECT_EQ(once.tone_map, ToneMap::none);  // the articles' colours are shown as they are
   EXPECT_EQ(once.lights.size(), 2u);
@@ -63,6 +75,43 @@ TEST(Scene, RefusesWhatItDoesNotKnowByItsPath) {
   EXPECT_NE(message_of(scene_with("", R"(,"mesh":"sphere:many")")).find("sphere:many"), std::string::npos);
 }
 
+TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "view.json";
+  const auto message = [&](const std::string& scene) -> std::string {
+    std::ofstream(file) << R"({"format":"brdf-view","version":1,"scene":)" << scene << "}";
+    try {
+      load_state(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  std::string broken = scene_with("");
+  broken.replace(broken.find("[0,0.5,1]"), 9, "[0,0.5,-1]");
+  EXPECT_EQ(message(broken).find(file.string() + ": $.scene.objects[0].material.weights.rho"), 0u)
+      << message(broken);
+  EXPECT_EQ(message(scene_with(R"("camera":{"width":0},)")).find(file.string() + ": $.scene.camera.width: "),
+            0u);
+}
+
+TEST(Scene, AStateIsReadAsItWasWritten) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "state.json";
+  ViewState state;
+  state.scene = parsed(scene_with(R"("exposure":1.5,)"));
+  state.scene.folder.clear();
+  state.material = make_material(*find_form("ward"));
+  state.material_name = "w";
+  state.other = Other::material;
+  state.display = Display::difference;
+  state.plot_solo = 2;
+  std::ofstream(file) << state_text(state);
+  ViewState back;
+  open_file(back, file);
+  EXPECT_EQ(back, state);
+  back.split = 0.25f;
+  EXPECT_NE(back, state);
+}
+
 TEST(Scene, EveryShippedSceneLoads) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
@@ -84,8 +133,8 @@ TEST(Scene, PerChannelShapesBecomeOneItemPerChannel) {
   scene.objects[0].mesh = "icosphere:1";
   const PreparedScene prepared = prepare(scene);
   ASSERT_EQ(prepared.layers.size(), 3u);
-  EXPECT_EQ(prepared.layers[0][0].weights[0].g, 0);
-  EXPECT_EQ(prepared.layers[2][0].weights[0].b, 0.5f);
+  EXPECT_EQ(prepared.layers[0][0].weights[1][0], 0);
+  EXPECT_EQ(prepared.layers[2][0].weights[2][0], 0.5f);
   EXPECT_EQ(prepared.layers[2][0].shape[0], 0.1f);
 }
 

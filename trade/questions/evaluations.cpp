@@ -77,13 +77,13 @@ MakeRun batch(const Reflectance& form) {
   };
 }
 
-std::vector<render::ProbeConfiguration> configurations(const Reflectance& form, const Columns<double>& in,
+std::vector<render::ProofConfiguration> configurations(const Reflectance& form, const Columns<double>& in,
                                                        std::size_t count) {
-  render::ProbeConfiguration c;
+  render::ProofConfiguration c;
   const ReflectanceInfo& about = info(form);
   for (std::size_t k = 0; k < about.shape.size(); ++k) c.shape[k] = float(about.shape[k].initial);
   for (std::size_t k = 0; k < about.weights.size(); ++k) c.weights[k].fill(float(about.weights[k].initial));
-  std::vector<render::ProbeConfiguration> all;
+  std::vector<render::ProofConfiguration> all;
   for (std::size_t k = 0; k < count; ++k) {
     const DirectionRow<double> row = repeated(in, k);
     c.wi = {float(row.wi.x), float(row.wi.y), float(row.wi.z)};
@@ -98,7 +98,7 @@ MakeRun shader(render::Device& device, const Reflectance& form) {
     const auto s = std::make_shared<render::ShaderBatch>(device, form, configurations(form, in, count));
     const auto values = [s] {
       std::vector<double> first;
-      for (const render::ProbeValues& v : s->values()) first.push_back(double(v[0]));
+      for (const render::ProofValues& v : s->values()) first.push_back(double(v[0]));
       return first;
     };
     return Run{[s] { s->run(); }, values};

@@ -2,17 +2,18 @@
 #include <random>
 
 #include "brdf/material.h"
+#include "brdf/random.h"
 #include "render/proof/shader_proof.h"
 
 namespace brdf::render {
 namespace {
 
-using Random = std::mt19937_64;
+using Engine = std::mt19937_64;
 
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * (double(random() >> 11) * 0x1p-53);
+double uniform(Engine& random, double low, double high) {
+  return low + (high - low) * uniform01(random);
 }
-double log_uniform(Random& random, double low, double high) {
+double log_uniform(Engine& random, double low, double high) {
   return std::exp(uniform(random, std::log(low), std::log(high)));
 }
 
@@ -20,12 +21,12 @@ std::array<float, 4> rounded(const Vec3<double>& w) {
   return {float(w.x), float(w.y), float(w.z), 0};
 }
 
-float random_value(Random& random, const ParameterInfo& p) {
+float random_value(Engine& random, const ParameterInfo& p) {
   if (!p.log_scale) return float(uniform(random, p.min, p.usual_max));
   return float(log_uniform(random, p.min > 0 ? p.min : 1e-3, p.max));
 }
 
-void set_directions(Random& random, ProbeConfiguration& c) {
+void set_directions(Engine& random, ProofConfiguration& c) {
   const bool grazing = random() % 5 == 0;
   const double below = random() % 16 == 0 ? -1 : 1;
   const double theta_i =
@@ -56,12 +57,12 @@ std::vector<std::array<float, 4>> extreme_directions() {
 
 }  // namespace
 
-std::vector<ProbeConfiguration> random_configurations(const Reflectance& form, std::size_t count,
+std::vector<ProofConfiguration> random_configurations(const Reflectance& form, std::size_t count,
                                                       std::uint64_t seed) {
-  Random random(seed * 1000003 + std::uint64_t(catalogue_index(form)));
+  Engine random(seed * 1000003 + std::uint64_t(catalogue_index(form)));
   const ReflectanceInfo& about = info(form);
-  std::vector<ProbeConfiguration> configurations(count);
-  for (ProbeConfiguration& c : configurations) {
+  std::vector<ProofConfiguration> configurations(count);
+  for (ProofConfiguration& c : configurations) {
     set_directions(random, c);
     for (std::size_t k = 0; k < about.shape.size(); ++k) c.shape[k] = random_value(random, about.shape[k]);
     for (std::size_t k = 0; k < about.weights.size(); ++k)
@@ -71,13 +72,13 @@ std::vector<ProbeConfiguration> random_configurations(const Reflectance& form, s
   return configurations;
 }
 
-std::vector<ProbeConfiguration> extreme_configurations(const Reflectance& form) {
+std::vector<ProofConfiguration> extreme_configurations(const Reflectance& form) {
   const ReflectanceInfo& about = info(form);
   std::size_t corners = 1;
   for (std::size_t k = 0; k < about.shape.size(); ++k) corners *= 3;
-  std::vector<ProbeConfiguration> configurations;
+  std::vector<ProofConfiguration> configurations;
   for (std::size_t corner = 0; corner < corners; ++corner) {
-    ProbeConfiguration c;
+    ProofConfiguration c;
     std::size_t rest = corner;
     for (std::size_t k = 0; k < about.shape.size(); ++k, rest /= 3) {
       const ParameterInfo& p = about.shape[k];

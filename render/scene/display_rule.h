@@ -1,0 +1,71 @@
+// Colours computed once for C++ and (traced) for the shaders: the sky, sRGB, tone maps, false colours.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "brdf/math.h"
+#include "render/scene/scene.h"
+
+namespace brdf::render {
+
+// What a scalar brings along beside its arithmetic; shaders/emit_shaders.cpp has GLSL's.
+inline float to_power(float x, float exponent) {
+  return std::pow(x, exponent);
+}
+inline float log_10(float x) {
+  return std::log10(x);
+}
+
+template <class S>
+S mixed(const S& a, const S& b, const S& share) {
+  return a * (S(1) - share) + b * share;
+}
+
+// One channel of the sky; `up` is the y of the unit vector towards it.
+template <class S>
+S sky_color(const S& horizon, const S& zenith, const S& up) {
+  return mixed(horizon, zenith, math::sqrt(at_least(up, S(0))));
+}
+
+template <class S>
+S srgb_encoded(const S& x) {
+  const S curve = S(1.055) * to_power(x, S(1) / S(2.4)) - S(0.055);
+  return select(S(0.0031308) < x, curve, S(12.92) * x);
+}
+
+// One channel, linear and exposed, as it is shown.
+template <class S>
+S tone_curve(ToneMap tone_map, const S& linear) {
+  const S c = at_least(linear, S(0));
+  switch (tone_map) {
+    case ToneMap::srgb:
+      return srgb_encoded(at_most(c, S(1)));
+    case ToneMap::reinhard:
+      return srgb_encoded(c / (c + S(1)));
+    case ToneMap::thesis:
+      return to_power(c / (c + S(1)), S(1) / S(2.2));
+    case ToneMap::none:
+      break;
+  }
+  return at_most(c, S(1));
+}
+
+// Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
+template <class S>
+std::array<S, 3> false_color_of(const S& relative) {
+  constexpr std::array kStops{std::array{0.1, 0.2, 0.8}, std::array{0.1, 0.7, 0.3},
+                              std::array{0.95, 0.85, 0.1}, std::array{0.85, 0.1, 0.1}};
+  const S t = at_most(at_least((log_10(relative) + S(6)) / S(6), S(0)), S(1)) * S(3);
+  std::array<S, 3> color;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto between = [&](std::size_t k) {
+      return mixed(S(kStops[k][c]), S(kStops[k + 1][c]), t - S(double(k)));
+    };
+    const S upper = select(t < S(2), between(1), between(2));
+    color[c] = select(S(0) < relative, select(t < S(1), between(0), upper), S(0));
+  }
+  return color;
+}
+
+}  // namespace brdf::render
