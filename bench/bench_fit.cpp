@@ -111,7 +111,7 @@ double fit_ours(const FitData& data, const Model& model, Metric metric) {
 double fit_streamed(const FitData& data, const Model& model) {
   Residual residual;
   residual.metric = Metric::cosine_l2;
-  const Stream stream(data, model, residual, 0);
+  const SampleStream stream(data, model, residual, 0);
   std::vector<double> start = model.initial();
   for (std::size_t k = model.shape_slots(); k < start.size(); ++k) start[k] = 0.3;
   const Objective objective = [&](std::span<const double> p) { return stream.normal_equations(p); };

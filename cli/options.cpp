@@ -4,6 +4,11 @@
 
 namespace brdf::cli {
 
+void add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
+                     std::function<void(const std::string&)> set, const std::string& description) {
+  verb.add_option_function<std::string>(name, std::move(set), description)->default_str(std::string(initial));
+}
+
 void add_repeated_option(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                          const std::string& description) {
   verb.add_option(name, values, description)->allow_extra_args(false);

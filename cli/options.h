@@ -1,15 +1,33 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "brdf/names.h"
 #include "cli/parameters.h"
+#include "io/error.h"
 
 namespace CLI {
 class App;
 }
 
 namespace brdf::cli {
+
+// Adds an option that takes one word; `set` throws InputError on others.
+void add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
+                     std::function<void(const std::string&)> set, const std::string& description);
+
+// Adds an option that takes one of the enum's names; the description goes on with them.
+template <class Enum>
+void add_named_option(CLI::App& verb, const std::string& name, Enum& value, const std::string& description) {
+  const auto set = [&value, name](const std::string& word) {
+    const auto found = find_named<Enum>(word);
+    if (!found) throw InputError(name + " " + word + ": must be one of " + known_names<Enum>());
+    value = *found;
+  };
+  add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>());
+}
 
 // Adds --form, --material and --set, the same in every verb that takes one material.
 void add_material_options(CLI::App& verb, MaterialChoice& choice);

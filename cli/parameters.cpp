@@ -5,6 +5,7 @@
 
 #include "io/error.h"
 #include "io/material_file.h"
+#include "io/numbers.h"
 #include "io/text.h"
 
 namespace brdf::cli {
@@ -59,9 +60,9 @@ void set_shape(Term& term, std::size_t index, const Setting& setting) {
 // False where the term has no such parameter.
 bool apply(Term& term, const Setting& setting) {
   const ReflectanceInfo& table = info(term.form);
-  if (setting.name == "alpha" && table.anisotropic()) {
-    for (const char* name : {"alpha_x", "alpha_y"})
-      set_shape(term, static_cast<std::size_t>(table.shape_index(name)), setting);
+  if (table.anisotropic() && setting.name == table.tied_name()) {
+    const auto [along, across] = table.axes();
+    for (const int k : {along, across}) set_shape(term, static_cast<std::size_t>(k), setting);
     return true;
   }
   if (setting.name == "tangent_phi" && table.anisotropic()) {
@@ -82,31 +83,29 @@ bool apply(Term& term, const Setting& setting) {
 }
 
 std::string known_parameters(const Material& material) {
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   const auto add = [&](std::string_view name) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    if (std::find(known.begin(), known.end(), name) == known.end()) known.emplace_back(name);
   };
   for (const Term& term : material.terms) {
     const ReflectanceInfo& table = info(term.form);
     for (const ParameterInfo& p : table.weights) add(p.name);
     for (const ParameterInfo& p : table.shape) add(p.name);
     if (table.anisotropic()) {
-      add("alpha");
+      add(table.tied_name());
       add("tangent_phi");
     }
   }
-  std::string text;
-  for (const std::string_view name : known) (text += text.empty() ? "" : ", ") += name;
-  return text;
+  return io::joined(known);
 }
 
 }  // namespace
 
 Reflectance require_form(const std::string& name) {
   if (const auto form = find_form(name)) return *form;
-  std::string known;
-  for (const Reflectance& form : catalogue()) (known += known.empty() ? "" : ", ") += info(form).name;
-  throw InputError("'" + name + "' is no form (known: " + known + ")");
+  std::vector<std::string> known;
+  for (const Reflectance& form : catalogue()) known.emplace_back(info(form).name);
+  throw InputError("'" + name + "' is no form (known: " + io::joined(known) + ")");
 }
 
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option) {

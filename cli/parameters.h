@@ -29,8 +29,8 @@ struct MaterialChoice {
 // a wrong count, or when not exactly one of form and material is given.
 Material choose_material(const MaterialChoice& choice);
 
-// Applies settings to every term that has the parameter:
-// alpha sets alpha_x and alpha_y, tangent_phi is in degrees.
+// Applies settings to every term that has the parameter; what the widths along and across are called together
+// ("alpha") sets both, tangent_phi is in degrees.
 void apply_settings(Material& material, const std::vector<Setting>& settings);
 
 // The form of that name. Throws InputError that lists the known ones.

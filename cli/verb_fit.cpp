@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -13,8 +14,10 @@
 #include "fit/report/report.h"
 #include "io/error.h"
 #include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "io/provenance.h"
+#include "io/text.h"
 #ifdef BRDF_HAS_RENDER
 #include "render/job.h"
 #endif
@@ -26,47 +29,32 @@ std::atomic<bool> interrupted = false;
 
 struct Options {
   std::vector<std::string> samples, fix, start, bounds;
-  std::string form = "all", metric = "log", robust, weights = "auto", output, report;
+  std::string form = "all", robust, output, report;
   bool json = false;
   unsigned jobs = 1;
   fit::FitOptions fit;
 };
-
-fit::Metric metric_of(const std::string& name) {
-  for (const auto metric :
-       {fit::Metric::log, fit::Metric::cosine_l2, fit::Metric::cube_root, fit::Metric::log_relative})
-    if (name == fit::metric_name(metric)) return metric;
-  throw InputError("--metric " + name + ": must be log, cosine_l2, cube_root or log_relative");
-}
 
 // "all", "every", "ward" or "oren_nayar+ward".
 std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
   if (text == "all") return fit::canonical_models();
   if (text == "every") return fit::every_model();
   std::vector<Reflectance> forms;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find('+', begin), text.size());
-    forms.push_back(require_form(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  std::vector<std::string_view> names;
+  io::split(text, '+', names);
+  for (const std::string_view name : names) forms.push_back(require_form(std::string(name)));
   return {forms};
 }
 
+// A loss, or a loss and its scale: "huber", "cauchy:0.1".
 void parse_robust(const std::string& text, fit::FitOptions& options) {
   const std::size_t colon = text.find(':');
-  const std::string name = text.substr(0, colon);
-  if (name == "huber")
-    options.loss = fit::Loss::huber;
-  else if (name == "cauchy")
-    options.loss = fit::Loss::cauchy;
-  else
-    throw InputError("--robust " + text + ": must be huber or cauchy, or huber:SCALE");
+  const auto loss = find_named<fit::Loss>(text.substr(0, colon));
+  if (!loss) throw InputError("--robust " + text + ": must be one of " + known_names<fit::Loss>());
+  options.loss = *loss;
   if (colon == std::string::npos) return;
-  const std::string scale = text.substr(colon + 1);
-  char* end = nullptr;
-  options.loss_scale = std::strtod(scale.c_str(), &end);
-  if (scale.empty() || *end != 0 || !(options.loss_scale > 0))
+  if (!io::parse_number(text.substr(colon + 1), options.loss_scale) || !(options.loss_scale > 0) ||
+      !std::isfinite(options.loss_scale))
     throw InputError("--robust " + text + ": the scale must be a number above 0");
 }
 
@@ -84,16 +72,7 @@ fit::NamedRange parse_range(const std::string& text) {
 
 fit::FitOptions fit_options(Options& o) {
   fit::FitOptions f = o.fit;
-  f.metric = metric_of(o.metric);
   if (!o.robust.empty()) parse_robust(o.robust, f);
-  if (o.weights == "uniform")
-    f.weighting = fit::Weighting::uniform;
-  else if (o.weights == "sigma")
-    f.weighting = fit::Weighting::sigma;
-  else if (o.weights == "solid_angle")
-    f.weighting = fit::Weighting::solid_angle;
-  else if (o.weights != "auto")
-    throw InputError("--weights " + o.weights + ": must be auto, uniform, sigma or solid_angle");
   for (const Setting& s : parse_settings(o.fix, "--fix")) f.fix.push_back({s.name, s.values});
   for (const Setting& s : parse_settings(o.start, "--start")) f.start.push_back({s.name, s.values});
   for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
@@ -114,8 +93,10 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   watch_for_interrupt();
   const fit::FitResult result = fit::fit(table, models_of(o.form), options);
   const fit::FormFit& best = result.ranking.front();
-  if (!o.output.empty())
+  if (!o.output.empty() && best.solved())
     io::write_material_file(o.output, {best.material, fit::material_block(best, result, table, options)});
+  else if (!o.output.empty())
+    std::cerr << "brdf fit: no form could be fitted: " << o.output << " is not written\n";
   if (!o.report.empty()) io::write_file_atomically(o.report, fit::html_report(result, table, options));
   if (o.json)
     std::cout << io::to_text(fit::to_json(result, table, options));
@@ -148,8 +129,9 @@ void draw_spheres(const std::vector<fit::BatchRow>& rows, const std::filesystem:
 
 // What decides the results of a batch: the options as given, without the files and the number of jobs.
 std::string settings_of(const Options& o) {
-  std::string text =
-      io::provenance().version + " " + o.form + " " + o.metric + " " + o.robust + " " + o.weights;
+  std::string text = io::joined({io::provenance().version, o.form, std::string(name_of(o.fit.metric)),
+                                 o.robust, std::string(name_of(o.fit.weighting))},
+                                " ");
   for (const auto* list : {&o.fix, &o.start, &o.bounds}) {
     text += " |";
     for (const std::string& item : *list) text += " " + item;
@@ -207,8 +189,7 @@ void add_fit(CLI::App& app) {
   verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...)")->required();
   verb->add_option("--form", o.form, "all, every, a form, or a sum as in oren_nayar+ward")
       ->capture_default_str();
-  verb->add_option("--metric", o.metric, "Residual: log, cosine_l2, cube_root or log_relative")
-      ->capture_default_str();
+  add_named_option(*verb, "--metric", o.fit.metric, "Residual");
   verb->add_flag("--anisotropic", o.fit.anisotropic, "Two widths and the tangent's azimuth");
   verb->add_flag("--per-channel", o.fit.per_channel, "A shape for every channel");
   verb->add_option("--max-theta", o.fit.max_theta, "Degrees; rows with a steeper angle are left out")
@@ -218,8 +199,7 @@ void add_fit(CLI::App& app) {
   add_repeated_option(*verb, "--start", o.start, "One more start: name=value");
   add_repeated_option(*verb, "--bounds", o.bounds, "Restrict a parameter: name=low:high");
   verb->add_option("--robust", o.robust, "huber or cauchy, with :SCALE to give its scale");
-  verb->add_option("--weights", o.weights, "auto (sigma columns), uniform, sigma or solid_angle")
-      ->capture_default_str();
+  add_named_option(*verb, "--weights", o.fit.weighting, "Of the residuals; auto: by sigma columns");
   verb->add_option("--starts", o.fit.random_starts, "Random starts besides the grid")
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--seed", o.fit.seed, "Of the random starts")->capture_default_str();

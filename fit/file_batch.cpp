@@ -1,12 +1,10 @@
 #include "fit/file_batch.h"
 
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <mutex>
 #include <sstream>
-#include <thread>
 
 #include "fit/report/html.h"
 #include "fit/report/report.h"
@@ -14,6 +12,7 @@
 #include "io/html_report.h"
 #include "io/material_json.h"
 #include "io/output.h"
+#include "io/parallel.h"
 #include "io/text.h"
 
 namespace brdf::fit {
@@ -65,34 +64,26 @@ class Batch {
     std::error_code error;
     fs::create_directories(batch_.folder, error);
     if (error) throw InputError(batch_.folder.string() + ": cannot be made a folder: " + error.message());
-    std::vector<std::thread> others;
-    for (unsigned k = 1; k < batch_.jobs; ++k) others.emplace_back([this] { work(); });
-    work();
-    for (std::thread& t : others) t.join();
-    if (environment_error_) throw EnvironmentError(*environment_error_);
+    io::parallel_for(
+        files_.size(), [this](std::size_t k) { work(k); }, batch_.jobs);
     return std::move(rows_);
   }
 
  private:
-  void work() {
-    for (std::size_t k; (k = next_++) < files_.size();) {
-      BatchRow& row = rows_[k];
-      row.file = files_[k], row.name = names_[k];
-      if (options_.stop()) {
-        row.error = "interrupted";
-        continue;
-      }
-      try {
-        fit_file(row);
-      } catch (const InputError& error) {
-        row.error = error.what();
-      } catch (const EnvironmentError& error) {
-        const std::lock_guard lock(mutex_);
-        environment_error_ = error.what();
-        return;
-      }
-      say(row);
+  void work(std::size_t k) {
+    BatchRow& row = rows_[k];
+    row.file = files_[k];
+    row.name = names_[k];
+    if (options_.stop()) {
+      row.error = "interrupted";
+      return;
     }
+    try {
+      fit_file(row);
+    } catch (const InputError& error) {
+      row.error = error.what();
+    }
+    say(row);
   }
 
   void fit_file(BatchRow& row) {
@@ -104,6 +95,10 @@ class Batch {
     const FormFit& best = result.ranking.front();
     if (result.interrupted) {
       row.error = "interrupted";
+      return;
+    }
+    if (!best.solved()) {
+      row.error = best.findings.front();
       return;
     }
     io::write_material_file(batch_.folder / (row.name + ".json"),
@@ -148,10 +143,8 @@ class Batch {
   const BatchOptions& batch_;
   std::vector<std::string> names_;
   std::vector<BatchRow> rows_;
-  std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::size_t done_ = 0;
-  std::optional<std::string> environment_error_;
 };
 
 std::string quoted(const std::string& text) {
@@ -217,7 +210,8 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
                      {row.recommended, io::Mark::none, true},
                      {first_finding(row)}});
     if (!fitted) continue;
-    in_sample.x.push_back(double(k + 1)), left_out.x.push_back(double(k + 1));
+    in_sample.x.push_back(double(k + 1));
+    left_out.x.push_back(double(k + 1));
     in_sample.y.push_back(row.best.value("median_relative_error", 0.0));
     left_out.y.push_back(row.best.value("cross_validated_error", std::nan("")));
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/assess/assess.h"
+#include "fit/assess/reported.h"
 #include "fit/assess/select.h"
 #include "fit/solve/minima.h"
 #include "io/error.h"
@@ -38,7 +39,7 @@ Residual residual_of(const FitData& data, const FitOptions& options) {
 }
 
 // Linear unknowns whose lobe adds next to nothing are exactly 0 and held there.
-void drop_negligible_lobes(const Stream& stream, Minimum& m) {
+void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
   const Model& model = stream.model();
   const NormalEquations n = stream.normal_equations(m.p);
   for (std::size_t k = model.shape_slots(); k < model.size(); ++k) {
@@ -69,7 +70,7 @@ Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertain
   return Verdict::converged;
 }
 
-double information_criterion(const Stream& stream, const Minimum& m) {
+double information_criterion(const SampleStream& stream, const Minimum& m) {
   double free = 0;
   for (int b : m.at_bound) free += b == 0;
   const double n = double(stream.data().rows() * stream.data().channels.size());
@@ -84,7 +85,9 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   SearchResult search = find_minima(data, model, residual, options);
   FormFit out;
   out.form = model.name();
-  out.starts = search.starts, out.iterations = search.iterations, out.passes = search.passes;
+  out.starts = search.starts;
+  out.iterations = search.iterations;
+  out.passes = search.passes;
   out.parameters = model.size();
   if (search.minima.empty()) {
     out.material = model.material(model.initial());
@@ -93,7 +96,7 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
     return out;
   }
   residual.loss.scale = out.loss_scale = search.loss_scale;
-  const Stream stream(data, model, residual, options.aperture);
+  const SampleStream stream(data, model, residual, options.aperture);
   Minimum& best = search.minima[0];
   drop_negligible_lobes(stream, best);
   const std::vector<std::vector<double>> values = stream.values(best.p);
@@ -109,6 +112,9 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   out.findings.insert(
       misfit.misfit && out.verdict == Verdict::not_identifiable ? out.findings.begin() : out.findings.end(),
       u.findings.begin(), u.findings.end());
+  if (search.minima.size() > 1 && search.minima[1].cost <= (1 + kSameCost) * search.minima[0].cost)
+    out.findings.push_back("another minimum has the same cost: " +
+                           shape_text(model.material(search.minima[1].p)));
   out.material = model.material(best.p);
   out.estimates = u.estimates;
   out.correlations = u.correlations;

@@ -8,6 +8,7 @@
 #include "brdf/math.h"
 #include "io/error.h"
 #include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/provenance.h"
 #include "io/text.h"
 #include "synth/random.h"
@@ -110,22 +111,16 @@ void disturb(const Instrument& instrument, io::SampleTable& table) {
   if (clipped > 0) table.warnings.push_back(std::to_string(clipped) + " negative readings set to 0");
 }
 
-std::string joined(const std::vector<std::string>& words, char separator) {
-  std::string text;
-  for (const std::string& word : words) (text += text.empty() ? "" : std::string(1, separator)) += word;
-  return text;
-}
-
 std::string joined(const std::vector<double>& numbers) {
   std::vector<std::string> words;
   for (const double number : numbers) words.push_back(io::to_text(number));
-  return joined(words, ',');
+  return io::joined(words, ",");
 }
 
 std::string form_names(const Material& material) {
   std::vector<std::string> names;
   for (const Term& term : material.terms) names.emplace_back(info(term.form).name);
-  return joined(names, '+');
+  return io::joined(names, "+");
 }
 
 void record(const Material& material, const Instrument& instrument, io::SampleTable& table) {
@@ -139,7 +134,7 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
   add("licence", "Apache-2.0");
   for (auto& field : io::provenance_fields(io::provenance(instrument.seed))) table.metadata.push_back(field);
   add("truth", io::to_json(material).dump());
-  add("grid", joined(grid.parts, '+'));
+  add("grid", io::joined(grid.parts, "+"));
   if (!grid.theta_i.empty()) add("theta_i", joined(grid.theta_i));
   if (grid.step > 0) add("step", io::to_text(grid.step));
   add("azimuths", joined(grid.azimuths));

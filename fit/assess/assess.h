@@ -6,7 +6,7 @@
 #include "fit/assess/result.h"
 #include "fit/model/data.h"
 #include "fit/solve/minima.h"
-#include "fit/solve/stream.h"
+#include "fit/solve/sample_stream.h"
 
 namespace brdf::fit {
 
@@ -27,7 +27,7 @@ struct Uncertainty {
 };
 
 // Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not.
-Uncertainty uncertainty(const Stream& stream, const Minimum& solution);
+Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution);
 
 // The residual far above the noise: enough of the reflected light is in the wrong place.
 struct Misfit {

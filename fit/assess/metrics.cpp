@@ -3,6 +3,7 @@
 #include <map>
 
 #include "fit/assess/assess.h"
+#include "io/numbers.h"
 #include "io/text.h"
 
 namespace brdf::fit {
@@ -10,16 +11,13 @@ namespace {
 
 constexpr double kE = kLogRelativeFloor;
 
-double median(std::vector<double>& v) {
-  const auto middle = v.begin() + std::ptrdiff_t(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
-
 struct Mean {
   double sum = 0;
   std::size_t count = 0;
-  void add(double x) { sum += x, ++count; }
+  void add(double x) {
+    sum += x;
+    ++count;
+  }
   double value() const { return count ? sum / double(count) : 0; }
 };
 
@@ -51,7 +49,7 @@ double median_relative_error(const FitData& data, const std::vector<std::vector<
     for (std::size_t k = 0; k < data.rows(); ++k)
       if (data.values[c][k] > 0)
         errors.push_back(std::abs(model[c][k] - data.values[c][k]) / data.values[c][k]);
-  return errors.empty() ? 0 : median(errors);
+  return errors.empty() ? 0 : io::median(std::move(errors));
 }
 
 std::optional<double> noise_floor(const FitData& data) {
@@ -91,20 +89,16 @@ std::optional<double> noise_floor(const FitData& data) {
   }
   if (scatter.size() < 32) return std::nullopt;
   // The deviation of one value less the mean of four is sqrt(5/4) times its own.
-  return 1.4826 * median(scatter) / std::sqrt(1 + 1.0 / double(kNeighbours));
+  return 1.4826 * io::median(std::move(scatter)) / std::sqrt(1 + 1.0 / double(kNeighbours));
 }
 
 namespace {
-
-std::string percent(double x) {
-  return io::to_text(std::round(1000 * x) / 10) + " %";
-}
 
 // Log of measured over modelled in the direction nearest to the light, within 10 degrees of it: the middle
 // over the incidences, of those 15 degrees and more off the normal (so that the mirror direction is
 // elsewhere). None where there are fewer than three.
 std::optional<double> retro_excess(const FitData& data, const std::vector<std::vector<double>>& model) {
-  const double upright = std::cos(15 * kPi / 180), within = std::cos(10 * kPi / 180);
+  const double upright = std::cos((15_deg).radians()), within = std::cos((10_deg).radians());
   struct Nearest {
     double cosine;
     std::size_t row;
@@ -123,7 +117,7 @@ std::optional<double> retro_excess(const FitData& data, const std::vector<std::v
       if (data.values[c][best.row] > 0)
         excess.push_back(std::log(data.values[c][best.row] / std::max(model[c][best.row], 1e-300)));
   if (excess.size() < 3 * model.size()) return std::nullopt;
-  return median(excess);
+  return io::median(std::move(excess));
 }
 
 }  // namespace
@@ -145,18 +139,19 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
       sizes.push_back(r);
     }
   if (sizes.empty()) return {};
-  const double middle = median(sizes), share = off / all;
+  const double middle = io::median(std::move(sizes)), share = off / all;
   constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
-  const std::string cannot = (noise ? " (the values scatter by " + percent(*noise) + ")" : "") +
+  const std::string cannot = (noise ? " (the values scatter by " + io::percent_to_tenths(*noise) + ")" : "") +
                              ": the surface does something this form cannot";
   const std::optional<double> retro = retro_excess(data, model);
   if (retro && *retro > std::max(kRetro, five_times))
     return {true, "retro-reflection: beside the light the values are " +
                       io::to_text(std::round(10 * std::exp(*retro)) / 10) + " times the model's" + cannot};
   if (share > kShare)
-    return {true, percent(share) + " of the reflected light is off by more than a factor of two" + cannot};
+    return {true, io::percent_to_tenths(share) +
+                      " of the reflected light is off by more than a factor of two" + cannot};
   if (middle > std::max(kMiddle, five_times))
-    return {true, "the middle deviation is " + percent(std::expm1(middle)) + cannot};
+    return {true, "the middle deviation is " + io::percent_to_tenths(std::expm1(middle)) + cannot};
   return {};
 }
 

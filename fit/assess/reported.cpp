@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+
+#include "io/numbers.h"
 
 namespace brdf::fit {
 namespace {
-
-std::string prefixed(const Model& model, std::size_t term, std::string_view name) {
-  if (model.terms().size() == 1) return std::string(name);
-  return "terms[" + std::to_string(term) + "]." + std::string(name);
-}
 
 void add_shape(const Model& model, std::span<const double> p, std::size_t t, std::vector<Reported>& out) {
   const TermModel& term = model.terms()[t];
@@ -17,7 +15,8 @@ void add_shape(const Model& model, std::span<const double> p, std::size_t t, std
     const std::vector<double> shape = model.shape(p, t, g);
     for (std::size_t k = 0; k < shape.size(); ++k) {
       Reported r;
-      r.estimate.name = prefixed(model, t, term.info->shape[k].name);
+      r.estimate.name = model.prefixed(t, term.info->shape[k].name);
+      r.info = &term.info->shape[k];
       if (model.groups() > 1) r.estimate.channel = model.channels()[g];
       r.estimate.value = shape[k];
       for (std::size_t s = 0; s < model.shape_slots(); ++s) {
@@ -26,7 +25,8 @@ void add_shape(const Model& model, std::span<const double> p, std::size_t t, std
             std::find(slot.members.begin(), slot.members.end(), k) != slot.members.end()) {
           r.slot = s;
           r.gradient = {{s, slot.slope(p[s])}};
-          r.min = slot.min, r.max = slot.max;
+          r.min = slot.min;
+          r.max = slot.max;
         }
       }
       out.push_back(std::move(r));
@@ -41,34 +41,35 @@ void add_weights(const Model& model, std::span<const double> p, std::size_t t, s
     model.lobe_weights(p, c, lobes);
     double total = 0;
     for (double w : lobes) total += w;
-    const LinearBlock& block = term.weights[c];
+    const WeightMap& map = term.weights[c];
     const auto table = term.form->weights_of(std::span(lobes).subspan(term.first_lobe, term.lobes));
+    const int divided = weight_of_f0(term.info->lobes);
     for (std::size_t k = 0; k < table.size(); ++k) {
       const ParameterInfo& info = term.info->weights[k];
       Reported r;
-      r.estimate.name = prefixed(model, t, info.name);
+      r.estimate.name = model.prefixed(t, info.name);
       r.estimate.channel = model.channels()[c];
       r.estimate.value = table[k].value;
-      for (std::size_t u = 0; u < block.unknowns; ++u) {
+      r.info = &info;
+      for (std::size_t u = 0; u < map.unknowns; ++u) {
         double slope = 0, size = 0;
-        for (std::size_t l = 0; l < block.lobes; ++l) {
-          slope += table[k].by_lobe[l] * block.a[l * block.unknowns + u];
-          size += std::abs(table[k].by_lobe[l] * block.a[l * block.unknowns + u]);
+        for (std::size_t l = 0; l < map.lobes; ++l) {
+          slope += table[k].by_lobe[l] * map.a[l * map.unknowns + u];
+          size += std::abs(table[k].by_lobe[l] * map.a[l * map.unknowns + u]);
         }
-        if (std::abs(slope) > 1e-12 * size) r.gradient.push_back({block.first_slot + u, slope});
+        if (std::abs(slope) > 1e-12 * size) r.gradient.push_back({map.first_slot + u, slope});
       }
-      r.min = info.min, r.max = info.max;
+      r.min = info.min;
+      r.max = info.max;
       r.weight = true;
-      r.fresnel = info.role == Role::f0;
       r.weight_scale = total;
+      if (info.role == Role::f0) {
+        r.divided = &term.info->weights[std::size_t(divided)];
+        r.without_lobe = !(table[std::size_t(divided)].value > 0);
+      }
       out.push_back(std::move(r));
     }
   }
-}
-
-std::string_view base_name(std::string_view name) {
-  const auto dot = name.rfind('.');
-  return dot == std::string_view::npos ? name : name.substr(dot + 1);
 }
 
 }  // namespace
@@ -78,11 +79,13 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
   for (std::size_t t = 0; t < model.terms().size(); ++t) add_shape(model, p, t, out);
   if (const std::size_t s = model.tangent_slot(); s != kNoSlot) {
     Reported r;
-    r.estimate.name = "tangent_phi";
-    r.estimate.value = p[s] * 180 / kPi;
+    r.estimate.name = kTangentInfo.name;
+    r.estimate.value = radians(p[s]).degrees();
+    r.info = &kTangentInfo;
     r.slot = s;
-    r.gradient = {{s, 180 / kPi}};
-    r.min = -180, r.max = 180;
+    r.gradient = {{s, radians(1).degrees()}};
+    r.min = kTangentInfo.min;
+    r.max = kTangentInfo.max;
     out.push_back(std::move(r));
   }
   for (std::size_t t = 0; t < model.terms().size(); ++t) add_weights(model, p, t, out);
@@ -93,11 +96,19 @@ std::string label(const Estimate& e) {
   return e.channel.empty() ? e.name : e.name + "[" + e.channel + "]";
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-  return text;
+std::string shape_text(const Material& m) {
+  std::vector<std::string> values;
+  for (const Term& term : m.terms) {
+    const ReflectanceInfo& f = info(term.form);
+    for (std::size_t k = 0; k < f.shape.size(); ++k)
+      values.push_back(std::string(f.shape[k].name) + " " + io::short_number(term.shape[0][k]));
+  }
+  return values.empty() ? "-" : io::joined(values);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  if (names.size() < 2) return io::joined(names);
+  return io::joined({names.begin(), names.end() - 1}) + " and " + names.back();
 }
 
 std::vector<std::string> names_with(const std::vector<Reported>& all, Status status, std::size_t channels) {
@@ -112,40 +123,42 @@ std::vector<std::string> names_with(const std::vector<Reported>& all, Status sta
   std::vector<std::string> out;
   for (const auto& [name, list] : grouped) {
     std::string text = name;
-    if (!list.empty() && list.size() < channels) {
-      text += " (";
-      for (std::size_t k = 0; k < list.size(); ++k) text += (k ? ", " : "") + list[k];
-      text += ")";
-    }
+    if (!list.empty() && list.size() < channels) text += " (" + io::joined(list) + ")";
     out.push_back(std::move(text));
   }
   return out;
 }
 
 std::string advice(const std::vector<Reported>& all, const Model& model) {
-  const auto unidentified = [&](std::string_view name) {
-    return std::any_of(all.begin(), all.end(), [&](const Reported& r) {
-      return r.estimate.status == Status::unidentified && base_name(r.estimate.name) == name;
-    });
-  };
-  const auto zero = [&](std::string_view name) {
-    bool any = false;
+  // Any of these that is not identified.
+  const auto unidentified = [&](std::initializer_list<Role> roles) -> const Reported* {
     for (const Reported& r : all)
-      if (base_name(r.estimate.name) == name) {
-        if (r.estimate.status != Status::at_bound || r.estimate.value > 0) return false;
-        any = true;
-      }
-    return any;
+      if (r.estimate.status == Status::unidentified &&
+          std::find(roles.begin(), roles.end(), r.info->role) != roles.end())
+        return &r;
+    return nullptr;
   };
-  const bool width = unidentified("alpha_x") || unidentified("alpha_y") || unidentified("exponent");
-  if (width && zero("ks")) return "the samples show no specular lobe: leave it out, or fix its width";
-  if (unidentified("tangent_phi"))
-    return "measure more azimuths with the sample rotated, or fit without --anisotropic";
-  if (unidentified("sigma"))
-    return "measure more azimuths on the side of the light (phi_o - phi_i below 90 degrees), or fix sigma";
-  if (unidentified("f0") && !width)
-    return "only ks f0 is seen where the light is nearly head-on: measure towards grazing (theta_d above 40 "
-           "degrees), or fix f0";
+  bool any_specular = false, all_zero = true;
+  for (const Reported& r : all)
+    if (r.info->role == Role::specular) {
+      any_specular = true;
+      all_zero = all_zero && r.estimate.status == Status::at_bound && !(r.estimate.value > 0);
+    }
+  const Reported* width =
+      unidentified({Role::width, Role::width_across, Role::exponent, Role::exponent_across});
+  if (width && any_specular && all_zero)
+    return "the samples show no specular lobe: leave it out, or fix its width";
+  for (const Reported& r : all)
+    if (r.info == &kTangentInfo && r.estimate.status == Status::unidentified)
+      return "measure more azimuths with the sample rotated, or fit without --anisotropic";
+  if (const Reported* slope = unidentified({Role::slope}))
+    return "measure more azimuths on the side of the light (phi_o - phi_i below 90 degrees), or fix " +
+           std::string(slope->info->name);
+  if (const Reported* f0 = unidentified({Role::f0}); f0 && !width)
+    return "only " + std::string(f0->divided->name) + " " + std::string(f0->info->name) +
+           " is seen where the light is nearly head-on: measure towards grazing (theta_d above 40 "
+           "degrees), or fix " +
+           std::string(f0->info->name);
   if (width) return "measure closer to the mirror direction, or fix the width";
   if (model.terms().size() > 1) return "fit fewer terms, or fix some of them";
   return "measure more directions, or fix one of them";

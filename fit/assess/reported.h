@@ -14,11 +14,14 @@ namespace brdf::fit {
 // A reported parameter as a function of the solver's: value and gradient by the slots.
 struct Reported {
   Estimate estimate;
+  const ParameterInfo* info = nullptr;  // never null once reported
   std::vector<std::pair<std::size_t, double>> gradient;
   std::size_t slot = kNoSlot;  // a shape parameter's own
   double min = 0, max = 0;
-  double weight_scale = 0;  // weights: the channel's sum
-  bool fresnel = false, weight = false;
+  bool weight = false;
+  double weight_scale = 0;                 // weights: the channel's sum
+  const ParameterInfo* divided = nullptr;  // f0: the weight whose lobes it divides
+  bool without_lobe = false;               // f0: that weight is 0
 };
 
 // Every shape parameter, the tangent's direction and every
@@ -27,8 +30,10 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
 
 // "ks[r]".
 std::string label(const Estimate& e);
+// "sigma 0.3, alpha_x 0.1, alpha_y 0.1": of the first channel.
+std::string shape_text(const Material& m);
 // "a, b and c".
-std::string joined(const std::vector<std::string>& names);
+std::string listed(const std::vector<std::string>& names);
 // "ks (r, g)" for every name with the given status.
 std::vector<std::string> names_with(const std::vector<Reported>& all, Status status, std::size_t channels);
 // What to measure or fix where some parameters are not identified.

@@ -1,6 +1,7 @@
 // What a fit found: for every model its material, and how well it is known.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,10 +46,12 @@ struct Estimate {
   double low = 0, high = 0;  // 95 %
 };
 
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 // Root mean square of the four residuals in use, each over the values it is defined for.
 struct Metrics {
-  double log = 0, cosine_l2 = 0, log_relative = 0;
-  double cube_root = 0;  // mean of (((f - g) c_i)^2)^(1/3)
+  double log = kUnknown, cosine_l2 = kUnknown, log_relative = kUnknown;
+  double cube_root = kUnknown;  // mean of (((f - g) c_i)^2)^(1/3)
 };
 
 struct MinimumReport {
@@ -67,11 +70,11 @@ struct FormFit {
   Verdict verdict = Verdict::diverged;
   std::vector<std::string> findings;  // sentences, the verdict's reason first
   Material material;
-  double median_relative_error = 0;
+  double median_relative_error = kUnknown;
   Metrics metrics;
   std::optional<double> cross_validated_error;           // median relative error of rows left out
   std::optional<double> cross_validated_standard_error;  // over the folds
-  double bic = 0;                                        // of the chosen residual: n ln(mean r^2) + p ln n
+  double bic = kUnknown;                                 // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
   Correlations correlations;
@@ -81,13 +84,16 @@ struct FormFit {
   int starts = 0, iterations = 0, passes = 0;
   double seconds = 0;
   std::string solver_message;
+
+  // Some start gave a finite cost. Otherwise the material is the form's defaults, and no error is known.
+  bool solved() const { return !minima.empty(); }
 };
 
 struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
   std::optional<double> noise_floor;  // relative, from neighbouring rows
-  std::vector<FormFit> ranking;       // usable ones first, then by cross-validated (else median) error
+  std::vector<FormFit> ranking;       // best first: by cross-validated (else median) error
   std::size_t recommended = 0;        // the simplest usable one within the noise of the best
   bool interrupted = false;
 };

@@ -13,12 +13,15 @@ constexpr std::size_t kFolds = 5;
 constexpr std::size_t kMostRows = 20000;
 constexpr double kPerfect = 1e-9;  // errors below this are rounding
 
+// Without a solution no error is known: such a form ranks last.
 double error_of(const FormFit& f) {
-  return f.cross_validated_error.value_or(f.median_relative_error);
+  const double error = f.cross_validated_error.value_or(f.median_relative_error);
+  return f.solved() && std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
 // Three significant digits: differences beyond them say nothing about a surface.
 double rounded(double error) {
+  if (std::isinf(error)) return error;
   const double e = std::max(error, kPerfect);
   const double unit = std::pow(10.0, std::floor(std::log10(e)) - 2);
   return std::round(e / unit) * unit;
@@ -46,9 +49,9 @@ CrossValidation cross_validate(const FitData& all, const Model& model, const Res
     for (std::size_t k = 0; k < data.rows(); ++k) (fold[k] == f ? test : train)[k] = true;
     const FitData training = subset(data, train), held = subset(data, test);
     if (training.rows() == 0 || held.rows() == 0) continue;
-    const Stream stream(training, model, residual, options.aperture);
+    const SampleStream stream(training, model, residual, options.aperture);
     const Solution s = refine(stream, solution, solver);
-    const auto values = Stream(held, model, residual, options.aperture).values(s.p);
+    const auto values = SampleStream(held, model, residual, options.aperture).values(s.p);
     medians.push_back(median_relative_error(held, values));
     for (std::size_t c = 0; c < values.size(); ++c) {
       std::size_t next = 0;

@@ -1,10 +1,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 
 #include "fit/assess/assess.h"
 #include "fit/assess/reported.h"
+#include "io/numbers.h"
 #include "io/text.h"
 
 namespace brdf::fit {
@@ -23,14 +25,10 @@ constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeight
 // Above this many rows no value has a leverage worth a second pass.
 constexpr std::size_t kManyRows = 100000;
 
-// 97.5 % quantile of Student's t (Cornish-Fisher expansion,
-// Abramowitz and Stegun 26.7.5; 1e-3 from 4 degrees of freedom).
+// 97.5 % quantile of Student's t.
 double t_quantile(double freedom) {
-  constexpr double z = 1.959963984540054;
   if (freedom < 1) return std::numeric_limits<double>::infinity();
-  const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
 }
 
 // Covariance of the solver's free parameters, and the directions without effect.
@@ -43,7 +41,7 @@ struct Covariance {
   double condition = 1;
 };
 
-Covariance covariance(const Stream& stream, const Minimum& m) {
+Covariance covariance(const SampleStream& stream, const Minimum& m) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   const ScoreMatrices scores = stream.scores(m.p);
@@ -135,7 +133,7 @@ bool at_bound(const Reported& r, const Minimum& m) {
 }
 
 bool no_information(const Reported& r, const Model& model, double error, double solver_error) {
-  if (r.fresnel) return error > kFresnelError;
+  if (r.divided) return error > kFresnelError;
   if (r.weight) return error > kWeightError * std::max(std::abs(r.estimate.value), r.weight_scale);
   const Slot& slot = model.slots()[r.slot];
   if (slot.kind == Slot::Kind::tangent) return error > 22.5;
@@ -160,7 +158,7 @@ void set_interval(Reported& r, const Model& model, const Minimum& m, double erro
 
 }  // namespace
 
-Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
+Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   Uncertainty out;
@@ -199,8 +197,8 @@ Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
     const double solver_error =
         r.slot == kNoSlot ? error
                           : std::sqrt(std::max(c.matrix(Eigen::Index(r.slot), Eigen::Index(r.slot)), 0.0));
-    if (r.fresnel && !(all[k - 1].estimate.value > 0)) {
-      e.status = Status::unidentified;  // f0 of a lobe without weight
+    if (r.without_lobe) {
+      e.status = Status::unidentified;
     } else if (r.gradient.empty()) {
       e.status = Status::fixed;
     } else if (few) {
@@ -229,7 +227,7 @@ Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
 
   const std::size_t channels = model.channels().size();
   if (const auto names = names_with(all, Status::unidentified, channels); !few && !names.empty())
-    out.findings.push_back(joined(names) + (names.size() > 1 ? " are" : " is") +
+    out.findings.push_back(listed(names) + (names.size() > 1 ? " are" : " is") +
                            " not identified: " + advice(all, model));
   std::map<std::string, std::vector<std::string>> bounds;
   for (const Reported& r : all) {
@@ -240,10 +238,8 @@ Uncertainty uncertainty(const Stream& stream, const Minimum& m) {
         .push_back(r.estimate.channel);
   }
   for (const auto& [text, list] : bounds) {
-    std::string channel_list;
-    if (!list[0].empty() && list.size() < channels)
-      for (const std::string& c_name : list) channel_list += (channel_list.empty() ? " in " : ", ") + c_name;
-    out.findings.push_back(text + channel_list);
+    const bool some = !list[0].empty() && list.size() < channels;
+    out.findings.push_back(text + (some ? " in " + io::joined(list) : ""));
   }
   for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
   return out;

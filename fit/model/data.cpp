@@ -27,8 +27,7 @@ bool in_domain(Metric metric, double value, double cos_i, double cos_o) {
 }
 
 void append_row(const FitData& from, std::size_t k, FitData& to) {
-  to.wi_x.push_back(from.wi_x[k]), to.wi_y.push_back(from.wi_y[k]), to.wi_z.push_back(from.wi_z[k]);
-  to.wo_x.push_back(from.wo_x[k]), to.wo_y.push_back(from.wo_y[k]), to.wo_z.push_back(from.wo_z[k]);
+  to.add_directions(from.directions(k, 1).wi(0), from.directions(k, 1).wo(0));
   for (std::size_t c = 0; c < from.values.size(); ++c) to.values[c].push_back(from.values[c][k]);
   for (std::size_t c = 0; c < from.sigma.size(); ++c) to.sigma[c].push_back(from.sigma[c][k]);
   if (!from.weight.empty()) to.weight.push_back(from.weight[k]);
@@ -60,6 +59,15 @@ Directions<double> FitData::directions(std::size_t first, std::size_t rows) cons
   return {&wi_x[first], &wi_y[first], &wi_z[first], &wo_x[first], &wo_y[first], &wo_z[first], rows};
 }
 
+void FitData::add_directions(const Vec3<double>& wi, const Vec3<double>& wo) {
+  wi_x.push_back(wi.x);
+  wi_y.push_back(wi.y);
+  wi_z.push_back(wi.z);
+  wo_x.push_back(wo.x);
+  wo_y.push_back(wo.y);
+  wo_z.push_back(wo.z);
+}
+
 FitData prepare(const io::SampleTable& table, const FitOptions& options) {
   if (table.rows() == 0) throw InputError(table.source + ": no rows to fit");
   const std::size_t channels = table.channels.size();
@@ -84,12 +92,7 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
       ++data.outside_domain;
       continue;
     }
-    data.wi_x.push_back(wi.x);
-    data.wi_y.push_back(wi.y);
-    data.wi_z.push_back(wi.z);
-    data.wo_x.push_back(wo.x);
-    data.wo_y.push_back(wo.y);
-    data.wo_z.push_back(wo.z);
+    data.add_directions(wi, wo);
     for (std::size_t c = 0; c < channels; ++c) data.values[c].push_back(table.values[c][k]);
     for (std::size_t c = 0; c < data.sigma.size(); ++c) data.sigma[c].push_back(table.sigma[c][k]);
     if (weighting == Weighting::solid_angle)

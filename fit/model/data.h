@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/model/lobes.h"
+#include "fit/model/lobe_columns.h"
 #include "fit/model/options.h"
 #include "io/samples.h"
 
@@ -23,6 +23,7 @@ struct FitData {
   std::size_t outside_domain = 0;           // rows whose value has no residual (far below zero)
 
   std::size_t rows() const { return wi_x.size(); }
+  void add_directions(const Vec3<double>& wi, const Vec3<double>& wo);
   Directions<double> directions(std::size_t first, std::size_t rows) const;
 };
 

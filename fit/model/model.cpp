@@ -5,9 +5,32 @@
 
 #include "fit/solve/solve.h"
 #include "io/error.h"
-#include "io/text.h"
 
 namespace brdf::fit {
+
+Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options)
+    : channels_(std::move(channels)) {
+  groups_ = options.per_channel ? channels_.size() : 1;
+  for (const Reflectance& form : forms) add_term(form);
+  constraints_ = resolve(forms, channels_.size(), options);
+  add_shape_slots(options.anisotropic);
+  add_linear_slots();
+}
+
+void Model::add_term(const Reflectance& form) {
+  TermModel term{form, &info(form)};
+  const std::string name(term.info->name);
+  if (!term.info->fittable())
+    throw InputError("form '" + name + "' cannot be fitted: it is not linear in its weights");
+  if (!weights_follow_from_lobes(term.info->lobes, term.info->weights))
+    throw InputError("form '" + name +
+                     "' cannot be fitted: its weights do not follow from those of its lobes");
+  term.lobes = term.info->lobes.size();
+  term.first_lobe = lobes_;
+  lobes_ += term.lobes;
+  name_ += (name_.empty() ? "" : "+") + name;
+  terms_.push_back(std::move(term));
+}
 
 std::vector<double> Model::shape(std::span<const double> p, std::size_t term, std::size_t group) const {
   std::vector<double> shape = terms_[term].fixed_shape[group];
@@ -25,26 +48,23 @@ Angle Model::tangent_phi(std::span<const double> p) const {
 
 void Model::lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const {
   for (const TermModel& term : terms_) {
-    const LinearBlock& block = term.weights[channel];
-    for (std::size_t k = 0; k < block.lobes; ++k) {
-      double w = block.b[k];
-      for (std::size_t u = 0; u < block.unknowns; ++u)
-        w += block.a[k * block.unknowns + u] * p[block.first_slot + u];
+    const WeightMap& map = term.weights[channel];
+    for (std::size_t k = 0; k < map.lobes; ++k) {
+      double w = map.b[k];
+      for (std::size_t u = 0; u < map.unknowns; ++u) w += map.a[k * map.unknowns + u] * p[map.first_slot + u];
       out[term.first_lobe + k] = w;
     }
   }
 }
 
-namespace {
-
-// The weights in the order of the form's table, from the weights of its lobes.
-std::vector<double> table_weights(const Reflectance& form, std::span<const double> lobes) {
+// The weights in the order of a term's table, from the weights of all lobes.
+std::vector<double> Model::table_weights(std::span<const double> lobes, std::size_t term) const {
+  const TermModel& t = terms_[term];
   std::vector<double> values;
-  for (const auto& weight : form->weights_of(lobes)) values.push_back(weight.value);
+  for (const auto& weight : t.form->weights_of(lobes.subspan(t.first_lobe, t.lobes)))
+    values.push_back(weight.value);
   return values;
 }
-
-}  // namespace
 
 std::vector<double> Model::low() const {
   std::vector<double> v;
@@ -67,52 +87,54 @@ std::vector<double> Model::initial() const {
   return p;
 }
 
-void Model::apply_start(const std::vector<NamedValues>& start, std::vector<double>& p) const {
-  for (const NamedValues& given : start) {
-    for (std::size_t s = 0; s < shape_slots_; ++s) {
-      const Slot& slot = slots_[s];
-      if (slot.kind == Slot::Kind::tangent && given.name == "tangent_phi") p[s] = given.values[0] * kPi / 180;
-      if (slot.kind != Slot::Kind::shape) continue;
-      const ParameterInfo& info = terms_[slot.term].info->shape[slot.members[0]];
-      if (!addresses(given.name, slot.term, info.name)) continue;
-      check_range(info, given.values[0], "--start");
-      const std::size_t k = given.values.size() > 1 ? std::min(slot.group, given.values.size() - 1) : 0;
-      p[s] = slot.to_solver(std::clamp(given.values[k], slot.min, slot.max));
+void Model::apply_start(std::vector<double>& p) const {
+  for (std::size_t s = 0; s < shape_slots_; ++s) {
+    const Slot& slot = slots_[s];
+    if (slot.kind == Slot::Kind::tangent) {
+      if (const auto& start = constraints_.tangent.start; !start.empty()) p[s] = degrees(start[0]).radians();
+      continue;
     }
+    const Constraint& c = constraints_.terms[slot.term].shape[slot.members[0]];
+    if (!c.start.empty()) p[s] = slot.to_solver(c.start_in(slot.group));
   }
 }
 
-void Model::apply_start_weights(const std::vector<NamedValues>& start, std::vector<double>& p) const {
-  std::vector<double> weights(lobes_);
-  for (std::size_t c = 0; c < channels_.size(); ++c)
-    for (std::size_t t = 0; t < terms_.size(); ++t) {
-      const TermModel& term = terms_[t];
-      lobe_weights(p, c, weights);
-      std::vector<double> values =
-          table_weights(term.form, std::span(weights).subspan(term.first_lobe, term.lobes));
-      bool named = false;
-      for (const NamedValues& given : start)
-        for (std::size_t k = 0; k < values.size(); ++k)
-          if (addresses(given.name, t, term.info->weights[k].name)) {
-            values[k] = given.values[given.values.size() == channels_.size() ? c : 0];
-            check_range(term.info->weights[k], values[k], "--start");
-            named = true;
-          }
-      if (!named) continue;
-      // The unknowns that come closest to these lobes' weights.
-      const std::vector<double> target = linear_weights(*term.info, values);
-      const LinearBlock& block = term.weights[c];
-      Matrix h(block.unknowns, block.unknowns);
-      std::vector<double> g(block.unknowns, 0);
-      for (std::size_t k = 0; k < block.lobes; ++k)
-        for (std::size_t u = 0; u < block.unknowns; ++u) {
-          g[u] -= block.a[k * block.unknowns + u] * (target[k] - block.b[k]);
-          for (std::size_t v = 0; v < block.unknowns; ++v)
-            h(u, v) += block.a[k * block.unknowns + u] * block.a[k * block.unknowns + v];
-        }
-      const std::vector<double> x = box_quadratic(h, g, block.low, block.high);
-      std::copy(x.begin(), x.end(), p.begin() + std::ptrdiff_t(block.first_slot));
+namespace {
+
+// The unknowns whose lobes' weights come closest to these.
+std::vector<double> closest_unknowns(const WeightMap& map, std::span<const double> target) {
+  Matrix h(map.unknowns, map.unknowns);
+  std::vector<double> g(map.unknowns, 0);
+  for (std::size_t k = 0; k < map.lobes; ++k)
+    for (std::size_t u = 0; u < map.unknowns; ++u) {
+      g[u] -= map.a[k * map.unknowns + u] * (target[k] - map.b[k]);
+      for (std::size_t v = 0; v < map.unknowns; ++v)
+        h(u, v) += map.a[k * map.unknowns + u] * map.a[k * map.unknowns + v];
     }
+  return box_quadratic(h, g, map.low, map.high);
+}
+
+}  // namespace
+
+void Model::apply_start_weights(std::vector<double>& p) const {
+  std::vector<double> lobes(lobes_);
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    lobe_weights(p, c, lobes);
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      std::vector<double> values = table_weights(lobes, t);
+      bool named = false;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const Constraint& constraint = constraints_.terms[t].weights[k];
+        if (constraint.start.empty()) continue;
+        values[k] = constraint.start_in(c);
+        named = true;
+      }
+      if (!named) continue;
+      const WeightMap& map = terms_[t].weights[c];
+      const std::vector<double> x = closest_unknowns(map, linear_weights(*terms_[t].info, values));
+      std::copy(x.begin(), x.end(), p.begin() + std::ptrdiff_t(map.first_slot));
+    }
+  }
 }
 
 Material Model::material(std::span<const double> p) const {
@@ -124,8 +146,7 @@ Material Model::material(std::span<const double> p) const {
     for (std::size_t g = 0; g < groups_; ++g) term.shape.push_back(shape(p, t, g));
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       lobe_weights(p, c, weights);
-      term.weights.push_back(
-          table_weights(terms_[t].form, std::span(weights).subspan(terms_[t].first_lobe, terms_[t].lobes)));
+      term.weights.push_back(table_weights(weights, t));
     }
     if (terms_[t].info->anisotropic()) term.tangent_phi = tangent_phi(p);
     m.terms.push_back(std::move(term));

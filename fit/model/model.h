@@ -1,9 +1,9 @@
 // A model to fit: one form or a sum of forms, and how the solver's parameters map to it.
 //
 // The solver works on shape parameters on a scale that suits them (log alpha, the square of a parameter whose
-// derivative vanishes at its lower bound) and on linear weights per channel, in which ks >= 0 and 0 <= f0 <=
-// 1 are plain bounds. Fixed and bounded parameters become an affine map from the linear unknowns to the
-// lobes' weights: w = A u + b.
+// derivative vanishes at its lower bound) and on linear weights per channel, in which bounds of
+// the specular weight and of f0 are plain bounds. Fixed and bounded parameters become an affine map from the
+// linear unknowns to the lobes' weights: w = A u + b.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "fit/model/lobes.h"
-#include "fit/model/options.h"
+#include "fit/model/constraints.h"
+#include "fit/model/lobe_columns.h"
 
 namespace brdf::fit {
 
@@ -30,18 +30,25 @@ struct Slot {
   std::size_t term = 0;
   std::vector<std::size_t> members;  // shape parameters it sets (two where the widths are tied)
   std::size_t group = 0;             // shape: which set of shapes; linear: which channel
+  Role role = Role::other;           // of the first member
   Scale scale = Scale::identity;
   double min = 0, max = 0;   // natural
   double low = 0, high = 0;  // on the solver's scale
   double grid_max = 0;       // natural: what a grid of starts covers
   std::string name;          // as reported: alpha, alpha_x, terms[1].sigma
+
+  // The same parameter, perhaps of other channels.
+  bool same_parameter(const Slot& s) const {
+    return kind == s.kind && term == s.term && members == s.members;
+  }
+  bool same_range(const Slot& s) const { return min == s.min && max == s.max; }
   double to_solver(double natural) const;
   double to_natural(double u) const;
   double slope(double u) const;  // d natural / d u
 };
 
-// The linear unknowns of one term in one channel.
-struct LinearBlock {
+// The weights of one term's lobes in one channel from its linear unknowns u: a u + b.
+struct WeightMap {
   std::size_t lobes = 0, unknowns = 0, first_slot = 0;
   std::vector<double> a;          // [lobe][unknown]
   std::vector<double> b;          // [lobe]
@@ -56,16 +63,17 @@ struct TermModel {
   std::vector<int> partial;                     // [shape parameter]
   int tangent_partial = -1;
   std::vector<std::vector<double>> fixed_shape;  // [group][shape parameter]; NaN where a slot sets it
-  std::vector<LinearBlock> weights;              // [channel]
+  std::vector<WeightMap> weights;                // [channel]
 };
 
 class Model {
  public:
-  // Throws InputError where the forms cannot be fitted or an option names no parameter of theirs.
+  // Throws InputError where the forms cannot be fitted or an option has no effect on them.
   Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options);
 
   const std::string& name() const { return name_; }  // "ward", "oren_nayar+ward"
   const std::vector<TermModel>& terms() const { return terms_; }
+  const Constraints& constraints() const { return constraints_; }
   const std::vector<Slot>& slots() const { return slots_; }
   const std::vector<std::string>& channels() const { return channels_; }
   std::size_t size() const { return slots_.size(); }
@@ -89,36 +97,34 @@ class Model {
   std::vector<double> low() const, high() const;
   // At the tables' initial values; linear unknowns 0 within their bounds.
   std::vector<double> initial() const;
-  // Sets the shape parameters that `--start` names.
-  void apply_start(const std::vector<NamedValues>& start, std::vector<double>& p) const;
-
-  // Sets the weights that `--start` names, the others staying as p has them.
-  void apply_start_weights(const std::vector<NamedValues>& start, std::vector<double>& p) const;
+  // Sets the shape parameters, and the weights, that `--start` names; the others stay as p has them.
+  void apply_start(std::vector<double>& p) const;
+  void apply_start_weights(std::vector<double>& p) const;
 
   Material material(std::span<const double> p) const;
 
+  // A parameter's name as reported: alpha_x, terms[1].alpha_x in a sum.
+  std::string prefixed(std::size_t term, std::string_view parameter) const {
+    return name_in_sum(terms_.size(), term, parameter);
+  }
+
  private:
-  void add_shape_slots(const FitOptions& options);
-  void add_linear_slots(const FitOptions& options);
-  LinearBlock linear_block(std::size_t term, std::size_t channel, const FitOptions& options) const;
-  double fixed_value(const FitOptions& options, std::size_t term, std::string_view parameter,
-                     std::size_t channel) const;
-  std::string prefixed(std::size_t term, std::string_view parameter) const;
+  void add_term(const Reflectance& form);
+  void add_shape_slots(bool anisotropic);
+  void add_shape_parameter(std::size_t term, const std::vector<std::size_t>& members);
+  void add_tangent_slot();
+  void index_partials();
+  void add_linear_slots();
+  std::vector<double> table_weights(std::span<const double> lobes, std::size_t term) const;
 
   std::string name_;
   std::vector<TermModel> terms_;
   std::vector<std::string> channels_;
+  Constraints constraints_;
   std::vector<Slot> slots_;
   std::vector<std::size_t> partial_slot_;
   std::size_t shape_slots_ = 0, groups_ = 1, lobes_ = 0, partials_ = 0, tangent_slot_ = kNoSlot;
   Angle fixed_tangent_{};
 };
-
-// True where the user's name means this parameter: "terms[1].alpha" addresses one term of a sum, "alpha" both
-// widths of all that have them.
-bool addresses(std::string_view given, std::size_t term, std::string_view parameter);
-
-// Throws InputError where a value given with `option` lies outside the parameter's range.
-void check_range(const ParameterInfo& p, double value, const char* option);
 
 }  // namespace brdf::fit

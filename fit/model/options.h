@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "brdf/names.h"
+
 namespace brdf::fit {
 
 // The residual of one value: f the model, g the measurement, c_i and c_o the cosines (docs/fitting.md).
@@ -20,6 +22,23 @@ inline constexpr double kLogRelativeFloor = 1e-3;
 
 enum class Loss { none, huber, cauchy };
 enum class Weighting { automatic, uniform, sigma, solid_angle };
+
+}  // namespace brdf::fit
+
+namespace brdf {
+
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<fit::Metric>{"log", "cosine_l2", "cube_root",
+                                                                     "log_relative"};
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<fit::Loss>{"none", "huber", "cauchy"};
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<fit::Weighting>{"auto", "uniform", "sigma",
+                                                                        "solid_angle"};
+
+}  // namespace brdf
+
+namespace brdf::fit {
 
 // One parameter's value, or range, for all channels or one per channel.
 struct NamedValues {

@@ -1,19 +1,14 @@
-// What the solver searches: one slot per free parameter, from the forms' tables and the user's options.
-#include "fit/model/model.h"
-
+// What the solver searches: one slot per free parameter, from the forms' tables and the user's constraints.
 #include <algorithm>
 #include <cmath>
 
+#include "fit/model/model.h"
 #include "io/error.h"
-#include "io/text.h"
 
 namespace brdf::fit {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-bool is_width(std::string_view name) {
-  return name == "alpha_x" || name == "alpha_y";
-}
 
 // True where every lobe's derivative by the parameter vanishes at its
 // lower bound, as sigma's does in Oren-Nayar: such a parameter enters by
@@ -25,11 +20,11 @@ bool flat_at_minimum(const Reflectance& form, const ReflectanceInfo& info, std::
   DirectionArrays<double> pairs(2);
   pairs.set(0, {-0.6, 0, 0.8}, {0.48, 0.64, 0.6});
   pairs.set(1, {-0.6, 0, 0.8}, {-0.28, 0, 0.96});
-  LobeBlock block(form);
-  block.evaluate(shape, {}, Partial::shape, pairs.view(), {});
-  for (std::size_t k = 0; k < lobe_count_of(form); ++k)
+  LobeColumns columns(form);
+  columns.evaluate(shape, {}, Partial::shape, pairs.view(), {});
+  for (std::size_t k = 0; k < info.lobes.size(); ++k)
     for (std::size_t j = 0; j < 2; ++j)
-      if (block.derivative(k, parameter)[j] != 0) return false;
+      if (columns.derivative(k, parameter)[j] != 0) return false;
   return true;
 }
 
@@ -38,6 +33,95 @@ Scale scale_of(const Reflectance& form, const ReflectanceInfo& info, std::size_t
   if (p.log_scale) return p.min > 0 ? Scale::log : Scale::log1p;
   return flat_at_minimum(form, info, parameter) ? Scale::square : Scale::identity;
 }
+
+// The weights of a term's lobes as they follow from its table's weights, column by column.
+class WeightMapBuilder {
+ public:
+  WeightMapBuilder(const ReflectanceInfo& info, const std::vector<Constraint>& constraints,
+                   std::size_t channel)
+      : info_(info), constraints_(constraints), channel_(channel) {
+    map_.lobes = info.lobes.size();
+    map_.b.assign(map_.lobes, 0);
+  }
+
+  WeightMap build() {
+    const int f0 = info_.weight_index(Role::f0), divided = weight_of_f0(info_.lobes);
+    for (std::size_t k = 0; k < info_.weights.size(); ++k) {
+      if (int(k) == f0) continue;
+      if (int(k) == divided)
+        add_with_f0(k, std::size_t(f0));
+      else
+        add_plain(k);
+    }
+    map_.unknowns = columns_.size();
+    map_.a.assign(map_.lobes * map_.unknowns, 0);
+    for (std::size_t l = 0; l < map_.lobes; ++l)
+      for (std::size_t u = 0; u < map_.unknowns; ++u) map_.a[l * map_.unknowns + u] = columns_[u][l];
+    return std::move(map_);
+  }
+
+ private:
+  using Column = std::vector<double>;
+
+  // The lobes' weights where this weight is `size` and all others are 0.
+  Column column(std::size_t weight, double size, double f0 = 0) const {
+    Column lobes;
+    for (const LobeWeight& lobe : info_.lobes) {
+      const double factor = lobe.factor == LobeWeight::Factor::one  ? 1
+                            : lobe.factor == LobeWeight::Factor::f0 ? f0
+                                                                    : 1 - f0;
+      lobes.push_back(lobe.weight == weight ? size * factor : 0);
+    }
+    return lobes;
+  }
+  void add_constant(const Column& c) {
+    for (std::size_t l = 0; l < map_.lobes; ++l) map_.b[l] += c[l];
+  }
+  void add_unknown(Column c, double low, double high) {
+    columns_.push_back(std::move(c));
+    map_.low.push_back(low);
+    map_.high.push_back(high);
+  }
+
+  void add_plain(std::size_t weight) {
+    const Constraint& c = constraints_[weight];
+    if (c.is_fixed())
+      add_constant(column(weight, c.fixed_in(channel_)));
+    else
+      add_unknown(column(weight, 1), c.low, c.high);
+  }
+
+  // A weight whose lobes f0 divides: as unknowns the weights at the lowest and the highest f0, so that the
+  // bounds of both are plain bounds.
+  void add_with_f0(std::size_t weight, std::size_t f0) {
+    const Constraint &w = constraints_[weight], &f = constraints_[f0];
+    const ParameterInfo& table = info_.weights[weight];
+    if (w.is_fixed() && f.is_fixed()) {
+      add_constant(column(weight, w.fixed_in(channel_), f.fixed_in(channel_)));
+    } else if (w.is_fixed()) {
+      const Column dark = column(weight, w.fixed_in(channel_), 0);
+      Column slope = column(weight, w.fixed_in(channel_), 1);
+      for (std::size_t l = 0; l < slope.size(); ++l) slope[l] -= dark[l];
+      add_constant(dark);
+      add_unknown(std::move(slope), f.low, f.high);
+    } else if (f.is_fixed()) {
+      add_unknown(column(weight, 1, f.fixed_in(channel_)), w.low, w.high);
+    } else {
+      if (w.low != table.min || w.high != table.max)
+        throw InputError("--bounds " + std::string(table.name) + ": needs --fix " +
+                         std::string(info_.weights[f0].name) + " as well in " + std::string(info_.name) +
+                         ", where both share lobes");
+      add_unknown(column(weight, 1, f.high), 0, table.max);
+      if (f.low < f.high) add_unknown(column(weight, 1, f.low), 0, table.max);
+    }
+  }
+
+  const ReflectanceInfo& info_;
+  const std::vector<Constraint>& constraints_;
+  std::size_t channel_;
+  WeightMap map_;
+  std::vector<Column> columns_;
+};
 
 }  // namespace
 
@@ -74,239 +158,103 @@ double Slot::slope(double u) const {
   }
 }
 
-bool addresses(std::string_view given, std::size_t term, std::string_view parameter) {
-  const std::string prefix = "terms[" + std::to_string(term) + "].";
-  if (given.starts_with(prefix)) given.remove_prefix(prefix.size());
-  return given == parameter || (given == "alpha" && is_width(parameter));
-}
-
-void check_range(const ParameterInfo& p, double value, const char* option) {
-  if (!(value >= p.min && value <= p.max))
-    throw InputError(std::string(option) + " " + std::string(p.name) + ": " + io::to_text(value) +
-                     " is outside " + io::to_text(p.min) + " to " + io::to_text(p.max));
-}
-
-Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options)
-    : channels_(std::move(channels)) {
-  groups_ = options.per_channel ? channels_.size() : 1;
-  for (const Reflectance& form : forms) {
-    TermModel term{form, &info(form)};
-    if (!term.info->fittable())
-      throw InputError("form '" + std::string(term.info->name) +
-                       "' cannot be fitted: it is not linear in its weights");
-    term.lobes = lobe_count_of(form);
-    term.first_lobe = lobes_;
-    lobes_ += term.lobes;
-    name_ += (name_.empty() ? "" : "+") + std::string(term.info->name);
-    terms_.push_back(std::move(term));
-  }
-  add_shape_slots(options);
-  add_linear_slots(options);
-  const auto check = [&](const std::string& name, const char* option) {
-    for (std::size_t t = 0; t < terms_.size(); ++t) {
-      for (const ParameterInfo& p : terms_[t].info->shape)
-        if (addresses(name, t, p.name)) return;
-      for (const ParameterInfo& p : terms_[t].info->weights)
-        if (addresses(name, t, p.name)) return;
-      if (name == "tangent_phi" && terms_[t].info->anisotropic()) return;
-    }
-    throw InputError(std::string(option) + " " + name + ": " + name_ + " has no such parameter");
-  };
-  for (const auto& f : options.fix) check(f.name, "--fix");
-  for (const auto& s : options.start) check(s.name, "--start");
-  for (const auto& b : options.bounds) check(b.name, "--bounds");
-}
-
-std::string Model::prefixed(std::size_t term, std::string_view parameter) const {
-  if (terms_.size() == 1) return std::string(parameter);
-  return "terms[" + std::to_string(term) + "]." + std::string(parameter);
-}
-
-// The value that --fix gives, NaN where it gives none.
-double Model::fixed_value(const FitOptions& options, std::size_t term, std::string_view parameter,
-                          std::size_t channel) const {
-  double value = kNan;
-  for (const NamedValues& f : options.fix) {
-    if (!addresses(f.name, term, parameter)) continue;
-    if (f.values.size() != 1 && f.values.size() != channels_.size())
-      throw InputError("--fix " + f.name + ": " + std::to_string(f.values.size()) + " values for " +
-                       std::to_string(channels_.size()) + " channels");
-    value = f.values[f.values.size() == 1 ? 0 : channel];
-  }
-  return value;
-}
-
-void Model::add_shape_slots(const FitOptions& options) {
+void Model::add_shape_slots(bool anisotropic) {
   bool turned = false;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     TermModel& term = terms_[t];
     const ReflectanceInfo& info = *term.info;
+    const auto [along, across] = info.axes();
+    const bool tied = info.anisotropic() && !anisotropic;
     term.fixed_shape.assign(groups_, std::vector<double>(info.shape.size(), kNan));
     term.partial.assign(info.shape.size(), -1);
     term.first_partial = partials_;
-    const int x = info.shape_index("alpha_x"), y = info.shape_index("alpha_y");
-    const bool tied = x >= 0 && y >= 0 && !options.anisotropic;
     for (std::size_t k = 0; k < info.shape.size(); ++k) {
-      if (tied && int(k) == y) continue;
-      const ParameterInfo& p = info.shape[k];
-      Slot slot{Slot::Kind::shape, t, {k}};
-      if (tied && int(k) == x) slot.members.push_back(std::size_t(y));
-      slot.name = prefixed(t, tied && int(k) == x ? "alpha" : p.name);
-      slot.scale = scale_of(term.form, info, k);
-      slot.min = p.min, slot.max = p.max, slot.grid_max = p.usual_max;
-      for (const NamedRange& b : options.bounds) {
-        if (!addresses(b.name, t, p.name)) continue;
-        check_range(p, b.low, "--bounds"), check_range(p, b.high, "--bounds");
-        slot.min = b.low, slot.max = b.high;
-        slot.grid_max = std::clamp(slot.grid_max, b.low, b.high);
-      }
-      slot.low = slot.to_solver(slot.min), slot.high = slot.to_solver(slot.max);
-      bool free = false;
-      for (std::size_t g = 0; g < groups_; ++g) {
-        double fixed = fixed_value(options, t, p.name, g);
-        if (tied && std::isnan(fixed)) fixed = fixed_value(options, t, info.shape[std::size_t(y)].name, g);
-        if (!std::isnan(fixed)) {
-          check_range(p, fixed, "--fix");
-          for (std::size_t m : slot.members) term.fixed_shape[g][m] = fixed;
-          continue;
-        }
-        free = true;
-        slot.group = g;
-        Slot one = slot;
-        if (groups_ > 1) one.name += "[" + channels_[g] + "]";
-        slots_.push_back(std::move(one));
-      }
-      if (free) {
-        for (std::size_t m : slot.members) term.partial[m] = int(term.partials);
-        ++term.partials;
-      }
+      if (tied && int(k) == across) continue;
+      std::vector<std::size_t> members{k};
+      if (tied && int(k) == along) members.push_back(std::size_t(across));
+      add_shape_parameter(t, members);
     }
-    if (options.anisotropic && info.anisotropic()) {
-      const double fixed = fixed_value(options, t, "tangent_phi", 0);
-      if (std::isnan(fixed)) {
-        term.tangent_partial = int(term.partials++);
-        turned = true;
-      } else {
-        fixed_tangent_ = degrees(fixed);
-      }
+    if (info.anisotropic() && anisotropic && !constraints_.tangent.is_fixed()) {
+      term.tangent_partial = int(term.partials++);
+      turned = true;
     }
     partials_ += term.partials;
   }
-  if (turned) {
-    tangent_slot_ = slots_.size();
-    Slot slot{Slot::Kind::tangent};
-    slot.name = "tangent_phi";
-    slot.min = slot.low = -kPi, slot.max = slot.high = kPi;
-    slots_.push_back(slot);
-  }
+  if (constraints_.tangent.is_fixed()) fixed_tangent_ = degrees(constraints_.tangent.fixed[0]);
+  if (turned) add_tangent_slot();
   shape_slots_ = slots_.size();
-  partial_slot_.assign(groups_ * partials_, kNoSlot);
-  for (std::size_t s = 0; s < shape_slots_; ++s) {
-    const Slot& slot = slots_[s];
-    if (slot.kind != Slot::Kind::shape) continue;
-    const TermModel& term = terms_[slot.term];
-    partial_slot_[slot.group * partials_ + term.first_partial + std::size_t(term.partial[slot.members[0]])] =
-        s;
-  }
-  for (const TermModel& term : terms_)
-    if (term.tangent_partial >= 0)
-      for (std::size_t g = 0; g < groups_; ++g)
-        partial_slot_[g * partials_ + term.first_partial + std::size_t(term.tangent_partial)] = tangent_slot_;
+  index_partials();
 }
 
-void Model::add_linear_slots(const FitOptions& options) {
+// The slots of one parameter, or of two that are tied: one in every group of channels, unless it is held.
+void Model::add_shape_parameter(std::size_t t, const std::vector<std::size_t>& members) {
+  TermModel& term = terms_[t];
+  const Constraint& c = constraints_.terms[t].shape[members[0]];
+  if (c.is_fixed()) {
+    for (std::size_t g = 0; g < groups_; ++g)
+      for (std::size_t m : members) term.fixed_shape[g][m] = c.fixed_in(g);
+    return;
+  }
+  const ReflectanceInfo& info = *term.info;
+  const ParameterInfo& p = info.shape[members[0]];
+  Slot slot{Slot::Kind::shape, t, members};
+  slot.role = p.role;
+  slot.scale = scale_of(term.form, info, members[0]);
+  slot.min = c.low;
+  slot.max = c.high;
+  slot.grid_max = std::clamp(p.usual_max, c.low, c.high);
+  slot.low = slot.to_solver(slot.min);
+  slot.high = slot.to_solver(slot.max);
+  const std::string name = prefixed(t, members.size() > 1 ? info.tied_name() : p.name);
+  for (std::size_t g = 0; g < groups_; ++g) {
+    slot.group = g;
+    slot.name = groups_ > 1 ? name + "[" + channels_[g] + "]" : name;
+    slots_.push_back(slot);
+  }
+  for (std::size_t m : members) term.partial[m] = int(term.partials);
+  ++term.partials;
+}
+
+void Model::add_tangent_slot() {
+  tangent_slot_ = slots_.size();
+  Slot slot{Slot::Kind::tangent};
+  slot.name = kTangentInfo.name;
+  slot.min = slot.low = -kPi;
+  slot.max = slot.high = kPi;
+  slots_.push_back(std::move(slot));
+}
+
+// Which slot each derivative belongs to.
+void Model::index_partials() {
+  partial_slot_.assign(groups_ * partials_, kNoSlot);
+  const auto set = [&](std::size_t group, const TermModel& term, int partial, std::size_t slot) {
+    partial_slot_[group * partials_ + term.first_partial + std::size_t(partial)] = slot;
+  };
+  for (std::size_t s = 0; s < shape_slots_; ++s) {
+    const Slot& slot = slots_[s];
+    if (slot.kind == Slot::Kind::shape)
+      set(slot.group, terms_[slot.term], terms_[slot.term].partial[slot.members[0]], s);
+  }
+  for (const TermModel& term : terms_)
+    for (std::size_t g = 0; g < groups_ && term.tangent_partial >= 0; ++g)
+      set(g, term, term.tangent_partial, tangent_slot_);
+}
+
+void Model::add_linear_slots() {
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     for (std::size_t t = 0; t < terms_.size(); ++t) {
-      LinearBlock block = linear_block(t, c, options);
-      block.first_slot = slots_.size();
-      for (std::size_t u = 0; u < block.unknowns; ++u) {
+      WeightMap map = WeightMapBuilder(*terms_[t].info, constraints_.terms[t].weights, c).build();
+      map.first_slot = slots_.size();
+      for (std::size_t u = 0; u < map.unknowns; ++u) {
         Slot slot{Slot::Kind::linear, t, {}, c};
-        slot.min = slot.low = block.low[u];
-        slot.max = slot.high = block.high[u];
+        slot.min = slot.low = map.low[u];
+        slot.max = slot.high = map.high[u];
         slot.name = prefixed(t, "weight") + std::to_string(u) + "[" + channels_[c] + "]";
         slots_.push_back(std::move(slot));
       }
-      terms_[t].weights.push_back(std::move(block));
+      terms_[t].weights.push_back(std::move(map));
     }
   }
-}
-
-LinearBlock Model::linear_block(std::size_t t, std::size_t channel, const FitOptions& options) const {
-  const ReflectanceInfo& info = *terms_[t].info;
-  const std::size_t lobes = terms_[t].lobes;
-  LinearBlock block;
-  block.lobes = lobes;
-  block.b.assign(lobes, 0);
-  std::vector<std::vector<double>> columns;
-  const auto unknown = [&](std::vector<double> column, double low, double high) {
-    columns.push_back(std::move(column));
-    block.low.push_back(low);
-    block.high.push_back(high);
-  };
-  const auto range = [&](const ParameterInfo& p) {
-    std::pair r{p.min, p.max};
-    for (const NamedRange& b : options.bounds)
-      if (addresses(b.name, t, p.name)) {
-        check_range(p, b.low, "--bounds"), check_range(p, b.high, "--bounds");
-        r = {b.low, b.high};
-      }
-    return r;
-  };
-  const auto fixed = [&](const ParameterInfo& p) {
-    const double value = fixed_value(options, t, p.name, channel);
-    if (!std::isnan(value)) check_range(p, value, "--fix");
-    return value;
-  };
-  // A sum keeps one diffuse term: rho where a term has it, else the first kd. More would be collinear.
-  bool diffuse_elsewhere = false;
-  for (std::size_t s = 0; s < terms_.size(); ++s)
-    diffuse_elsewhere = diffuse_elsewhere || (s != t && terms_[s].info->weight_index("rho") >= 0) ||
-                        (s < t && terms_[s].info->weight_index("kd") >= 0);
-  const int ks = info.weight_index("ks"), f0 = info.weight_index("f0");
-  for (std::size_t k = 0; k < info.weights.size(); ++k) {
-    const ParameterInfo& p = info.weights[k];
-    if (f0 >= 0 && (int(k) == ks || int(k) == f0)) continue;
-    double value = fixed(p);
-    if (std::isnan(value) && p.name == "kd" && diffuse_elsewhere) value = 0;
-    std::vector<double> column(lobes, 0);
-    column[k] = 1;
-    if (!std::isnan(value))
-      block.b[k] = value;
-    else
-      unknown(column, range(p).first, range(p).second);
-  }
-  if (f0 >= 0) {  // lobes ks and f0: V D with ks f0, V D s with ks (1 - f0)
-    const std::size_t near = std::size_t(ks), rise = std::size_t(f0);
-    const double weight = fixed(info.weights[near]), fresnel = fixed(info.weights[rise]);
-    const auto [f_low, f_high] = range(info.weights[rise]);
-    const auto [k_low, k_high] = range(info.weights[near]);
-    const auto ray = [&](double f) {
-      std::vector<double> column(lobes, 0);
-      column[near] = f, column[rise] = 1 - f;
-      return column;
-    };
-    if (!std::isnan(weight) && !std::isnan(fresnel)) {
-      block.b[near] = weight * fresnel, block.b[rise] = weight * (1 - fresnel);
-    } else if (!std::isnan(weight)) {
-      block.b[rise] = weight;
-      std::vector<double> column(lobes, 0);
-      column[near] = weight, column[rise] = -weight;
-      unknown(column, f_low, f_high);
-    } else if (!std::isnan(fresnel)) {
-      unknown(ray(fresnel), k_low, k_high);
-    } else {
-      if (k_low != info.weights[near].min || k_high != info.weights[near].max)
-        throw InputError("--bounds ks: needs --fix f0 as well in " + std::string(info.name) +
-                         ", where both share two lobes");
-      unknown(ray(f_high), 0, info.weights[near].max);
-      if (f_low < f_high) unknown(ray(f_low), 0, info.weights[near].max);
-    }
-  }
-  block.unknowns = columns.size();
-  block.a.assign(lobes * block.unknowns, 0);
-  for (std::size_t k = 0; k < lobes; ++k)
-    for (std::size_t u = 0; u < block.unknowns; ++u) block.a[k * block.unknowns + u] = columns[u][k];
-  return block;
 }
 
 }  // namespace brdf::fit

@@ -2,29 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <map>
-#include <sstream>
 
 #include "brdf/aperture.h"
 #include "brdf/geometry.h"
+#include "fit/assess/reported.h"
 #include "fit/report/report.h"
 #include "io/html_report.h"
+#include "io/numbers.h"
 
 namespace brdf::fit {
 namespace {
 
 using io::Cell;
 using io::Mark;
-
-std::string digits(double x, int precision = 4) {
-  std::ostringstream text;
-  text << std::setprecision(precision) << x;
-  return text.str();
-}
-std::string percent(double x) {
-  return digits(100 * x, 3) + " %";
-}
 
 Mark mark_of(Verdict v) {
   return v == Verdict::converged ? Mark::good : v == Verdict::at_bound ? Mark::warn : Mark::bad;
@@ -99,11 +90,13 @@ void add_slices(io::HtmlReport& report, const io::SampleTable& table,
       });
       io::Series points{"", {}, {}, io::Series::Style::points};
       points.colour = int(s);
-      io::Series line{digits(theta) + " degrees", {}, {}, io::Series::Style::line};
+      io::Series line{io::short_number(theta) + " degrees", {}, {}, io::Series::Style::line};
       line.colour = int(s);
       for (std::size_t k : rows) {
-        points.x.push_back(in_plane_angle(table, k)), points.y.push_back(table.values[c][k]);
-        line.x.push_back(in_plane_angle(table, k)), line.y.push_back(fitted[c][k]);
+        points.x.push_back(in_plane_angle(table, k));
+        points.y.push_back(table.values[c][k]);
+        line.x.push_back(in_plane_angle(table, k));
+        line.y.push_back(fitted[c][k]);
       }
       plot.series.push_back(std::move(points));
       plot.series.push_back(std::move(line));
@@ -119,7 +112,9 @@ constexpr std::size_t kMapCells = 45;  // of two degrees
 std::vector<double> residual_cells(const io::SampleTable& table, const Directions<double>& d,
                                    const std::vector<std::vector<double>>& fitted) {
   std::vector<double> sum(kMapCells * kMapCells, 0), count(kMapCells * kMapCells, 0);
-  const auto cell = [](double angle) { return std::min(std::size_t(angle * 90 / kPi), kMapCells - 1); };
+  const auto cell = [](double angle) {
+    return std::min(std::size_t(radians(angle).degrees() / 2), kMapCells - 1);
+  };
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const Geometry<double> g = geometry(d.wi(k), d.wo(k));
     const std::size_t x = cell(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z));
@@ -141,8 +136,7 @@ void add_residual_map(io::HtmlReport& report, const std::vector<double>& cells) 
   for (const double v : cells)
     if (!std::isnan(v)) sizes.push_back(std::abs(v));
   if (sizes.empty()) return;
-  std::sort(sizes.begin(), sizes.end());
-  const double largest = std::max(sizes[sizes.size() * 95 / 100], 1e-12);
+  const double largest = std::max(io::quantile(std::move(sizes), 0.95), 1e-12);
   std::vector<unsigned char> rgb(kWidth * kWidth * 3, 225);
   for (std::size_t py = 0; py < kWidth; ++py)
     for (std::size_t px = 0; px < kWidth; ++px) {
@@ -157,8 +151,8 @@ void add_residual_map(io::HtmlReport& report, const std::vector<double>& cells) 
               .y_label = "theta_d, degrees: the light from the half vector",
               .x_ticks = angles,
               .y_ticks = angles,
-              .low = percent(-std::expm1(-largest)) + " too dark",
-              .high = percent(std::expm1(largest)) + " too bright",
+              .low = io::percent(-std::expm1(-largest)) + " too dark",
+              .high = io::percent(std::expm1(largest)) + " too bright",
               .caption = "Fitted less measured, mean over cells of two degrees; grey: nothing measured.",
               .command = {},
               .colours = io::Colours::diverging});
@@ -171,14 +165,14 @@ void add_parameters(io::HtmlReport& report, const FormFit& f) {
     const std::string name = e.channel.empty() ? e.name : e.name + " [" + e.channel + "]";
     if (e.status == Status::free)
       rows.push_back({{name, Mark::none, true},
-                      {digits(e.value)},
-                      {digits(e.low) + " to " + digits(e.high)},
-                      {digits(e.standard_error, 2)},
+                      {io::short_number(e.value)},
+                      {io::short_number(e.low) + " to " + io::short_number(e.high)},
+                      {io::short_number(e.standard_error, 2)},
                       {"free", Mark::good}});
     else
       rows.push_back(
           {{name, Mark::none, true},
-           {e.status == Status::unidentified ? "-" : digits(e.value)},
+           {e.status == Status::unidentified ? "-" : io::short_number(e.value)},
            {"-"},
            {"-"},
            {std::string(name_of(e.status)), e.status == Status::unidentified ? Mark::bad : Mark::warn}});
@@ -198,8 +192,8 @@ void add_correlations(io::HtmlReport& report, const Correlations& c) {
     std::vector<Cell> row{{c.names[i], Mark::none, true}};
     for (std::size_t j = 0; j < n; ++j) {
       const double r = c.matrix(i, j);
-      row.push_back(
-          {digits(std::round(100 * r) / 100, 3), i != j && std::abs(r) > 0.95 ? Mark::warn : Mark::none});
+      row.push_back({io::short_number(std::round(100 * r) / 100, 3),
+                     i != j && std::abs(r) > 0.95 ? Mark::warn : Mark::none});
     }
     rows.push_back(std::move(row));
   }
@@ -209,22 +203,12 @@ void add_correlations(io::HtmlReport& report, const Correlations& c) {
                      " parameters; the JSON has all.");
 }
 
-std::string shape_text(const Material& m) {
-  std::string text;
-  for (const Term& term : m.terms) {
-    const ReflectanceInfo& f = info(term.form);
-    for (std::size_t k = 0; k < f.shape.size(); ++k)
-      text += (text.empty() ? "" : ", ") + std::string(f.shape[k].name) + " " + digits(term.shape[0][k]);
-  }
-  return text.empty() ? "-" : text;
-}
-
 void add_minima(io::HtmlReport& report, const FormFit& f) {
   report.heading("Minima");
   report.paragraph(std::to_string(f.starts) + " starts reached these distinct minima.");
   std::vector<std::vector<Cell>> rows;
   for (const MinimumReport& m : f.minima)
-    rows.push_back({{digits(m.cost, 6)}, {std::to_string(m.basin)}, {shape_text(m.material)}});
+    rows.push_back({{io::short_number(m.cost, 6)}, {std::to_string(m.basin)}, {shape_text(m.material)}});
   report.table({"cost", "starts", "shape"}, rows);
 }
 
@@ -234,14 +218,14 @@ void add_ranking(io::HtmlReport& report, const FitResult& result) {
   for (const FormFit& f : result.ranking)
     rows.push_back({{f.form, Mark::none, true},
                     {std::string(name_of(f.verdict)), mark_of(f.verdict)},
-                    {percent(f.median_relative_error)},
-                    {f.cross_validated_error ? percent(*f.cross_validated_error) : "-"},
-                    {digits(f.bic, 6)},
+                    {f.solved() ? io::percent(f.median_relative_error) : "-"},
+                    {f.cross_validated_error ? io::percent(*f.cross_validated_error) : "-"},
+                    {io::short_number(f.bic, 6)},
                     {std::to_string(f.parameters)},
-                    {digits(f.metrics.log, 3)},
-                    {digits(f.metrics.cosine_l2, 3)},
-                    {digits(f.metrics.cube_root, 3)},
-                    {digits(f.metrics.log_relative, 3)}});
+                    {io::short_number(f.metrics.log, 3)},
+                    {io::short_number(f.metrics.cosine_l2, 3)},
+                    {io::short_number(f.metrics.cube_root, 3)},
+                    {io::short_number(f.metrics.log_relative, 3)}});
   report.table({"form", "verdict", "median error", "left out", "BIC", "parameters", "log", "cosine L2",
                 "cube root", "log-relative"},
                rows);
@@ -255,15 +239,16 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   report.verdict(mark_of(best.verdict), in_words(best));
   for (const std::string& finding : best.findings) report.paragraph(finding + ".");
   std::string about = std::to_string(result.rows) + " rows of " + std::to_string(table.rows()) +
-                      " fitted, both polar angles at most " + digits(options.max_theta) +
-                      " degrees; residual " + std::string(metric_name(options.metric)) +
-                      "; median relative error " + percent(best.median_relative_error);
+                      " fitted, both polar angles at most " + io::short_number(options.max_theta) +
+                      " degrees; residual " + std::string(name_of(options.metric));
+  if (best.solved()) about += "; median relative error " + io::percent(best.median_relative_error);
   if (result.noise_floor)
-    about += "; the values scatter about their neighbours by " + percent(*result.noise_floor);
+    about += "; the values scatter about their neighbours by " + io::percent(*result.noise_floor);
   report.paragraph(about + ".");
   if (const FormFit& simple = result.ranking[result.recommended]; &simple != &best)
     report.paragraph("Recommended: " + simple.form + ", which is simpler and as good within the noise.");
   add_ranking(report, result);
+  if (!best.solved()) return report.document(io::provenance(options.seed));
   add_parameters(report, best);
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();

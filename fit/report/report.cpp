@@ -3,9 +3,10 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
-#include <sstream>
 
+#include "fit/assess/reported.h"
 #include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/provenance.h"
 
 namespace brdf::fit {
@@ -88,54 +89,33 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
   return j;
 }
 
-std::string percent(double x) {
-  std::ostringstream text;
-  text << std::setprecision(3) << 100 * x << " %";
-  return text.str();
-}
-
-std::string short_number(double x) {
-  std::ostringstream text;
-  text << std::setprecision(4) << x;
-  return text.str();
+std::string error_text(double error) {
+  return std::isfinite(error) ? io::percent(error) : "-";
 }
 
 // The value with as many digits as its interval supports.
 std::string estimate_text(const Estimate& e) {
-  const std::string name = e.channel.empty() ? e.name : e.name + "[" + e.channel + "]";
+  const std::string name = label(e);
   switch (e.status) {
     case Status::unidentified:
       return name + " not identified";
     case Status::fixed:
-      return name + " " + short_number(e.value) + " (fixed)";
+      return name + " " + io::short_number(e.value) + " (fixed)";
     case Status::at_bound:
-      return name + " " + short_number(e.value) + " (at its bound)";
+      return name + " " + io::short_number(e.value) + " (at its bound)";
     default:
-      return name + " " + short_number(e.value) + "  (" + short_number(e.low) + " to " +
-             short_number(e.high) + ")";
+      return name + " " + io::short_number(e.value) + "  (" + io::short_number(e.low) + " to " +
+             io::short_number(e.high) + ")";
   }
 }
 
 }  // namespace
 
-std::string_view metric_name(Metric metric) {
-  switch (metric) {
-    case Metric::log:
-      return "log";
-    case Metric::cosine_l2:
-      return "cosine_l2";
-    case Metric::cube_root:
-      return "cube_root";
-    default:
-      return "log_relative";
-  }
-}
-
 Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
   Json ranking = Json::array();
   for (const FormFit& fit : result.ranking) {
     Json j = statistics_json(fit);
-    j["material"] = io::to_json(fit.material);
+    j["material"] = fit.solved() ? io::to_json(fit.material) : Json(nullptr);
     Json minima = Json::array();
     for (const MinimumReport& m : fit.minima)
       minima.push_back(
@@ -148,7 +128,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
     ranking.push_back(std::move(j));
   }
   Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = metric_name(options.metric);
+  j["metric"] = name_of(options.metric);
   j["samples"] = samples_json(result, table, options);
   j["interrupted"] = result.interrupted;
   j["recommended"] = result.ranking.empty() ? Json(nullptr) : Json(result.ranking[result.recommended].form);
@@ -159,7 +139,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
 Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
                     const FitOptions& options) {
   Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = metric_name(options.metric);
+  j["metric"] = name_of(options.metric);
   j["samples"] = samples_json(result, table, options);
   j.update(statistics_json(fit));
   return j;
@@ -168,22 +148,23 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
            const FitOptions& options) {
   out << table.source << ": " << result.rows << " rows, " << result.channels.size() << " channel"
-      << (result.channels.size() == 1 ? "" : "s") << ", residual " << metric_name(options.metric) << '\n';
+      << (result.channels.size() == 1 ? "" : "s") << ", residual " << name_of(options.metric) << '\n';
   if (result.beyond_max_theta)
     out << "  " << result.beyond_max_theta << " rows beyond " << options.max_theta
         << " degrees left out (--max-theta)\n";
   if (result.outside_domain)
     out << "  " << result.outside_domain << " rows left out: negative values without a residual\n";
   if (result.noise_floor)
-    out << "  values scatter about their neighbours by " << percent(*result.noise_floor) << '\n';
+    out << "  values scatter about their neighbours by " << io::percent(*result.noise_floor) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
   out << "  " << std::left << std::setw(28) << "form" << std::setw(18) << "verdict" << std::setw(14)
       << "median error" << std::setw(14) << "left out"
       << "parameters\n";
   for (const FormFit& fit : result.ranking)
     out << "  " << std::setw(28) << fit.form << std::setw(18) << name_of(fit.verdict) << std::setw(14)
-        << percent(fit.median_relative_error) << std::setw(14)
-        << (fit.cross_validated_error ? percent(*fit.cross_validated_error) : "-") << fit.parameters << '\n';
+        << error_text(fit.median_relative_error) << std::setw(14)
+        << (fit.cross_validated_error ? io::percent(*fit.cross_validated_error) : "-") << fit.parameters
+        << '\n';
   if (result.ranking.empty()) return;
   const FormFit& best = result.ranking.front();
   out << best.form << ", " << name_of(best.verdict) << '\n';

@@ -19,6 +19,4 @@ io::Json material_block(const FormFit& fit, const FitResult& result, const io::S
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
            const FitOptions& options);
 
-std::string_view metric_name(Metric metric);
-
 }  // namespace brdf::fit

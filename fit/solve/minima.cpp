@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "brdf/random.h"
 #include "fit/solve/varpro.h"
+#include "io/numbers.h"
 
 namespace brdf::fit {
 namespace {
@@ -14,12 +15,15 @@ constexpr std::size_t kMiddleShare = 16;   // then every 16th row, then all
 constexpr double kWidthFloor = 0.004;      // narrowest width in the grid, as a share of the widest
 constexpr std::size_t kReseats = 12;       // widths at which a lobe of a sum is tried again
 constexpr std::size_t kPolished = 6;       // minima that are solved on all rows
-constexpr double kSameCost = 1e-6, kSamePoint = 1e-3;
+constexpr double kSamePoint = 1e-3;
+constexpr double kBarrier = 1e-4;    // rise of the cost between two minima that makes them two
+constexpr double kRounding = 1e-20;  // of a cost, as a share of that of a black surface
 
 double grid_value(const Slot& slot, std::size_t k, std::size_t n) {
   const double high = slot.to_solver(slot.grid_max);
   double low = slot.low;
-  if (slot.scale == Scale::log) low = std::max(low, slot.to_solver(slot.grid_max * kWidthFloor));
+  const bool exponent = slot.role == Role::exponent || slot.role == Role::exponent_across;
+  if (slot.scale == Scale::log && !exponent) low = std::max(low, slot.to_solver(slot.grid_max * kWidthFloor));
   low = std::min(low, high);
   return n == 1 ? 0.5 * (low + high) : low + (high - low) * (double(k) + 0.5) / double(n);
 }
@@ -40,22 +44,17 @@ std::size_t points_per_dimension(std::size_t dimensions) {
 
 // Grid over the distinct shape parameters; sets of shapes per channel share a point.
 std::vector<std::vector<double>> grid_starts(const Model& model) {
-  struct Dimension {
-    std::vector<std::size_t> slots;
-  };
-  std::vector<Dimension> dimensions;
+  std::vector<std::vector<std::size_t>> dimensions;  // slots that share a value
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
-    bool found = false;
-    for (Dimension& d : dimensions) {
-      const Slot& other = model.slots()[d.slots[0]];
-      if (slot.kind == Slot::Kind::shape && other.kind == slot.kind && other.term == slot.term &&
-          other.members == slot.members) {
-        d.slots.push_back(s);
-        found = true;
-      }
-    }
-    if (!found) dimensions.push_back({{s}});
+    const auto same = [&](const std::vector<std::size_t>& d) {
+      return model.slots()[d[0]].same_parameter(slot);
+    };
+    const auto found = std::find_if(dimensions.begin(), dimensions.end(), same);
+    if (found == dimensions.end())
+      dimensions.push_back({s});
+    else
+      found->push_back(s);
   }
   const std::size_t n = points_per_dimension(dimensions.size());
   std::size_t total = 1;
@@ -64,10 +63,10 @@ std::vector<std::vector<double>> grid_starts(const Model& model) {
   for (std::size_t code = 0; code < total; ++code) {
     std::vector<double> p = model.initial();
     std::size_t rest = code;
-    for (const Dimension& d : dimensions) {
+    for (const std::vector<std::size_t>& d : dimensions) {
       const std::size_t k = rest % n;
       rest /= n;
-      for (std::size_t s : d.slots) {
+      for (std::size_t s : d) {
         const Slot& slot = model.slots()[s];
         p[s] = slot.kind == Slot::Kind::tangent ? kPi / 2 * (double(k) / double(n)) : grid_value(slot, k, n);
       }
@@ -81,7 +80,7 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
   std::vector<double> p = model.initial();
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
-    const double u = double(random() >> 11) * 0x1p-53;
+    const double u = uniform01(random);
     if (slot.kind == Slot::Kind::tangent) {
       p[s] = kPi * u;
       continue;
@@ -93,7 +92,7 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
 }
 
 // The best weights for the shapes of p under the residual linearised at the measurement.
-void start_weights(const Stream& stream, std::vector<double>& p) {
+void start_weights(const SampleStream& stream, std::vector<double>& p) {
   const Model& model = stream.model();
   const std::size_t first = model.shape_slots();
   const NormalEquations n = stream.linearised_weights(p);
@@ -114,59 +113,103 @@ void start_weights(const Stream& stream, std::vector<double>& p) {
   }
 }
 
-// Equivalent parameters, written one way: the tangent in
-// (-45, 45] degrees, the narrower of two equal lobes first.
-void canonicalise(const Model& model, Minimum& m) {
-  const auto swap_slots = [&](std::size_t a, std::size_t b) {
-    std::swap(m.p[a], m.p[b]);
-    std::swap(m.at_bound[a], m.at_bound[b]);
-  };
-  const auto shape_slot = [&](std::size_t term, std::size_t member, std::size_t group) {
+void swap_slots(Minimum& m, std::size_t a, std::size_t b) {
+  std::swap(m.p[a], m.p[b]);
+  std::swap(m.at_bound[a], m.at_bound[b]);
+}
+
+// Pairs of slots that change places where the frame turns by a right angle: the widths along and across of every
+// term. None where some are held, tied or bounded apart.
+std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& model) {
+  const auto shape_slot = [&](std::size_t term, int member, std::size_t group) {
     for (std::size_t s = 0; s < model.shape_slots(); ++s) {
       const Slot& slot = model.slots()[s];
       if (slot.kind == Slot::Kind::shape && slot.term == term && slot.group == group &&
-          slot.members[0] == member)
+          int(slot.members[0]) == member)
         return s;
     }
     return kNoSlot;
   };
-  if (const std::size_t t = model.tangent_slot(); t != kNoSlot) {
-    double turns = std::ceil((m.p[t] - kPi / 4) / (kPi / 2));
-    bool swappable = true;
-    for (std::size_t k = 0; k < model.terms().size(); ++k) {
-      const ReflectanceInfo& info = *model.terms()[k].info;
-      if (!info.anisotropic()) continue;
-      for (std::size_t g = 0; g < model.groups(); ++g)
-        swappable = swappable && shape_slot(k, std::size_t(info.shape_index("alpha_x")), g) != kNoSlot &&
-                    shape_slot(k, std::size_t(info.shape_index("alpha_y")), g) != kNoSlot;
-    }
-    if (!swappable) turns = 2 * std::round(turns / 2);
-    m.p[t] -= turns * (kPi / 2);
-    if (std::fmod(std::abs(turns), 2.0) == 1.0)
-      for (std::size_t k = 0; k < model.terms().size(); ++k) {
-        const ReflectanceInfo& info = *model.terms()[k].info;
-        if (!info.anisotropic()) continue;
-        for (std::size_t g = 0; g < model.groups(); ++g)
-          swap_slots(shape_slot(k, std::size_t(info.shape_index("alpha_x")), g),
-                     shape_slot(k, std::size_t(info.shape_index("alpha_y")), g));
-      }
-  }
-  if (model.terms().size() == 2 && model.terms()[0].form == model.terms()[1].form) {
-    std::vector<std::size_t> first, second;
-    for (std::size_t s = 0; s < model.shape_slots(); ++s)
-      if (model.slots()[s].kind == Slot::Kind::shape)
-        (model.slots()[s].term == 0 ? first : second).push_back(s);
-    if (first.empty() || first.size() != second.size()) return;
-    const bool exponent = model.slots()[first[0]].scale == Scale::log1p;
-    if ((m.p[first[0]] > m.p[second[0]]) == exponent) return;
-    for (std::size_t k = 0; k < first.size(); ++k) swap_slots(first[k], second[k]);
-    for (std::size_t c = 0; c < model.channels().size(); ++c) {
-      const LinearBlock &a = model.terms()[0].weights[c], &b = model.terms()[1].weights[c];
-      for (std::size_t u = 1; u <= std::min(a.unknowns, b.unknowns);
-           ++u)  // the second lacks kd, which is first
-        swap_slots(a.first_slot + a.unknowns - u, b.first_slot + b.unknowns - u);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t t = 0; t < model.terms().size(); ++t) {
+    const ReflectanceInfo& info = *model.terms()[t].info;
+    if (!info.anisotropic()) continue;
+    for (std::size_t g = 0; g < model.groups(); ++g) {
+      const std::size_t along = shape_slot(t, info.axes().along, g),
+                        across = shape_slot(t, info.axes().across, g);
+      if (along == kNoSlot || across == kNoSlot || !model.slots()[along].same_range(model.slots()[across]))
+        return {};
+      pairs.push_back({along, across});
     }
   }
+  return pairs;
+}
+
+// The tangent in (-45, 45] degrees, or in (-90, 90] where the widths cannot change places.
+void turn_tangent(const Model& model, Minimum& m) {
+  const std::size_t t = model.tangent_slot();
+  if (t == kNoSlot) return;
+  const auto crossed = crossed_slots(model);
+  const double turns =
+      crossed.empty() ? 2 * std::ceil((m.p[t] - kPi / 2) / kPi) : std::ceil((m.p[t] - kPi / 4) / (kPi / 2));
+  m.p[t] -= turns * (kPi / 2);
+  if (std::fmod(std::abs(turns), 2.0) == 1.0)
+    for (const auto& [along, across] : crossed) swap_slots(m, along, across);
+}
+
+// Whether both terms of a sum are the same form under the same constraints (one diffuse part apart).
+bool interchangeable(const Model& model) {
+  if (model.terms().size() != 2 || model.terms()[0].form != model.terms()[1].form) return false;
+  const TermConstraints &a = model.constraints().terms[0], &b = model.constraints().terms[1];
+  for (std::size_t k = 0; k < a.shape.size(); ++k)
+    if (!a.shape[k].same_limits(b.shape[k])) return false;
+  for (std::size_t k = 0; k < a.weights.size(); ++k) {
+    const bool stays = model.terms()[0].info->weights[k].role == Role::diffuse &&
+                       (a.weights[k].is_fixed() || b.weights[k].is_fixed());
+    if (!stays && !a.weights[k].same_limits(b.weights[k])) return false;
+  }
+  return true;
+}
+
+// The unknowns of two maps that have the same effect on the lobes, as pairs of slots.
+std::vector<std::pair<std::size_t, std::size_t>> matching_unknowns(const WeightMap& a, const WeightMap& b) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t u = 0; u < a.unknowns; ++u)
+    for (std::size_t v = 0; v < b.unknowns; ++v) {
+      bool same = true;
+      for (std::size_t l = 0; l < a.lobes; ++l)
+        same = same && a.a[l * a.unknowns + u] == b.a[l * b.unknowns + v];
+      if (same) pairs.push_back({a.first_slot + u, b.first_slot + v});
+    }
+  return pairs;
+}
+
+// The narrower of two equal lobes first.
+void order_lobes(const Model& model, Minimum& m) {
+  if (!interchangeable(model)) return;
+  std::vector<std::size_t> first, second;
+  for (std::size_t s = 0; s < model.shape_slots(); ++s)
+    if (model.slots()[s].kind == Slot::Kind::shape)
+      (model.slots()[s].term == 0 ? first : second).push_back(s);
+  if (first.empty()) return;
+  const auto has_width = [&](std::size_t s) {
+    const Role role = model.slots()[s].role;
+    return role == Role::width || role == Role::slope || role == Role::exponent;
+  };
+  const auto found = std::find_if(first.begin(), first.end(), has_width);
+  const std::size_t k = found == first.end() ? 0 : std::size_t(found - first.begin());
+  const bool exponent = model.slots()[first[k]].role == Role::exponent;
+  if ((m.p[first[k]] > m.p[second[k]]) == exponent) return;
+  for (std::size_t s = 0; s < first.size(); ++s) swap_slots(m, first[s], second[s]);
+  for (std::size_t c = 0; c < model.channels().size(); ++c)
+    for (const auto& [a, b] : matching_unknowns(model.terms()[0].weights[c], model.terms()[1].weights[c]))
+      swap_slots(m, a, b);
+}
+
+// Equivalent parameters, written one way.
+void canonicalise(const Model& model, Minimum& m) {
+  turn_tangent(model, m);
+  order_lobes(model, m);
 }
 
 bool same_point(const Model& model, const Minimum& a, const Minimum& b) {
@@ -180,13 +223,41 @@ bool same_point(const Model& model, const Minimum& a, const Minimum& b) {
   return true;
 }
 
-bool same_minimum(const Model& model, const Minimum& a, const Minimum& b) {
-  return std::abs(a.cost - b.cost) <= kSameCost * std::max(a.cost, b.cost) || same_point(model, a, b);
+// The least cost that weights can give these shapes.
+double cost_of_shapes(const SampleStream& stream, std::vector<double> p) {
+  const Model& model = stream.model();
+  const std::size_t first = model.shape_slots(), count = model.size() - first;
+  start_weights(stream, p);
+  const std::vector<double> start(p.begin() + std::ptrdiff_t(first), p.end());
+  const std::vector<double> low = model.low(), high = model.high();
+  const Objective objective = [&](std::span<const double> weights) {
+    std::copy(weights.begin(), weights.end(), p.begin() + std::ptrdiff_t(first));
+    const NormalEquations all = stream.normal_equations(p);
+    NormalEquations n{
+        Matrix(count, count), {all.gradient.begin() + std::ptrdiff_t(first), all.gradient.end()}, all.cost};
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) n.hessian(i, j) = all.hessian(first + i, first + j);
+    return n;
+  };
+  return solve(objective, start, std::span(low).subspan(first), std::span(high).subspan(first), {}).cost;
 }
 
-void add_minimum(const Model& model, Minimum m, std::vector<Minimum>& minima) {
+// Starts that end at the same cost in different places are one minimum where nothing stands between them, as on a
+// parameter that the samples do not see; else they are two answers.
+bool same_minimum(const SampleStream& stream, const Minimum& a, const Minimum& b) {
+  if (same_point(stream.model(), a, b)) return true;
+  const double higher = std::max(a.cost, b.cost);
+  if (std::abs(a.cost - b.cost) > kSameCost * higher) return false;
+  std::vector<double> middle = a.p, dark = a.p;
+  for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (a.p[k] + b.p[k]);
+  std::fill(dark.begin() + std::ptrdiff_t(stream.model().shape_slots()), dark.end(), 0.0);
+  const double rounding = kRounding * stream.normal_equations(dark).cost;
+  return !(cost_of_shapes(stream, std::move(middle)) > (1 + kBarrier) * higher + rounding);
+}
+
+void add_minimum(const SampleStream& stream, Minimum m, std::vector<Minimum>& minima) {
   for (Minimum& other : minima) {
-    if (!same_minimum(model, m, other)) continue;
+    if (!same_minimum(stream, m, other)) continue;
     const int basin = other.basin + m.basin;
     if (m.cost < other.cost) other = std::move(m);
     other.basin = basin;
@@ -199,19 +270,12 @@ void sort_minima(std::vector<Minimum>& minima) {
   std::sort(minima.begin(), minima.end(), [](const Minimum& a, const Minimum& b) { return a.cost < b.cost; });
 }
 
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  const auto middle = v.begin() + std::ptrdiff_t(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
-
 // Tuning constants of 95 % efficiency at the normal distribution.
-double robust_scale(const Stream& stream, const LossFunction& loss, std::span<const double> p) {
+double robust_scale(const SampleStream& stream, const LossFunction& loss, std::span<const double> p) {
   std::vector<double> size;
   for (const auto& channel : stream.residual_values(p))
     for (double r : channel) size.push_back(std::abs(r));
-  const double deviation = 1.4826 * median(std::move(size));
+  const double deviation = 1.4826 * io::median(std::move(size));
   return deviation * (loss.kind == LossFunction::Kind::huber ? 1.345 : 2.385);
 }
 
@@ -236,7 +300,7 @@ class Search {
     std::vector<Minimum> minima = solve_all(first, starts, coarse ? 1e-8 : 1e-12);
     if (estimated_scale_ && !minima.empty()) {
       // The scale came from crude weights: take it again from the best fit, and solve again from there.
-      const Stream stream(first, model_, residual_, options_.aperture);
+      const SampleStream stream(first, model_, residual_, options_.aperture);
       residual_.loss.scale =
           std::max(robust_scale(stream, residual_.loss, minima[0].p), 1e-3 * residual_.loss.scale);
       minima = polish(first, minima, 1e-12);
@@ -258,7 +322,7 @@ class Search {
     std::vector<std::vector<double>> starts;
     if (!options_.start.empty()) {
       std::vector<double> p = model_.initial();
-      model_.apply_start(options_.start, p);
+      model_.apply_start(p);
       starts.push_back(std::move(p));
     }
     if (model_.shape_slots() == 0) {
@@ -276,7 +340,7 @@ class Search {
     const auto kind = residual_.loss.kind;
     if (kind == LossFunction::Kind::none || residual_.loss.scale > 0) return;
     double smallest = std::numeric_limits<double>::infinity();
-    const Stream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.aperture);
     for (std::vector<double> p : starts) {
       if (options_.stop()) break;
       start_weights(stream, p);
@@ -295,7 +359,7 @@ class Search {
 
   // In a sum, one lobe can be caught by a few outliers where it keeps the other from its place. Each lobe in
   // turn is taken out and tried at every width of the grid, the others held; the best is solved again.
-  Minimum reseat_lobes(const Stream& stream, Minimum m, double tolerance) {
+  Minimum reseat_lobes(const SampleStream& stream, Minimum m, double tolerance) {
     if (model_.terms().size() < 2) return m;
     for (std::size_t s = 0; s < model_.shape_slots(); ++s) {
       const Slot& slot = model_.slots()[s];
@@ -306,13 +370,15 @@ class Search {
         std::vector<double> p = m.p;
         for (std::size_t other = 0; other < model_.shape_slots(); ++other) {
           const Slot& same = model_.slots()[other];  // the same parameter of other channels, too
-          if (same.kind == slot.kind && same.term == slot.term && same.members == slot.members)
-            p[other] = grid_value(same, k, kReseats);
+          if (same.same_parameter(slot)) p[other] = grid_value(same, k, kReseats);
         }
         start_weights(stream, p);
         ++result_.passes;
         const double cost = stream.normal_equations(p).cost;
-        if (cost < least) least = cost, best = std::move(p);
+        if (cost < least) {
+          least = cost;
+          best = std::move(p);
+        }
       }
       if (best.empty()) continue;
       Minimum other = solve_one(stream, best, tolerance);
@@ -321,7 +387,7 @@ class Search {
     return m;
   }
 
-  Minimum solve_one(const Stream& stream, std::span<const double> start, double tolerance) {
+  Minimum solve_one(const SampleStream& stream, std::span<const double> start, double tolerance) {
     Solution s = refine(stream, start, solver(tolerance));
     result_.passes += s.passes;
     result_.iterations += s.iterations;
@@ -331,7 +397,7 @@ class Search {
 
   std::vector<Minimum> solve_all(const FitData& data, const std::vector<std::vector<double>>& starts,
                                  double tolerance) {
-    const Stream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.aperture);
     std::vector<Minimum> minima;
     for (std::size_t k = 0; k < starts.size(); ++k) {
       std::vector<double> p = starts[k];
@@ -340,9 +406,9 @@ class Search {
         break;
       }
       start_weights(stream, p);
-      if (k == 0 && !options_.start.empty()) model_.apply_start_weights(options_.start, p);
+      if (k == 0 && !options_.start.empty()) model_.apply_start_weights(p);
       Minimum m = reseat_lobes(stream, solve_one(stream, p, tolerance), tolerance);
-      if (std::isfinite(m.cost)) add_minimum(model_, std::move(m), minima);
+      if (std::isfinite(m.cost)) add_minimum(stream, std::move(m), minima);
     }
     sort_minima(minima);
     return minima;
@@ -350,7 +416,7 @@ class Search {
 
   // The best few, solved again on other rows; the rest keep their place in the list with the cost they had.
   std::vector<Minimum> polish(const FitData& data, const std::vector<Minimum>& minima, double tolerance) {
-    const Stream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.aperture);
     std::vector<Minimum> out;
     for (std::size_t k = 0; k < std::min(minima.size(), kPolished); ++k) {
       if (options_.stop() && !out.empty()) {
@@ -361,7 +427,7 @@ class Search {
       if (k > 0 && minima[k].cost > 1.5 * minima[0].cost + 1e-300) break;
       Minimum m = solve_one(stream, minima[k].p, tolerance);
       m.basin = minima[k].basin;
-      add_minimum(model_, std::move(m), out);
+      add_minimum(stream, std::move(m), out);
     }
     sort_minima(out);
     return out;
@@ -377,7 +443,7 @@ class Search {
 
 }  // namespace
 
-Solution refine(const Stream& stream, std::span<const double> start, const SolveOptions& options) {
+Solution refine(const SampleStream& stream, std::span<const double> start, const SolveOptions& options) {
   const Model& model = stream.model();
   const std::vector<double> low = model.low(), high = model.high();
   const Objective objective = [&](std::span<const double> p) { return stream.normal_equations(p); };

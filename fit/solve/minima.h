@@ -3,10 +3,12 @@
 
 #include <vector>
 
+#include "fit/solve/sample_stream.h"
 #include "fit/solve/solve.h"
-#include "fit/solve/stream.h"
 
 namespace brdf::fit {
+
+inline constexpr double kSameCost = 1e-6;  // relative difference of equal costs
 
 struct Minimum {
   std::vector<double> p;
@@ -30,6 +32,6 @@ SearchResult find_minima(const FitData& data, const Model& model, const Residual
                          const FitOptions& options);
 
 // Solves from one point on all rows: for refits.
-Solution refine(const Stream& stream, std::span<const double> start, const SolveOptions& options);
+Solution refine(const SampleStream& stream, std::span<const double> start, const SolveOptions& options);
 
 }  // namespace brdf::fit

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "brdf/clones.h"
 #include "brdf/math.h"
-#include "fit/solve/clones.h"
 
 namespace brdf::fit {
 namespace {
@@ -12,8 +12,8 @@ constexpr double kE = kLogRelativeFloor;
 
 // ln((f c + u)/(g c + u)) without cancellation; linearised: its first order in f - g.
 template <bool kWithCosO, bool kLinearised>
-BRDF_FIT_CLONES void log_residuals(const ResidualBlock& b, double offset, double* __restrict r,
-                                   double* __restrict d) {
+BRDF_CLONES void log_residuals(const ResidualInputs& b, double offset, double* __restrict r,
+                               double* __restrict d) {
   for (std::size_t j = 0; j < b.rows; ++j) {
     const double c = kWithCosO ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
     const double measured = c / (b.g[j] * c + offset);
@@ -24,14 +24,14 @@ BRDF_FIT_CLONES void log_residuals(const ResidualBlock& b, double offset, double
 }
 
 template <bool kWithCosO>
-void log_residuals(const Residual& residual, const ResidualBlock& b, double offset, double* r, double* d) {
+void log_residuals(const Residual& residual, const ResidualInputs& b, double offset, double* r, double* d) {
   if (residual.linearised)
     log_residuals<kWithCosO, true>(b, offset, r, d);
   else
     log_residuals<kWithCosO, false>(b, offset, r, d);
 }
 
-void divide_by_noise(const Residual& residual, const ResidualBlock& b, double* r, double* d) {
+void divide_by_noise(const Residual& residual, const ResidualInputs& b, double* r, double* d) {
   for (std::size_t j = 0; j < b.rows; ++j) {
     const double c = residual.metric == Metric::log_relative ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
     const double offset = residual.metric == Metric::log ? 1 : kE;
@@ -45,7 +45,7 @@ void divide_by_noise(const Residual& residual, const ResidualBlock& b, double* r
 
 }  // namespace
 
-void residuals(const Residual& residual, const ResidualBlock& b, double* r, double* d) {
+void residuals(const Residual& residual, const ResidualInputs& b, double* r, double* d) {
   switch (residual.metric) {
     case Metric::log:
       log_residuals<false>(residual, b, 1, r, d);
@@ -75,7 +75,8 @@ void apply_loss(const LossFunction& loss, std::size_t rows, const double* r, dou
     const double s = r[j] * r[j];
     switch (loss.kind) {
       case LossFunction::Kind::none:
-        rho[j] = s, root_slope[j] = 1, curvature[j] = 1;
+        rho[j] = s;
+        root_slope[j] = curvature[j] = 1;
         break;
       case LossFunction::Kind::huber: {
         const double a = std::abs(r[j]);

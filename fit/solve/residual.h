@@ -21,14 +21,14 @@ struct Residual {
   bool linearised = false;
 };
 
-// One channel's block: model, measurement, cosines, square root of the weight (null: 1), sigma (null: none).
-struct ResidualBlock {
+// One channel of a block of rows: model, measurement, cosines, square root of the weight (null: 1), sigma (null: none).
+struct ResidualInputs {
   const double *f, *g, *cos_i, *cos_o, *weight, *sigma;
   std::size_t rows;
 };
 
 // r[j] and dr/df[j], weights included. With sigma, the residual is in units of its standard deviation.
-void residuals(const Residual& residual, const ResidualBlock& block, double* r, double* derivative);
+void residuals(const Residual& residual, const ResidualInputs& block, double* r, double* derivative);
 
 // rho[j] = rho(r^2); `root_slope` = sqrt(rho'(r^2)), by which residual and derivative are scaled;
 // `curvature` = d^2 (rho/2)/dr^2, which belongs into a covariance.

@@ -1,6 +1,7 @@
 #include "fit/solve/solve.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -106,6 +107,12 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   }
 }
 
+// Ceres also writes what fails to the terminal, through glog: its summary says the same.
+void silence_glog() {
+  static const int level = FLAGS_minloglevel = google::GLOG_FATAL;
+  (void)level;
+}
+
 // One run of Ceres with some parameters held.
 void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const double> low,
                std::span<const double> high, const std::vector<int>& held, const SolveOptions& options,
@@ -126,6 +133,7 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
     return;
   }
   if (!constant.empty()) problem.SetManifold(p.data(), new ceres::SubsetManifold(int(p.size()), constant));
+  silence_glog();
   ceres::Solver::Options o;
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = options.tolerance;
@@ -222,7 +230,10 @@ std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double>
       double limit = 1;
       if (target(i) < low[k]) limit = (low[k] - x[k]) / d;
       if (target(i) > high[k]) limit = (high[k] - x[k]) / d;
-      if (limit < step || (limit == step && blocked == n && limit < 1)) step = limit, blocked = k;
+      if (limit < step || (limit == step && blocked == n && limit < 1)) {
+        step = limit;
+        blocked = k;
+      }
     }
     for (Eigen::Index i = 0; i < m; ++i) {
       const std::size_t k = std::size_t(set[std::size_t(i)]);
@@ -247,7 +258,10 @@ std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double>
         size += std::abs(h(Eigen::Index(k), Eigen::Index(j)) * x[j]);
       }
       const double inward = x[k] <= low[k] ? -slope : slope;
-      if (inward > 1e-12 * size && inward > worst) worst = inward, release = k;
+      if (inward > 1e-12 * size && inward > worst) {
+        worst = inward;
+        release = k;
+      }
     }
     if (release == n) break;
     free[release] = true;

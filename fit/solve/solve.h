@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/solve/stream.h"
+#include "fit/solve/sample_stream.h"
 
 namespace brdf::fit {
 

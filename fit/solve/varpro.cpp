@@ -27,17 +27,17 @@ Unknowns unknowns_of(const Model& model, std::size_t channel) {
   u.a = RowMatrix::Zero(Eigen::Index(model.lobes()), count);
   u.b = Eigen::VectorXd::Zero(Eigen::Index(model.lobes()));
   for (const TermModel& t : model.terms()) {
-    const LinearBlock& block = t.weights[channel];
-    for (std::size_t k = 0; k < block.lobes; ++k) {
+    const WeightMap& map = t.weights[channel];
+    for (std::size_t k = 0; k < map.lobes; ++k) {
       const Eigen::Index row = Eigen::Index(t.first_lobe + k);
-      u.b(row) = block.b[k];
-      for (std::size_t j = 0; j < block.unknowns; ++j)
-        u.a(row, Eigen::Index(u.slot.size() + j)) = block.a[k * block.unknowns + j];
+      u.b(row) = map.b[k];
+      for (std::size_t j = 0; j < map.unknowns; ++j)
+        u.a(row, Eigen::Index(u.slot.size() + j)) = map.a[k * map.unknowns + j];
     }
-    for (std::size_t j = 0; j < block.unknowns; ++j) {
-      u.slot.push_back(block.first_slot + j);
-      u.low.push_back(block.low[j]);
-      u.high.push_back(block.high[j]);
+    for (std::size_t j = 0; j < map.unknowns; ++j) {
+      u.slot.push_back(map.first_slot + j);
+      u.low.push_back(map.low[j]);
+      u.high.push_back(map.high[j]);
     }
   }
   return u;
@@ -113,7 +113,7 @@ void add_channel(const Model& model, const LobeGram& g, std::size_t member, std:
 
 }  // namespace
 
-bool projects(const Stream& stream) {
+bool projects(const SampleStream& stream) {
   const Model& model = stream.model();
   if (stream.residual().metric != Metric::cosine_l2 ||
       stream.residual().loss.kind != LossFunction::Kind::none || !stream.data().sigma.empty())
@@ -123,7 +123,7 @@ bool projects(const Stream& stream) {
   return true;
 }
 
-NormalEquations project(const Stream& stream, std::vector<double>& p, double& square) {
+NormalEquations project(const SampleStream& stream, std::vector<double>& p, double& square) {
   square = 0;
   const Model& model = stream.model();
   const std::size_t shapes = model.shape_slots();
@@ -139,8 +139,8 @@ NormalEquations project(const Stream& stream, std::vector<double>& p, double& sq
   return out;
 }
 
-Solution solve_projected(const Stream& stream, std::span<const double> start, const SolveOptions& options,
-                         bool& exact) {
+Solution solve_projected(const SampleStream& stream, std::span<const double> start,
+                         const SolveOptions& options, bool& exact) {
   const std::size_t shapes = stream.model().shape_slots();
   std::vector<double> p(start.begin(), start.end());
   double square = 0;

@@ -27,6 +27,34 @@ struct LobeWeight {
   Factor factor = Factor::one;
 };
 
+// The weight whose lobes f0 divides; -1 where none is divided, -2 where more than one is.
+constexpr int weight_of_f0(std::span<const LobeWeight> lobes) {
+  int found = -1;
+  for (const LobeWeight& lobe : lobes)
+    if (lobe.factor != LobeWeight::Factor::one && found != int(lobe.weight))
+      found = found == -1 ? int(lobe.weight) : -2;
+  return found;
+}
+
+// Whether the weights can be told from the lobes' weights: each has a lobe, and where there is an f0, it divides
+// the lobes of one weight and of no other.
+constexpr bool weights_follow_from_lobes(std::span<const LobeWeight> lobes,
+                                         std::span<const ParameterInfo> weights) {
+  std::size_t f0s = 0;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    bool has[3] = {};
+    for (const LobeWeight& lobe : lobes)
+      if (lobe.weight == k) has[std::size_t(lobe.factor)] = true;
+    const int kinds = has[0] + has[1] + has[2];
+    if (weights[k].role == Role::f0)
+      ++f0s;
+    else if (kinds == 0 || (kinds == 1 && !has[std::size_t(LobeWeight::Factor::one)]))
+      return false;
+  }
+  const int divided = weight_of_f0(lobes);
+  return f0s == 0 ? divided == -1 : f0s == 1 && divided >= 0;
+}
+
 // What can be said of a reflectance without evaluating it.
 struct ReflectanceInfo {
   std::string_view name;

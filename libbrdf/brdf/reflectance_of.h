@@ -143,6 +143,8 @@ struct FormFacts {
       static_assert(found.second,
                     "linear() must give each lobe one weight, or one weight times f0 or 1 - f0: nothing else "
                     "is fitted");
+      static_assert(weights_follow_from_lobes(found.first, kWeights),
+                    "every weight needs a lobe, and f0 must divide the lobes of one weight in two ways");
       return found.first;
     } else {
       return std::array<LobeWeight, 0>{};

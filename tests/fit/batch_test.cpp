@@ -76,6 +76,20 @@ TEST_F(BatchOfFiles, OneBadFileDoesNotStopTheOthers) {
   EXPECT_GT(fs::file_size(batch_.folder / "s0.html"), 10000u);
 }
 
+TEST_F(BatchOfFiles, AnExceptionOfAnyKindEndsItAndIsThrown) {
+  batch_.progress = [](const std::string&) { throw std::runtime_error("no more"); };
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST_F(BatchOfFiles, AFileWithoutASolutionIsARowAndNoMaterial) {
+  std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,0,1e180\n10,0,30,0,2e180\n";
+  options_.metric = Metric::cosine_l2;
+  const auto rows = run();
+  EXPECT_EQ(rows[1].error, "no start gave a finite cost");
+  EXPECT_FALSE(fs::exists(batch_.folder / "s1.json"));
+  EXPECT_TRUE(fs::exists(batch_.folder / "s2.json"));
+}
+
 TEST_F(BatchOfFiles, FilesWhoseResultsWouldOverwriteEachOtherAreRefused) {
   files_.push_back(files_[0]);  // its results would be called s0.csv: the stem is taken
   EXPECT_EQ(run().back().name, "s0.csv");

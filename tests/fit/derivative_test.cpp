@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "brdf/forms.h"
-#include "fit/model/lobes.h"
+#include "fit/model/lobe_columns.h"
 #include "fit/solve/minima.h"
 #include "samples.h"
 
@@ -16,19 +16,19 @@ double worst_against_jets(F form) {
   using Jet = ceres::Jet<double, n == 0 ? 1 : n>;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform;
-  DirectionArrays<double> pairs(kBlock);
-  for (std::size_t j = 0; j < kBlock; ++j)
+  DirectionArrays<double> pairs(kBlockRows);
+  for (std::size_t j = 0; j < kBlockRows; ++j)
     pairs.set(j, direction(radians(1.4 * uniform(random)), radians(6.28 * uniform(random))),
               direction(radians(1.4 * uniform(random)), radians(6.28 * uniform(random))));
   double worst = 0;
   for (int repeat = 0; repeat < 5; ++repeat) {
     const Material m = random_material(form, random, 1, false);
-    LobeBlock block(form);
+    LobeColumns block(form);
     block.evaluate(m.terms[0].shape[0], {}, n == 0 ? Partial::none : Partial::shape, pairs.view(), {});
     std::vector<Jet> values;
     for (int k = 0; k < n; ++k) values.emplace_back(m.terms[0].shape[0][std::size_t(k)], k);
     const auto shape = from_values<typename F::template Shape<Jet>>(std::span<const Jet>(values));
-    for (std::size_t j = 0; j < kBlock; ++j) {
+    for (std::size_t j = 0; j < kBlockRows; ++j) {
       const auto d = pairs.view();
       const auto lobes = F::lobes(shape, geometry(d.wi(j), d.wo(j)));
       for (std::size_t k = 0; k < lobes.size(); ++k) {
@@ -64,7 +64,7 @@ TEST(Derivatives, OfTheCostEqualDifferences) {
       options.metric = metric;
       const FitData data = prepare(table, options);
       const Model model(forms({"oren_nayar", "cook_torrance"}), data.channels, options);
-      const Stream stream(data, model, {metric, {loss, 0.05}}, 0, 2);
+      const SampleStream stream(data, model, {metric, {loss, 0.05}}, 0);
       std::vector<double> p = model.initial();
       for (std::size_t k = 0; k < model.shape_slots(); ++k) p[k] += 0.1 * double(k);
       for (std::size_t k = model.shape_slots(); k < p.size(); ++k) p[k] = 0.2 + 0.01 * double(k);

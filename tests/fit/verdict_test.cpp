@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "fit/assess/select.h"
+#include "fit/report/html.h"
+#include "fit/report/report.h"
 #include "io/error.h"
 #include "samples.h"
 
@@ -128,6 +133,49 @@ TEST(Verdict, UnknownParametersAndImpossibleCutsAreRefused) {
   options = {};
   options.fix = {{"rho", {-1}}};
   EXPECT_THROW(fit_one(table, {"lambert"}, options), InputError);
+}
+
+TEST(Verdict, WithoutAFiniteCostNoErrorIsKnownAndNothingIsSaidOnTheTerminal) {
+  FitOptions options;
+  options.metric = Metric::cosine_l2;
+  const io::SampleTable table = constant_table(1e180);
+  testing::internal::CaptureStderr();
+  const FitResult result = fit(table, {forms({"lambert"}), forms({"ward"})}, options);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_FALSE(result.ranking.front().solved());
+  EXPECT_EQ(result.ranking.front().verdict, Verdict::diverged);
+  std::ostringstream text;
+  print(text, result, table, options);
+  EXPECT_NE(text.str().find("diverged          -             -  "), std::string::npos) << text.str();
+  const io::Json first = to_json(result, table, options)["ranking"][0];
+  for (const char* key : {"material", "median_relative_error", "bic"})
+    EXPECT_TRUE(first[key].is_null()) << key;
+  EXPECT_GT(html_report(result, table, options).size(), 1000u);
+}
+
+TEST(Verdict, AFormWithoutASolutionRanksLast) {
+  FitResult result = fit(constant_table(0.2), {forms({"ward"}), forms({"lambert"})}, {});
+  FormFit unsolved;
+  unsolved.form = "unsolved";
+  result.ranking.insert(result.ranking.begin(), unsolved);
+  rank(result);
+  EXPECT_EQ(result.ranking.back().form, "unsolved");
+  EXPECT_EQ(result.ranking[result.recommended].form, "lambert");
+}
+
+// Three values at one pair of directions: their mean, known with two degrees of freedom.
+TEST(Verdict, IntervalsOfFewValuesAreStudents) {
+  io::SampleTable table;
+  table.channels = {"f"};
+  table.values = {{0.1, 0.2, 0.3}};
+  table.sigma.resize(1);
+  for (int k = 0; k < 3; ++k) table.add_directions(20, 180, 40, 0);
+  FitOptions options;
+  options.metric = Metric::cosine_l2;
+  options.cross_validation = false;
+  const Estimate rho = fit_one(table, {"lambert"}, options).estimates.front();
+  ASSERT_EQ(rho.status, Status::free);
+  EXPECT_NEAR((rho.high - rho.value) / rho.standard_error, 4.302652729911275, 1e-9);
 }
 
 TEST(Verdict, AnInterruptedFitReturnsItsBestAndSaysSo) {

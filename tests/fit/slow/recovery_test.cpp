@@ -36,7 +36,7 @@ std::vector<double> relative_conditions(const Material& truth, const io::SampleT
     if (schlick) w = {w[0], w[1] * w[2], w[1] * (1 - w[2])};
     std::copy(w.begin(), w.end(), p.begin() + std::ptrdiff_t(model.terms()[0].weights[c].first_slot));
   }
-  const NormalEquations n = Stream(data, model, {}, 0).normal_equations(p);
+  const NormalEquations n = SampleStream(data, model, {}, 0).normal_equations(p);
   const Eigen::Index size = Eigen::Index(p.size());
   Eigen::MatrixXd h = Eigen::Map<const Eigen::MatrixXd>(n.hessian.a.data(), size, size);
   Eigen::VectorXd scale(size);

@@ -44,7 +44,7 @@ TEST_P(Coverage, OfNominal95IntervalsIs92To98Percent) {
   for (int k = 0; k < kReplicates; ++k) {
     for (std::size_t j = 0; j < clean.size(); ++j)
       data.values[0][j] = clean[j] * std::exp(0.05 * normal(random) - 0.00125);
-    const Stream stream(data, model, {}, 0);
+    const SampleStream stream(data, model, {}, 0);
     SolveOptions solver;
     const Solution s = refine(stream, start, solver);
     ASSERT_EQ(s.termination, Termination::converged);

@@ -1,41 +1,37 @@
-#include "fit/model/lobes.h"
+#include "fit/model/lobe_columns.h"
 
 #include <algorithm>
 
 namespace brdf::fit {
 
-std::size_t lobe_count_of(const Reflectance& form) {
-  return info(form).lobes.size();
-}
-
-LobeBlock::LobeBlock(const Reflectance& form)
+LobeColumns::LobeColumns(const Reflectance& form)
     : form_(form),
-      lobes_(lobe_count_of(form)),
+      lobes_(info(form).lobes.size()),
       shape_parameters_(info(form).shape.size()),
-      rows_(lobes_ * (2 + shape_parameters_) * kBlock),
-      turned_(kBlock),
-      displaced_(kBlock) {}
+      rows_(lobes_ * (2 + shape_parameters_) * kBlockRows),
+      turned_(kBlockRows),
+      displaced_(kBlockRows) {}
 
-void LobeBlock::evaluate_point(std::span<const double> shape, Angle tangent_phi, Partial partial,
-                               const Directions<double>& directions, double* out) {
+void LobeColumns::evaluate_point(std::span<const double> shape, Angle tangent_phi, Partial partial,
+                                 const Directions<double>& directions, double* out) {
   if (tangent_phi == Angle{}) {
-    form_->lobes(shape, partial, directions, {out, kBlock});
+    form_->lobes(shape, partial, directions, {out, kBlockRows});
     return;
   }
   turn_batch(directions, tangent_phi, turned_);
   Directions<double> turned = turned_.view();
   turned.count = directions.count;
-  form_->lobes(shape, partial, turned, {out, kBlock});
+  form_->lobes(shape, partial, turned, {out, kBlockRows});
 }
 
-void LobeBlock::evaluate(std::span<const double> shape, Angle tangent_phi, Partial partial,
-                         const Directions<double>& directions, std::span<const ApertureNode> detector) {
+void LobeColumns::evaluate(std::span<const double> shape, Angle tangent_phi, Partial partial,
+                           const Directions<double>& directions, std::span<const ApertureNode> detector) {
   derivatives_ = partial == Partial::none ? 0 : shape_parameters_ + (partial == Partial::shape_and_phi);
   if (detector.empty()) {
     evaluate_point(shape, tangent_phi, partial, directions, rows_.data());
     return;
   }
-  const std::size_t used = lobes_ * (1 + derivatives_) * kBlock;
+  const std::size_t used = lobes_ * (1 + derivatives_) * kBlockRows;
   one_node_.resize(rows_.size());
   std::fill(rows_.begin(), rows_.begin() + std::ptrdiff_t(used), 0.0);
   for (const ApertureNode& node : detector) {

@@ -1,6 +1,6 @@
-#include "fit/solve/block.h"
+#include "fit/solve/columns.h"
 
-#include "fit/solve/clones.h"
+#include "brdf/clones.h"
 
 namespace brdf::fit {
 namespace {
@@ -17,26 +17,26 @@ inline const Lanes* lanes(const double* column) {
 
 }  // namespace
 
-BRDF_FIT_CLONES void mix(std::size_t columns, const double* const* column, const double* w,
-                         double* __restrict out) {
-  for (std::size_t j = 0; j < kBlock; ++j) out[j] = w[0] * column[0][j];
+BRDF_CLONES void mix(std::size_t columns, const double* const* column, const double* w,
+                     double* __restrict out) {
+  for (std::size_t j = 0; j < kBlockRows; ++j) out[j] = w[0] * column[0][j];
   for (std::size_t k = 1; k < columns; ++k) {
     const double* x = column[k];
     const double s = w[k];
-    for (std::size_t j = 0; j < kBlock; ++j) out[j] += s * x[j];
+    for (std::size_t j = 0; j < kBlockRows; ++j) out[j] += s * x[j];
   }
 }
 
-BRDF_FIT_CLONES void add(const double* a, double* __restrict out) {
-  for (std::size_t j = 0; j < kBlock; ++j) out[j] += a[j];
+BRDF_CLONES void add(const double* a, double* __restrict out) {
+  for (std::size_t j = 0; j < kBlockRows; ++j) out[j] += a[j];
 }
 
-BRDF_FIT_CLONES void multiply(const double* a, const double* b, double* __restrict out) {
-  for (std::size_t j = 0; j < kBlock; ++j) out[j] = a[j] * b[j];
+BRDF_CLONES void multiply(const double* a, const double* b, double* __restrict out) {
+  for (std::size_t j = 0; j < kBlockRows; ++j) out[j] = a[j] * b[j];
 }
 
-BRDF_FIT_CLONES void add_gram(std::size_t m, const double* const* a, std::size_t n, const double* const* b,
-                              bool symmetric, double* h) {
+BRDF_CLONES void add_gram(std::size_t m, const double* const* a, std::size_t n, const double* const* b,
+                          bool symmetric, double* h) {
   // Four columns at a time: one load of the row's column serves four products.
   for (std::size_t i = 0; i < m; ++i) {
     const Lanes* x = lanes(a[i]);
@@ -45,7 +45,7 @@ BRDF_FIT_CLONES void add_gram(std::size_t m, const double* const* a, std::size_t
       const Lanes* y[4];
       for (std::size_t k = 0; k < 4; ++k) y[k] = lanes(b[j + (k < count ? k : 0)]);
       Lanes s0{}, s1{}, s2{}, s3{};
-      for (std::size_t t = 0; t < kBlock / kLanes; ++t) {
+      for (std::size_t t = 0; t < kBlockRows / kLanes; ++t) {
         const Lanes v = x[t];
         s0 += v * y[0][t];
         s1 += v * y[1][t];

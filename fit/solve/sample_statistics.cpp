@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/solve/stream_block.h"
+#include "fit/solve/workspace.h"
 
 namespace brdf::fit {
 namespace {
@@ -19,7 +19,7 @@ double leverage(const Matrix& inverse, const std::vector<double*>& columns, std:
 
 }  // namespace
 
-ScoreMatrices Stream::scores(std::span<const double> p, const Matrix* inverse) const {
+ScoreMatrices SampleStream::scores(std::span<const double> p, const Matrix* inverse) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
   const std::size_t size = model_.size();
   ScoreMatrices out{Matrix(size, size), Matrix(size, size)};
@@ -35,17 +35,17 @@ ScoreMatrices Stream::scores(std::span<const double> p, const Matrix* inverse) c
     if (inverse) column_inverse.push_back(of_columns(map.back(), *inverse));
   }
   Workspace w(model_);
-  std::vector<double> curved(columns * kBlock);
+  std::vector<double> curved(columns * kBlockRows);
   std::vector<double*> curved_columns;
-  for (std::size_t k = 0; k < columns; ++k) curved_columns.push_back(&curved[k * kBlock]);
-  for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
-    const std::size_t rows = std::min(kBlock, data_.rows() - first);
-    for (double* column : w.scores) std::fill(column, column + kBlock, 0.0);
-    std::fill(w.slope + rows, w.slope + kBlock, 0.0);
+  for (std::size_t k = 0; k < columns; ++k) curved_columns.push_back(&curved[k * kBlockRows]);
+  for (std::size_t first = 0; first < data_.rows(); first += kBlockRows) {
+    const std::size_t rows = std::min(kBlockRows, data_.rows() - first);
+    for (double* column : w.scores) std::fill(column, column + kBlockRows, 0.0);
+    std::fill(w.slope + rows, w.slope + kBlockRows, 0.0);
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
       mix(model_.lobes(), w.lobes.data(), &weights(c, 0), w.f);
-      residuals(residual_, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
+      residuals(residual_, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
       fill_jacobian(&weights(c, 0), w);
       if (inverse)
@@ -57,7 +57,7 @@ ScoreMatrices Stream::scores(std::span<const double> p, const Matrix* inverse) c
           const double score = w.scaled[k][j] * w.r[j] * w.root[j] * w.root[j];
           for (const Contribution& x : map[c][k]) w.scores[x.slot][j] += x.factor * score;
         }
-        std::fill(curved_columns[k] + rows, curved_columns[k] + kBlock, 0.0);
+        std::fill(curved_columns[k] + rows, curved_columns[k] + kBlockRows, 0.0);
       }
       add_gram(columns, curved_columns.data(), columns, w.scaled.data(), true, raw[c].a.data());
     }
@@ -69,8 +69,8 @@ ScoreMatrices Stream::scores(std::span<const double> p, const Matrix* inverse) c
   return out;
 }
 
-std::vector<double> Stream::freedom(std::span<const double> p,
-                                    const std::vector<std::vector<double>>& v) const {
+std::vector<double> SampleStream::freedom(std::span<const double> p,
+                                          const std::vector<std::vector<double>>& v) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
   std::vector<double> square(v.size(), 0), fourth(v.size(), 0), weights(model_.lobes());
   Workspace w(model_);
@@ -82,11 +82,11 @@ std::vector<double> Stream::freedom(std::span<const double> p,
     for (std::size_t i = 0; i < v.size(); ++i)
       for (std::size_t k = 0; k < columns; ++k)
         for (const Contribution& x : map[k]) by_column(i, k) += x.factor * v[i][x.slot];
-    for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
-      const std::size_t rows = std::min(kBlock, data_.rows() - first);
+    for (std::size_t first = 0; first < data_.rows(); first += kBlockRows) {
+      const std::size_t rows = std::min(kBlockRows, data_.rows() - first);
       fill_lobes(group_shapes, first, rows, w);
       mix(model_.lobes(), w.lobes.data(), weights.data(), w.f);
-      residuals(residual_, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
+      residuals(residual_, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
       fill_jacobian(weights.data(), w);
       for (std::size_t j = 0; j < rows; ++j) {

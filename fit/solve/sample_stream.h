@@ -1,4 +1,4 @@
-// One pass over the samples, block by block: normal equations without ever storing a Jacobian.
+// Passes over the samples, a block of rows at a time: normal equations without ever storing a Jacobian.
 #pragma once
 
 #include <memory>
@@ -35,11 +35,10 @@ struct LobeGram {
   std::vector<double> square;              // [channel]: of the measurement
 };
 
-class Stream {
+class SampleStream {
  public:
   // `aperture`: full width of the detector's field in degrees, 0 for none.
-  Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
-         unsigned threads = 1);
+  SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture);
 
   const FitData& data() const { return data_; }
   const Model& model() const { return model_; }
@@ -74,7 +73,6 @@ class Stream {
   const Model& model_;
   Residual residual_;
   std::vector<ApertureNode> detector_;  // empty: readings are of one direction
-  unsigned threads_;
 };
 
 }  // namespace brdf::fit

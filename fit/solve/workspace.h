@@ -1,39 +1,39 @@
-// What the passes over the samples share: the columns of one block, and where each column's sums go.
+// What the passes over the samples share: the columns of a block of rows, and where each column's sums go.
 #pragma once
 
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "fit/solve/block.h"
-#include "fit/solve/stream.h"
+#include "fit/solve/columns.h"
+#include "fit/solve/sample_stream.h"
 
 namespace brdf::fit {
 
 // The shapes of one group at the current parameters, ready to be evaluated.
-struct Stream::Shapes {
+struct SampleStream::Shapes {
   std::vector<std::vector<double>> shape;  // [term]
   Angle tangent_phi{};
   bool derivatives = true;
 };
 
 // Columns of one block. Entries beyond the last row stay 0 in `slope`, which every sum is multiplied by.
-struct Stream::Workspace {
+struct SampleStream::Workspace {
   explicit Workspace(const Model& model)
       : lobes(model.lobes()), derivatives(model.partials()), scaled(model.lobes() + model.partials() + 1) {
     for (const TermModel& t : model.terms()) {
-      blocks.emplace_back(t.form);
+      terms.emplace_back(t.form);
       for (std::size_t q = 0; q < t.partials; ++q) derivatives[t.first_partial + q].resize(t.lobes);
     }
-    storage.resize((scaled.size() + 7 + model.size()) * kBlock);
+    storage.resize((scaled.size() + 7 + model.size()) * kBlockRows);
     double* next = storage.data();
-    const auto take = [&] { return std::exchange(next, next + kBlock); };
+    const auto take = [&] { return std::exchange(next, next + kBlockRows); };
     for (double*& column : scaled) column = take();
     for (double** column : {&f, &r, &slope, &rho, &root, &curvature, &mixed}) *column = take();
     for (std::size_t k = 0; k < model.size(); ++k) scores.push_back(take());
   }
 
-  std::vector<LobeBlock> blocks;                  // [term]
+  std::vector<LobeColumns> terms;
   std::vector<double*> lobes;                     // of all terms
   std::vector<std::vector<double*>> derivatives;  // [partial][lobe of its term]
   std::vector<double> storage;
@@ -57,7 +57,7 @@ void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out);
 // The matrix of the solver's parameters as seen by one channel's columns.
 Matrix of_columns(const Contributions& map, const Matrix& m);
 
-ResidualBlock residual_block(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
-                             const double* f);
+ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
+                               const double* f);
 
 }  // namespace brdf::fit

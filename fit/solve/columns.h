@@ -1,9 +1,9 @@
-// Vectorised loops over the columns of one block.
+// Vectorised loops over columns: arrays of kBlockRows values, one for each row of a block.
 #pragma once
 
 #include <cstddef>
 
-#include "fit/model/lobes.h"
+#include "fit/model/lobe_columns.h"
 
 namespace brdf::fit {
 
@@ -13,7 +13,7 @@ void mix(std::size_t columns, const double* const* column, const double* w, doub
 void add(const double* a, double* out);
 // out[j] = a[j] b[j]
 void multiply(const double* a, const double* b, double* out);
-// h[i * n + j] += a[i] . b[j], columns of kBlock entries. Symmetric: only j >= i, for a and b of m = n.
+// h[i * n + j] += a[i] . b[j], columns of kBlockRows entries. Symmetric: only j >= i, for a and b of m = n.
 void add_gram(std::size_t m, const double* const* a, std::size_t n, const double* const* b, bool symmetric,
               double* h);
 

@@ -1,10 +1,9 @@
-#include "fit/solve/stream.h"
+#include "fit/solve/sample_stream.h"
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
-#include "fit/solve/stream_block.h"
+#include "fit/solve/workspace.h"
 
 namespace brdf::fit {
 
@@ -13,11 +12,11 @@ Contributions contributions(const Model& model, std::span<const double> p, std::
   Contributions out(model.lobes() + model.partials());
   const std::size_t group = model.group_of(channel);
   for (const TermModel& term : model.terms()) {
-    const LinearBlock& block = term.weights[channel];
-    for (std::size_t k = 0; k < block.lobes; ++k)
-      for (std::size_t u = 0; u < block.unknowns; ++u)
-        if (const double a = block.a[k * block.unknowns + u]; a != 0)
-          out[term.first_lobe + k].push_back({block.first_slot + u, a});
+    const WeightMap& map = term.weights[channel];
+    for (std::size_t k = 0; k < map.lobes; ++k)
+      for (std::size_t u = 0; u < map.unknowns; ++u)
+        if (const double a = map.a[k * map.unknowns + u]; a != 0)
+          out[term.first_lobe + k].push_back({map.first_slot + u, a});
   }
   for (std::size_t q = 0; q < model.partials(); ++q) {
     const std::size_t slot = model.slot_of_partial(q, group);
@@ -45,8 +44,8 @@ Matrix of_columns(const Contributions& map, const Matrix& m) {
   return out;
 }
 
-ResidualBlock residual_block(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
-                             const double* f) {
+ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
+                               const double* f) {
   return {f,
           &data.values[channel][first],
           &data.wi_z[first],
@@ -56,13 +55,13 @@ ResidualBlock residual_block(const FitData& data, std::size_t channel, std::size
           rows};
 }
 
-Stream::Stream(const FitData& data, const Model& model, const Residual& residual, double aperture,
-               unsigned threads)
-    : data_(data), model_(model), residual_(residual), threads_(threads) {
+SampleStream::SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture)
+    : data_(data), model_(model), residual_(residual) {
   if (aperture > 0) detector_ = aperture_nodes(degrees(aperture), kFitRings);
 }
 
-Stream::Shapes Stream::shapes(std::span<const double> p, std::size_t group, bool derivatives) const {
+SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t group,
+                                          bool derivatives) const {
   Shapes s;
   for (std::size_t t = 0; t < model_.terms().size(); ++t) s.shape.push_back(model_.shape(p, t, group));
   s.tangent_phi = model_.tangent_phi(p);
@@ -75,18 +74,18 @@ Stream::Shapes Stream::shapes(std::span<const double> p, std::size_t group, bool
   return s;
 }
 
-void Stream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
+void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
   const Directions<double> directions = data_.directions(first, rows);
   for (std::size_t t = 0; t < model_.terms().size(); ++t) {
     const TermModel& term = model_.terms()[t];
-    LobeBlock& block = w.blocks[t];
+    LobeColumns& columns = w.terms[t];
     const bool derivatives = shapes.derivatives && term.partials > 0;
     const Partial partial = !derivatives                ? Partial::none
                             : term.tangent_partial >= 0 ? Partial::shape_and_phi
                                                         : Partial::shape;
-    block.evaluate(shapes.shape[t], shapes.tangent_phi, partial, directions, detector_);
+    columns.evaluate(shapes.shape[t], shapes.tangent_phi, partial, directions, detector_);
     for (std::size_t k = 0; k < term.lobes; ++k) {
-      w.lobes[term.first_lobe + k] = block.lobe(k);
+      w.lobes[term.first_lobe + k] = columns.lobe(k);
       if (!derivatives) continue;
       std::vector<bool> taken(term.partials, false);
       for (std::size_t m = 0; m < term.partial.size(); ++m) {
@@ -94,20 +93,20 @@ void Stream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t row
         const std::size_t q = std::size_t(term.partial[m]);
         double*& column = w.derivatives[term.first_partial + q][k];
         if (taken[q])  // tied parameters move together: their derivatives add
-          add(block.derivative(k, m), column);
+          add(columns.derivative(k, m), column);
         else
-          column = block.derivative(k, m);
+          column = columns.derivative(k, m);
         taken[q] = true;
       }
       if (term.tangent_partial >= 0)
         w.derivatives[term.first_partial + std::size_t(term.tangent_partial)][k] =
-            block.derivative(k, term.partial.size());
+            columns.derivative(k, term.partial.size());
     }
   }
 }
 
 // Derivatives of one channel's residuals by its lobes' weights and by the shapes, before the scales.
-void Stream::fill_jacobian(const double* weights, Workspace& w) const {
+void SampleStream::fill_jacobian(const double* weights, Workspace& w) const {
   for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
   for (const TermModel& term : model_.terms())
     for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
@@ -116,49 +115,37 @@ void Stream::fill_jacobian(const double* weights, Workspace& w) const {
     }
 }
 
-// visit(thread, first, rows): every thread takes a contiguous run of blocks.
+// visit(first, rows) for every block.
 template <class Visit>
-void Stream::for_each_block(Visit&& visit) const {
-  const std::size_t blocks = (data_.rows() + kBlock - 1) / kBlock;
-  const auto run = [&](unsigned thread) {
-    for (std::size_t b = blocks * thread / threads_; b < blocks * (thread + 1) / threads_; ++b)
-      visit(thread, b * kBlock, std::min(kBlock, data_.rows() - b * kBlock));
-  };
-  std::vector<std::thread> others;
-  for (unsigned t = 1; t < threads_; ++t) others.emplace_back(run, t);
-  run(0);
-  for (std::thread& t : others) t.join();
+void SampleStream::for_each_block(Visit&& visit) const {
+  for (std::size_t first = 0; first < data_.rows(); first += kBlockRows)
+    visit(first, std::min(kBlockRows, data_.rows() - first));
 }
 
-NormalEquations Stream::accumulate(std::span<const double> p, const Residual& residual,
-                                   bool derivatives) const {
+NormalEquations SampleStream::accumulate(std::span<const double> p, const Residual& residual,
+                                         bool derivatives) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials() + 1;
-  struct Partial {
-    Workspace w;
-    std::vector<Matrix> raw;
-    double cost = 0;
-  };
-  std::vector<Partial> parts;
-  for (unsigned t = 0; t < threads_; ++t)
-    parts.push_back({Workspace(model_), std::vector<Matrix>(channels, Matrix(columns, columns))});
+  const bool robust = residual.loss.kind != LossFunction::Kind::none && !residual.linearised;
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, derivatives));
   Matrix weights(channels, model_.lobes());
   for (std::size_t c = 0; c < channels; ++c)
     model_.lobe_weights(p, c, std::span(&weights(c, 0), model_.lobes()));
 
-  for_each_block([&](unsigned thread, std::size_t first, std::size_t rows) {
-    Workspace& w = parts[thread].w;
-    std::fill(w.slope + rows, w.slope + kBlock, 0.0);
-    std::fill(w.r + rows, w.r + kBlock, 0.0);
+  Workspace w(model_);
+  std::vector<Matrix> raw(channels, Matrix(columns, columns));
+  double robust_sum = 0;
+  for_each_block([&](std::size_t first, std::size_t rows) {
+    std::fill(w.slope + rows, w.slope + kBlockRows, 0.0);
+    std::fill(w.r + rows, w.r + kBlockRows, 0.0);
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
       mix(model_.lobes(), w.lobes.data(), &weights(c, 0), w.f);
-      residuals(residual, residual_block(data_, c, first, rows, w.f), w.r, w.slope);
-      if (residual.loss.kind != LossFunction::Kind::none && !residual.linearised) {
+      residuals(residual, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
+      if (robust) {
         apply_loss(residual.loss, rows, w.r, w.rho, w.root, w.curvature);
         for (std::size_t j = 0; j < rows; ++j) {
-          parts[thread].cost += w.rho[j];
+          robust_sum += w.rho[j];
           w.r[j] *= w.root[j];
           w.slope[j] *= w.root[j];
         }
@@ -167,8 +154,8 @@ NormalEquations Stream::accumulate(std::span<const double> p, const Residual& re
         fill_jacobian(&weights(c, 0), w);
       else
         for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
-      std::copy(w.r, w.r + kBlock, w.scaled.back());
-      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, parts[thread].raw[c].a.data());
+      std::copy(w.r, w.r + kBlockRows, w.scaled.back());
+      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, raw[c].a.data());
     }
   });
 
@@ -177,28 +164,21 @@ NormalEquations Stream::accumulate(std::span<const double> p, const Residual& re
   out.gradient.assign(model_.size(), 0);
   double sum = 0;
   for (std::size_t c = 0; c < channels; ++c) {
-    Matrix& raw = parts[0].raw[c];
-    for (unsigned t = 1; t < threads_; ++t)
-      for (std::size_t k = 0; k < raw.a.size(); ++k) raw.a[k] += parts[t].raw[c].a[k];
     const Contributions map = contributions(model_, p, c);
-    add_mapped(map, raw, out.hessian);
+    add_mapped(map, raw[c], out.hessian);
     for (std::size_t i = 0; i < map.size(); ++i)
-      for (const Contribution& x : map[i]) out.gradient[x.slot] += x.factor * raw(i, columns - 1);
-    sum += raw(columns - 1, columns - 1);
+      for (const Contribution& x : map[i]) out.gradient[x.slot] += x.factor * raw[c](i, columns - 1);
+    sum += raw[c](columns - 1, columns - 1);
   }
-  if (residual.loss.kind != LossFunction::Kind::none && !residual.linearised) {
-    sum = 0;
-    for (const Partial& part : parts) sum += part.cost;
-  }
-  out.cost = 0.5 * sum;
+  out.cost = 0.5 * (robust ? robust_sum : sum);
   return out;
 }
 
-NormalEquations Stream::normal_equations(std::span<const double> p) const {
+NormalEquations SampleStream::normal_equations(std::span<const double> p) const {
   return accumulate(p, residual_, true);
 }
 
-NormalEquations Stream::linearised_weights(std::span<const double> p) const {
+NormalEquations SampleStream::linearised_weights(std::span<const double> p) const {
   std::vector<double> q(p.begin(), p.end());
   std::fill(q.begin() + std::ptrdiff_t(model_.shape_slots()), q.end(), 0.0);
   Residual linear = residual_;
@@ -206,7 +186,7 @@ NormalEquations Stream::linearised_weights(std::span<const double> p) const {
   return accumulate(q, linear, false);
 }
 
-LobeGram Stream::lobe_gram(std::span<const double> p, std::size_t group) const {
+LobeGram SampleStream::lobe_gram(std::span<const double> p, std::size_t group) const {
   const std::size_t channels = data_.channels.size();
   LobeGram out;
   out.lobes = model_.lobes();
@@ -216,90 +196,71 @@ LobeGram Stream::lobe_gram(std::span<const double> p, std::size_t group) const {
   for (const TermModel& term : model_.terms()) out.derivatives += term.partials * term.lobes;
   const std::size_t columns = out.lobes + out.derivatives, all = columns + members.size();
   const Shapes group_shapes = shapes(p, group, true);
-  struct Partial {
-    Workspace w;
-    std::vector<double> scaled;
-    std::vector<double*> column;
-    Matrix gram, square;
-  };
-  std::vector<Partial> parts;
-  for (unsigned t = 0; t < threads_; ++t) {
-    parts.push_back({Workspace(model_),
-                     std::vector<double>(all * kBlock),
-                     {},
-                     Matrix(columns, all),
-                     Matrix(members.size(), 1)});
-    for (std::size_t k = 0; k < all; ++k) parts[t].column.push_back(&parts[t].scaled[k * kBlock]);
-  }
-  for_each_block([&](unsigned thread, std::size_t first, std::size_t rows) {
-    Partial& part = parts[thread];
-    Workspace& w = part.w;
+  Workspace w(model_);
+  std::vector<double> scaled(all * kBlockRows);
+  std::vector<double*> column;
+  for (std::size_t k = 0; k < all; ++k) column.push_back(&scaled[k * kBlockRows]);
+  Matrix products(columns, all);
+  out.square.assign(members.size(), 0);
+  for_each_block([&](std::size_t first, std::size_t rows) {
     fill_lobes(group_shapes, first, rows, w);
-    for (std::size_t j = 0; j < kBlock; ++j) w.slope[j] = j < rows ? data_.wi_z[first + j] : 0.0;
+    for (std::size_t j = 0; j < kBlockRows; ++j) w.slope[j] = j < rows ? data_.wi_z[first + j] : 0.0;
     if (!data_.weight.empty())
       for (std::size_t j = 0; j < rows; ++j) w.slope[j] *= std::sqrt(data_.weight[first + j]);
     std::size_t next = 0;
-    for (double* lobe : w.lobes) multiply(lobe, w.slope, part.column[next++]);
+    for (double* lobe : w.lobes) multiply(lobe, w.slope, column[next++]);
     for (const auto& partial : w.derivatives)
-      for (double* column : partial) multiply(column, w.slope, part.column[next++]);
+      for (double* derivative : partial) multiply(derivative, w.slope, column[next++]);
     for (std::size_t m = 0; m < members.size(); ++m) {
       const double* y = &data_.values[members[m]][first];
-      double* column = part.column[next++];
+      double* out_column = column[next++];
       double square = 0;
       for (std::size_t j = 0; j < rows; ++j) {
-        column[j] = y[j] * w.slope[j];
-        square += column[j] * column[j];
+        out_column[j] = y[j] * w.slope[j];
+        square += out_column[j] * out_column[j];
       }
-      std::fill(column + rows, column + kBlock, 0.0);
-      part.square(m, 0) += square;
+      std::fill(out_column + rows, out_column + kBlockRows, 0.0);
+      out.square[m] += square;
     }
     // Only j >= i counts for the lobes; measurements stand to their right, so every product is there.
-    add_gram(columns, part.column.data(), all, part.column.data(), true, part.gram.a.data());
+    add_gram(columns, column.data(), all, column.data(), true, products.a.data());
   });
   out.gram = Matrix(columns, columns);
   out.cross = Matrix(members.size(), columns);
-  out.square.assign(members.size(), 0);
-  for (const Partial& part : parts) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      for (std::size_t j = i; j < columns; ++j) out.gram(i, j) += part.gram(i, j);
-      for (std::size_t m = 0; m < members.size(); ++m) out.cross(m, i) += part.gram(i, columns + m);
-    }
-    for (std::size_t m = 0; m < members.size(); ++m) out.square[m] += part.square(m, 0);
+  for (std::size_t i = 0; i < columns; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) out.gram(i, j) = products(std::min(i, j), std::max(i, j));
+    for (std::size_t m = 0; m < members.size(); ++m) out.cross(m, i) = products(i, columns + m);
   }
-  for (std::size_t i = 0; i < columns; ++i)
-    for (std::size_t j = 0; j < i; ++j) out.gram(i, j) = out.gram(j, i);
   return out;
 }
 
-std::vector<std::vector<double>> Stream::values(std::span<const double> p) const {
+std::vector<std::vector<double>> SampleStream::values(std::span<const double> p) const {
   const std::size_t channels = data_.channels.size();
   std::vector out(channels, std::vector<double>(data_.rows()));
   Workspace w(model_);
   std::vector<double> weights(model_.lobes());
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, false));
-  for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
-    const std::size_t rows = std::min(kBlock, data_.rows() - first);
+  for_each_block([&](std::size_t first, std::size_t rows) {
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
       model_.lobe_weights(p, c, weights);
       mix(model_.lobes(), w.lobes.data(), weights.data(), w.f);
       std::copy(w.f, w.f + rows, out[c].begin() + std::ptrdiff_t(first));
     }
-  }
+  });
   return out;
 }
 
-std::vector<std::vector<double>> Stream::residual_values(std::span<const double> p) const {
+std::vector<std::vector<double>> SampleStream::residual_values(std::span<const double> p) const {
   std::vector<std::vector<double>> out = values(p);
-  std::vector<double> r(kBlock), slope(kBlock);
-  for (std::size_t first = 0; first < data_.rows(); first += kBlock) {
-    const std::size_t rows = std::min(kBlock, data_.rows() - first);
+  std::vector<double> r(kBlockRows), slope(kBlockRows);
+  for_each_block([&](std::size_t first, std::size_t rows) {
     for (std::size_t c = 0; c < out.size(); ++c) {
-      residuals(residual_, residual_block(data_, c, first, rows, &out[c][first]), r.data(), slope.data());
+      residuals(residual_, residual_inputs(data_, c, first, rows, &out[c][first]), r.data(), slope.data());
       std::copy(r.begin(), r.begin() + std::ptrdiff_t(rows), out[c].begin() + std::ptrdiff_t(first));
     }
-  }
+  });
   return out;
 }
 

@@ -1,0 +1,174 @@
+#include "fit/model/constraints.h"
+
+#include <algorithm>
+#include <set>
+
+#include "io/error.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+// One option, --fix for example, as it is applied to all that it names.
+struct Given {
+  std::string option, name;
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw InputError(option + " " + name + ": " + reason);
+  }
+  void check_range(double value, double low, double high) const {
+    if (!(value >= low && value <= high))
+      refuse(io::to_text(value) + " is outside " + io::to_text(low) + " to " + io::to_text(high));
+  }
+};
+
+// A parameter that a name stands for.
+struct Target {
+  Constraint* constraint;
+  const ParameterInfo* info;
+  bool per_channel;  // may differ between channels
+};
+
+bool all_diffuse(const ReflectanceInfo& info) {
+  return std::all_of(info.weights.begin(), info.weights.end(),
+                     [](const ParameterInfo& p) { return p.role == Role::diffuse; });
+}
+
+class Resolver {
+ public:
+  Resolver(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options)
+      : forms_(forms), channels_(channels), options_(options) {
+    for (const Reflectance& form : forms) add_term(form.info());
+    out_.tangent.low = kTangentInfo.min;
+    out_.tangent.high = kTangentInfo.max;
+    if (!options.anisotropic) out_.tangent.idle = "has an effect only with --anisotropic";
+  }
+
+  Constraints run() {
+    for (const NamedValues& fix : options_.fix) apply({"--fix", fix.name}, fix);
+    said_.clear();
+    keep_one_diffuse_part();
+    for (const NamedRange& bounds : options_.bounds) apply({"--bounds", bounds.name}, bounds);
+    said_.clear();
+    for (const NamedValues& start : options_.start) apply({"--start", start.name}, start);
+    return std::move(out_);
+  }
+
+ private:
+  void add_term(const ReflectanceInfo& info) {
+    TermConstraints term;
+    for (const ParameterInfo& p : info.shape) term.shape.push_back({{}, {}, p.min, p.max, {}});
+    for (const ParameterInfo& p : info.weights) term.weights.push_back({{}, {}, p.min, p.max, {}});
+    if (info.anisotropic() && !options_.anisotropic)
+      term.shape[std::size_t(info.axes().across)].idle =
+          "has an effect only with --anisotropic: without it, it equals " +
+          std::string(info.shape[std::size_t(info.axes().along)].name);
+    out_.terms.push_back(std::move(term));
+  }
+
+  // Two diffuse terms of a sum would be collinear: that of a form which is nothing else stays, else the first.
+  void keep_one_diffuse_part() {
+    for (std::size_t t = 0; t < forms_.size(); ++t) {
+      const ReflectanceInfo& info = forms_[t].info();
+      const int diffuse = info.weight_index(Role::diffuse);
+      if (diffuse < 0 || all_diffuse(info)) continue;
+      bool elsewhere = false;
+      for (std::size_t s = 0; s < forms_.size(); ++s) {
+        const ReflectanceInfo& other = forms_[s].info();
+        elsewhere =
+            elsewhere || (s != t && all_diffuse(other)) || (s < t && other.weight_index(Role::diffuse) >= 0);
+      }
+      Constraint& c = out_.terms[t].weights[std::size_t(diffuse)];
+      if (!elsewhere || c.is_fixed()) continue;
+      c.fixed = {0};
+      c.idle = "is held at 0: another term of the sum has the diffuse part";
+    }
+  }
+
+  std::vector<Target> targets(const std::string& name) {
+    std::vector<Target> found;
+    for (std::size_t t = 0; t < forms_.size(); ++t) {
+      const ReflectanceInfo& info = forms_[t].info();
+      std::string_view own = name;
+      if (const std::string prefix = name_in_sum(2, t, ""); own.starts_with(prefix))
+        own.remove_prefix(prefix.size());
+      const auto [along, across] = info.axes();
+      for (std::size_t k = 0; k < info.shape.size(); ++k)
+        if (own == info.shape[k].name || (own == info.tied_name() && (int(k) == along || int(k) == across)))
+          found.push_back({&out_.terms[t].shape[k], &info.shape[k], options_.per_channel});
+      for (std::size_t k = 0; k < info.weights.size(); ++k)
+        if (own == info.weights[k].name) found.push_back({&out_.terms[t].weights[k], &info.weights[k], true});
+    }
+    const bool turns = std::any_of(forms_.begin(), forms_.end(),
+                                   [](const Reflectance& form) { return form.info().anisotropic(); });
+    if (turns && name == kTangentInfo.name) found.push_back({&out_.tangent, &kTangentInfo, false});
+    return found;
+  }
+
+  template <class Said>
+  void apply(const Given& given, const Said& said) {
+    std::string reason;
+    bool effective = false;
+    for (const Target& target : targets(given.name)) {
+      if (!said_.insert(target.constraint).second) given.refuse("is given twice");
+      if (!target.constraint->idle.empty()) {
+        if (reason.empty()) reason = target.constraint->idle;
+        continue;
+      }
+      set(given, target, said);
+      effective = true;
+    }
+    if (!effective) given.refuse(reason.empty() ? names() + " has no such parameter" : reason);
+  }
+
+  void set(const Given& given, const Target& target, const NamedValues& said) {
+    if (said.values.size() != 1 && said.values.size() != channels_)
+      given.refuse(std::to_string(said.values.size()) + " values for " + std::to_string(channels_) +
+                   " channels");
+    if (said.values.size() > 1 && !target.per_channel)
+      given.refuse(target.constraint == &out_.tangent
+                       ? "takes one value"
+                       : "a value for every channel has an effect only with --per-channel");
+    Constraint& c = *target.constraint;
+    for (const double value : said.values) given.check_range(value, c.low, c.high);
+    if (given.option == "--start") {
+      c.start = said.values;
+    } else {
+      c.fixed = said.values;
+      c.idle = "has no effect on what --fix holds";
+    }
+  }
+
+  void set(const Given& given, const Target& target, const NamedRange& said) {
+    Constraint& c = *target.constraint;
+    if (&c == &out_.tangent) given.refuse("has no effect: hold it with --fix, or start there with --start");
+    given.check_range(said.low, c.low, c.high);
+    given.check_range(said.high, said.low, c.high);
+    c.low = said.low;
+    c.high = said.high;
+  }
+
+  std::string names() const {
+    std::string text;
+    for (const Reflectance& form : forms_) (text += text.empty() ? "" : "+") += form.info().name;
+    return text;
+  }
+
+  std::span<const Reflectance> forms_;
+  std::size_t channels_;
+  const FitOptions& options_;
+  Constraints out_;
+  std::set<const Constraint*> said_;  // by the option that is being applied
+};
+
+}  // namespace
+
+Constraints resolve(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options) {
+  return Resolver(forms, channels, options).run();
+}
+
+std::string name_in_sum(std::size_t terms, std::size_t term, std::string_view parameter) {
+  if (terms == 1) return std::string(parameter);
+  return "terms[" + std::to_string(term) + "]." + std::string(parameter);
+}
+
+}  // namespace brdf::fit
