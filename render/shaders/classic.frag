@@ -1,11 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "classic.glsl"
 #include "frame.glsl"
-layout(push_constant) uniform Push {
-  int item;
-}
-push;
+#include "classic.glsl"
+layout(push_constant) uniform Push { int item; } push;
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec3 in_color;
@@ -28,8 +25,7 @@ void main() {
   vec3 c = in_color;
   if (!kPerVertex && (kShading == shading_phong || kShading == shading_phong_blinn)) {
     const vec3 n = kAsCoded ? in_normal : normalize(in_normal);  // the article never renormalises
-    c = lit(item_weight(items[push.item], items[push.item].form.z), in_position, n,
-            kShading == shading_phong_blinn);
+    c = lit(item_weight(items[push.item], items[push.item].form.z), in_position, n, kShading == shading_phong_blinn);
   }
   if (kShading == shading_lookup) c = looked_up();
   color = vec4(c, 1.0);

@@ -1,8 +1,7 @@
 // The articles' shading modes (shaders/classic.vert, classic.frag): a renderer's own colours, no BRDF.
 layout(constant_id = 0) const int kShading = 1;
 layout(constant_id = 1) const bool kAsCoded = false;  // with the articles' slips
-layout(constant_id = 2) const
-    bool kPerVertex = false;  // phong_blinn: colours, lookup: coordinates per vertex
+layout(constant_id = 2) const bool kPerVertex = false;  // phong_blinn: colours, lookup: coordinates per vertex
 const float kExponent = 20.0;
 
 // The article holds the view direction constant; otherwise it goes to the camera.
@@ -10,9 +9,7 @@ vec3 view_from(vec3 position) {
   return kAsCoded ? -normalize(frame.forward.xyz) : normalize(frame.camera.xyz - position);
 }
 
-vec3 direction_to(Light light, vec3 position) {
-  return normalize(light.vector.xyz - position * light.vector.w);
-}
+vec3 direction_to(Light light, vec3 position) { return normalize(light.vector.xyz - position * light.vector.w); }
 
 vec3 irradiance_of(Light light, vec3 position) {
   if (light.vector.w == 0.0) return light.irradiance.rgb;

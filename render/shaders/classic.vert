@@ -1,11 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "classic.glsl"
 #include "frame.glsl"
-layout(push_constant) uniform Push {
-  int item;
-}
-push;
+#include "classic.glsl"
+layout(push_constant) uniform Push { int item; } push;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 3) in vec2 uv;
@@ -33,7 +30,6 @@ void main() {
   if (kPerVertex && (kShading == shading_phong || kShading == shading_phong_blinn)) {
     out_color = lit(object_color, out_position, out_normal, kShading == shading_phong_blinn);
   }
-  if (kShading == shading_lookup && kPerVertex)
-    out_coordinates = lookup_coordinates(out_position, out_normal);
+  if (kShading == shading_lookup && kPerVertex) out_coordinates = lookup_coordinates(out_position, out_normal);
   gl_Position = frame.view_projection * vec4(out_position, 1.0);
 }

@@ -4,15 +4,14 @@
 #include "rules.glsl"
 // What the window shows: A, B, both, their difference, or the seven targets. Encodes for a UNORM swapchain.
 layout(push_constant) uniform Push {
-  ivec2 size;    // of the pictures
-  int display;   // enum Display
-  int tone_map;  // enum ToneMap
-  float gain;    // 2^exposure
+  ivec2 size;      // of the pictures
+  int display;     // enum Display
+  int tone_map;    // enum ToneMap
+  float gain;      // 2^exposure
   float split;
-  float extent;  // of the largest object: scales the position target
-  int bits;      // of the targets
-}
-push;
+  float extent;    // of the largest object: scales the position target
+  int bits;        // of the targets
+} push;
 layout(set = 0, binding = 0) uniform sampler2D pictures[2];
 layout(set = 0, binding = 1) uniform sampler2D targets[kTargetCount];
 layout(location = 0) out vec4 color;
@@ -21,9 +20,7 @@ vec3 curve(int tone_map, vec3 linear) {
   return vec3(tone_curve(tone_map, linear.r), tone_curve(tone_map, linear.g), tone_curve(tone_map, linear.b));
 }
 
-vec3 shown(vec3 linear) {
-  return curve(push.tone_map, linear * push.gain);
-}
+vec3 shown(vec3 linear) { return curve(push.tone_map, linear * push.gain); }
 
 // Four columns, two rows; the last place shows the lighting.
 vec3 gbuffer(vec2 uv) {

@@ -2,11 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 layout(constant_id = 0) const int kForm = 0;
 layout(constant_id = 1) const bool kTextured = false;
-#include "brdf.glsl"
 #include "frame.glsl"
 #include "rules.glsl"
-#include "shade.glsl"
 #include "surface.glsl"
+#include "brdf.glsl"
+#include "shade.glsl"
 layout(location = 0) out vec4 color;
 
 void main() {
@@ -16,7 +16,7 @@ void main() {
     return;
   }
   const vec3 position = items[s.item].model[3].xyz + s.relative;
-  color = vec4(shade(kForm, position, normalize(position - frame.camera.xyz), s.normal, s.tangent,
-                     s.bitangent, s.weights, items[s.item].form.z, s.shape),
+  color = vec4(shade(kForm, position, normalize(position - frame.camera.xyz), s.normal, s.tangent, s.bitangent,
+                     s.weights, items[s.item].form.z, s.shape),
                1.0);
 }

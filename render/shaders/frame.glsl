@@ -11,26 +11,23 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 ambient, back_color, background, zenith;
   ivec4 counts;  // x: lights, y: there is a sky, zw: the picture's width and height
   Light lights[kMostLights];
-}
-frame;
+} frame;
 
 struct Item {
-  mat4 model;  // column 3: the object's origin
+  mat4 model;          // column 3: the object's origin
   mat4 normals;
   vec4 weights[kMostWeights];  // a: cosine and sine of tangent_phi, the object's extent
   vec4 shape;
   vec4 shape_low, shape_high;  // range of the 8-bit encoding
-  ivec4 shape_rules;           // see texture_rule.h
-  ivec4 weight_rules;          // w: which maps there are, bit per slot
+  ivec4 shape_rules;   // see texture_rule.h
+  ivec4 weight_rules;  // w: which maps there are, bit per slot
   // x: number of the reflectance, -1: none; y: shapes on a logarithmic scale, bit per slot; z, w: which of the weights
   // are the diffuse and the specular one, -1: none.
   ivec4 form;
-  vec4 weight_scale;  // x: of the 8-bit encoding
+  vec4 weight_scale;   // x: of the 8-bit encoding
 };
 // A uniform buffer: the software driver loads from storage buffers lane by lane.
-layout(set = 0, binding = 1, std140) uniform Items {
-  Item items[kMostItems];
-};
+layout(set = 0, binding = 1, std140) uniform Items { Item items[kMostItems]; };
 
 // From the camera through this place in the picture (gl_FragCoord.xy); not normalised.
 vec3 ray_through(vec2 at) {
@@ -39,9 +36,5 @@ vec3 ray_through(vec2 at) {
 }
 
 // The weight at a place of Item.form; nothing where there is none.
-vec3 weight_at(vec3 weights[kMostWeights], int place) {
-  return place < 0 ? vec3(0.0) : weights[place];
-}
-vec3 item_weight(Item item, int place) {
-  return place < 0 ? vec3(0.0) : item.weights[place].rgb;
-}
+vec3 weight_at(vec3 weights[kMostWeights], int place) { return place < 0 ? vec3(0.0) : weights[place]; }
+vec3 item_weight(Item item, int place) { return place < 0 ? vec3(0.0) : item.weights[place].rgb; }

@@ -20,12 +20,8 @@ vec4 to_half(vec4 v) {
   return uintBitsToFloat(bits);
 }
 
-vec4 stored(vec4 v) {
-  return kBits == 16 ? to_half(v) : v;
-}
-vec4 signed_to_byte(vec3 v, float last) {
-  return vec4(v * 0.5 + 0.5, last);
-}
+vec4 stored(vec4 v) { return kBits == 16 ? to_half(v) : v; }
+vec4 signed_to_byte(vec3 v, float last) { return vec4(v * 0.5 + 0.5, last); }
 
 void store_bytes(SurfaceHit s, const Item item) {
   const float scale = 1.0 / item.weight_scale.x;

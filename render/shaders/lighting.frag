@@ -1,16 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-layout(constant_id = 0) const
-    int kForm = 0;  // one pipeline per form: a uniform branch would evaluate all of them
+layout(constant_id = 0) const int kForm = 0;  // one pipeline per form: a uniform branch would evaluate all of them
 layout(constant_id = 1) const int kBits = 16;
-layout(constant_id = 2) const
-    bool kSingle = false;  // only one item has this form: its data are the same for all pixels
-layout(push_constant) uniform Push {
-  int item;
-}
-push;
-#include "brdf.glsl"
+layout(constant_id = 2) const bool kSingle = false;  // only one item has this form: its data are the same for all pixels
+layout(push_constant) uniform Push { int item; } push;
 #include "frame.glsl"
+#include "brdf.glsl"
 #include "shade.glsl"
 layout(set = 1, binding = 0) uniform sampler2D targets[kTargetCount];  // in the order of gbuffer.frag
 layout(location = 0) out vec4 color;
@@ -56,7 +51,6 @@ void main() {
   // The pixel says where its surface point lies but for the depth: rounding of the position takes digits of that alone.
   const vec3 ray = ray_through(gl_FragCoord.xy);
   vec3 position = items[id].model[3].xyz + relative;
-  if (kBits != 32)
-    position = frame.camera.xyz + ray * (dot(position - frame.camera.xyz, ray) / dot(ray, ray));
+  if (kBits != 32) position = frame.camera.xyz + ray * (dot(position - frame.camera.xyz, ray) / dot(ray, ray));
   color = vec4(shade(kForm, position, normalize(ray), n, t, b, w, items[id].form.z, shape), 1.0);
 }

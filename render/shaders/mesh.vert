@@ -1,16 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
-layout(push_constant) uniform Push {
-  int item;
-}
-push;
+layout(push_constant) uniform Push { int item; } push;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv;
-layout(location = 0) out vec3
-    out_relative;  // to the object's origin: small numbers keep their digits in 16 bits
+layout(location = 0) out vec3 out_relative;  // to the object's origin: small numbers keep their digits in 16 bits
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_tangent;
 layout(location = 3) out vec2 out_uv;

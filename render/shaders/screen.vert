@@ -1,5 +1,3 @@
 #version 460
 // One triangle over the whole picture, at the near end of the reversed depth.
-void main() {
-  gl_Position = vec4(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0, 1.0, 1.0);
-}
+void main() { gl_Position = vec4(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0, 1.0, 1.0); }

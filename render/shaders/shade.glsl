@@ -1,11 +1,8 @@
 // Direct light on a surface seen along the unit vector `view`: sum over lights of f_r cos_i E, plus ambient times the
 // diffuse weight.
-vec3 to_local(vec3 w, vec3 t, vec3 b, vec3 n) {
-  return vec3(dot(w, t), dot(w, b), dot(w, n));
-}
+vec3 to_local(vec3 w, vec3 t, vec3 b, vec3 n) { return vec3(dot(w, t), dot(w, b), dot(w, n)); }
 
-vec3 shade(int form, vec3 position, vec3 view, vec3 n, vec3 t, vec3 b, vec3 w[kMostWeights], int diffuse,
-           vec4 shape) {
+vec3 shade(int form, vec3 position, vec3 view, vec3 n, vec3 t, vec3 b, vec3 w[kMostWeights], int diffuse, vec4 shape) {
   const vec3 wo = to_local(-view, t, b, n);
   vec3 sum = frame.ambient.rgb * weight_at(w, diffuse);
   for (int k = 0; k < frame.counts.x; ++k) {

@@ -1,8 +1,5 @@
 // The surface at a fragment: parameters and frame, with textures applied. C++ counterpart: reference/surface_hit.cpp.
-layout(push_constant) uniform Push {
-  int item;
-}
-push;
+layout(push_constant) uniform Push { int item; } push;
 layout(location = 0) in vec3 in_relative;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_tangent;
@@ -30,13 +27,10 @@ vec4 bilinear(int slot) {
   return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);
 }
 
-bool has_map(Item item, int slot) {
-  return (item.weight_rules.w >> slot & 1) != 0;
-}
+bool has_map(Item item, int slot) { return (item.weight_rules.w >> slot & 1) != 0; }
 
 void apply_maps(const Item item, inout SurfaceHit s) {
-  const vec3 albedo =
-      has_map(item, map_albedo) ? bilinear(map_albedo).rgb : weight_at(s.weights, item.form.z);
+  const vec3 albedo = has_map(item, map_albedo) ? bilinear(map_albedo).rgb : weight_at(s.weights, item.form.z);
   const float roughness = has_map(item, map_roughness) ? bilinear(map_roughness).r : 0.0;
   const float metallic = has_map(item, map_metallic) ? bilinear(map_metallic).r : 0.0;
   for (int k = 0; k < kMostWeights; ++k) {

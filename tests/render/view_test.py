@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Drives `brdf view` under Xvfb with xdotool: keys, mouse, resizing, dropped files, screenshots; the validation layers
 are on. Then makes the viewer's pictures again from the command line.
 
@@ -125,7 +125,8 @@ try:
     window = x("search", "--sync", "--onlyvisible", "--name", "^brdf$").split()[0]
     x("windowfocus", "--sync", window)
     time.sleep(2)
-#Every form by key.
+
+    # Every form by key.
     forms = [f["form"] for f in json.loads(subprocess.run([brdf, "models", "--json"], capture_output=True, text=True,
                                                           check=True).stdout)["forms"]]
     seen = {form_of(saved_state())}
@@ -134,7 +135,7 @@ try:
         seen.add(form_of(saved_state()))
     assert seen == set(forms), f"not seen: {set(forms) - seen}"
 
-#Dragging turns the camera, the wheel moves it, r brings it home.
+    # Dragging turns the camera, the wheel moves it, r brings it home.
     home = saved_state()["scene"]["camera"]["position"]
     x("mousemove", "--window", window, 500, 240, "mousedown", 1)
     for step in range(10):
@@ -153,7 +154,7 @@ try:
     press("r")
     assert saved_state()["scene"]["camera"]["position"] == home
 
-#Pictures differ between the displays, and are the picture alone : the panels are not on them.
+    # Pictures differ between the displays, and are the picture alone: the panels are not on them.
     plain = screenshot()
     shots = [plain]
     for key, name in (("s", "split"), ("d", "difference"), ("g", "gbuffer"), ("b", "flip")):
@@ -166,7 +167,7 @@ try:
     press("h")
     assert len({len(s) for s in shots}) >= 3
 
-#Shading modes, tone maps, exposure, lobe plot, turntable, probe.
+    # Shading modes, tone maps, exposure, lobe plot, turntable, probe.
     for _ in range(7):
         press("m")
     press("c", "l", "equal", "minus")
@@ -176,7 +177,7 @@ try:
     press("t")
     assert saved_state()["scene"]["objects"][0]["rotation"][1] != 0, "the turntable stood still"
 
-#Resizing.
+    # Resizing.
     for width, height in ((800, 500), (300, 700), (640, 480)):
         x("windowsize", "--sync", window, width, height)
         end = time.time() + 60
@@ -184,7 +185,7 @@ try:
             assert time.time() < end, f"the picture has {size} instead of {width} x {height}"
             time.sleep(0.2)
 
-#A material by its name.
+    # A material by its name.
     material = os.path.join(folder, "blue.json")
     with open(material, "w") as file:
         json.dump({"format": "brdf-material", "version": 1, "form": "ward", "channels": ["r", "g", "b"],
@@ -197,7 +198,7 @@ try:
     time.sleep(1)
     assert form_of(saved_state()) == "ward"
 
-#The same by dropping.What cannot be shown leaves everything as it was and says why in one line.
+    # The same by dropping. What cannot be shown leaves everything as it was and says why in one line.
     def drop(*names):
         xdnd.drop(display, int(window), names)
         time.sleep(0.5)
@@ -210,9 +211,7 @@ try:
         return path
 
     def without_pictures(state):
-        return {
-  key: value for key, value in state.items() if key not in ("samples", "compare_with", "display")
-  }
+        return {key: value for key, value in state.items() if key not in ("samples", "compare_with", "display")}
 
     state = drop(os.path.join(source, "data/scenes/models/vase.obj"))
     assert form_of(state) == "ward" and state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
@@ -245,7 +244,7 @@ try:
     drop(state_file)
     time.sleep(1)
     state = saved_state()
-#The state comes back as it was saved.
+    # The state comes back as it was saved.
     press("n")
     x("key", "ctrl+l")
     time.sleep(1)
@@ -258,13 +257,13 @@ try:
         about = "absent.png" if "bare" in name else os.path.basename(name)
         assert line.startswith("brdf: ") and reason in line and about in line, f"{name}: {line}"
 
-#A display without a driver that draws into it.
+    # A display without a driver that draws into it.
     bare = subprocess.run([brdf, "view"], env=dict(environment, VK_DRIVER_FILES="/nonexistent"), capture_output=True,
                           text=True)
     assert bare.returncode == 3, f"without a driver: exit code {bare.returncode}: {bare.stderr}"
     assert bare.stderr.startswith("brdf: no Vulkan driver") and bare.stderr.count("\n") == 1, bare.stderr
 
-#Soak : the turntable on, A and B both drawn in every frame.
+    # Soak: the turntable on, A and B both drawn in every frame.
     state.update(turntable=True, display="split", compare_with="material")
     with open(state_file, "w") as file:
         json.dump(state, file)

@@ -95,11 +95,19 @@ def drop(display_name, target, paths, at_x=10, at_y=10, seconds=60):
     end = time.time() + seconds
     event = Event()
     try:
-  while
-time.time() < end : if not x.XPending(display)
-    : time.sleep(0.01) continue x.XNextEvent(display, byref(event)) if event.type
-        == SELECTION_REQUEST : answer(event.request) elif event.type == CLIENT_MESSAGE
-    and event.client.message_type == status and not dropped : assert event.client.l[1] & 1,
-    "the window does not take the drop" send("XdndDrop", own, 0, CURRENT_TIME) dropped =
-        True elif event.type == CLIENT_MESSAGE and event.client.message_type == finished
-    : return raise AssertionError("the window did not finish the drop") finally : x.XCloseDisplay(display)
+        while time.time() < end:
+            if not x.XPending(display):
+                time.sleep(0.01)
+                continue
+            x.XNextEvent(display, byref(event))
+            if event.type == SELECTION_REQUEST:
+                answer(event.request)
+            elif event.type == CLIENT_MESSAGE and event.client.message_type == status and not dropped:
+                assert event.client.l[1] & 1, "the window does not take the drop"
+                send("XdndDrop", own, 0, CURRENT_TIME)
+                dropped = True
+            elif event.type == CLIENT_MESSAGE and event.client.message_type == finished:
+                return
+        raise AssertionError("the window did not finish the drop")
+    finally:
+        x.XCloseDisplay(display)
