@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/solve/solve.h"
 #include "io/error.h"
 
 namespace brdf::fit {

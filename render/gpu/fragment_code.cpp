@@ -4,7 +4,7 @@
 #include <shaderc/shaderc.hpp>
 
 #include "io/error.h"
-#include "render/shaders/reflectance_glsl.h"
+#include "render/gpu/reflectance_glsl.h"
 
 namespace brdf::render {
 

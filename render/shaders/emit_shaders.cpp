@@ -12,7 +12,7 @@
 #include "render/gpu/gpu_layout.h"
 #include "render/scene/display_rule.h"
 #include "render/scene/texture_rule.h"
-#include "render/shaders/reflectance_glsl.h"
+#include "render/gpu/reflectance_glsl.h"
 
 namespace brdf {
 

@@ -1,4 +1,4 @@
-#include "render/shaders/reflectance_glsl.h"
+#include "render/gpu/reflectance_glsl.h"
 
 #include "render/gpu/gpu_layout.h"
 
