@@ -199,7 +199,8 @@ void add_fit(CLI::App& app) {
   add_repeated_option(*verb, "--start", o.start, "One more start: name=value");
   add_repeated_option(*verb, "--bounds", o.bounds, "Restrict a parameter: name=low:high");
   verb->add_option("--robust", o.robust, "huber or cauchy, with :SCALE to give its scale");
-  add_named_option(*verb, "--weights", o.fit.weighting, "Of the residuals; auto: by sigma columns");
+  add_named_option(*verb, "--weights", o.fit.weighting,
+                   "Weights of the residuals (auto: sigma columns where there are any)");
   verb->add_option("--starts", o.fit.random_starts, "Random starts besides the grid")
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--seed", o.fit.seed, "Of the random starts")->capture_default_str();

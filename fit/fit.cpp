@@ -151,17 +151,16 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   return result;
 }
 
-std::vector<std::vector<Reflectance>> canonical_models() {
-  std::vector<std::vector<Reflectance>> models;
-  for (const Reflectance& form : catalogue())
-    if (info(form).canonical && info(form).fittable()) models.push_back({form});
-  return models;
-}
-
 std::vector<std::vector<Reflectance>> every_model() {
   std::vector<std::vector<Reflectance>> models;
   for (const Reflectance& form : catalogue())
     if (info(form).fittable()) models.push_back({form});
+  return models;
+}
+
+std::vector<std::vector<Reflectance>> canonical_models() {
+  std::vector<std::vector<Reflectance>> models = every_model();
+  std::erase_if(models, [](const auto& forms) { return !info(forms[0]).canonical; });
   return models;
 }
 
