@@ -180,13 +180,6 @@ void print(const Row& r) {
   std::fflush(stdout);
 }
 
-// A goal of the project beside what this run measured.
-void goal(const std::string& what, double measured, double wanted, bool at_least) {
-  const bool met = at_least ? measured >= wanted : measured <= wanted;
-  std::printf("%-68s  %s %5.2f  %9.2f  %s\n", what.c_str(), at_least ? ">=" : "<=", wanted, measured,
-              met ? "yes" : "NO");
-}
-
 // The first form with these facets.
 const Row* find(const std::vector<Row>& rows, const FacetFacts& facets) {
   for (const Row& r : rows)
@@ -198,21 +191,21 @@ void print_goals(const std::vector<Row>& in_double, const std::vector<Row>& in_f
   if (const Row *ggx = find(in_double, Facets<GgxSlopes, SmithGgx>::facts),
       *beckmann = find(in_double, Facets<BeckmannSlopes, SmithBeckmann>::facts);
       ggx && beckmann)
-    goal("Beckmann's facets over GGX's, double", beckmann->batch / ggx->batch, 7, false);
+    print_goal("Beckmann's facets over GGX's, double", beckmann->batch / ggx->batch, false, 7);
   const double times = __builtin_cpu_supports("avx512vl") ? 6 : 3;
   for (std::size_t k = 0; k < in_double.size(); ++k) {
     const Row &r = in_double[k], &f = in_float[k];
     const std::string name(r.form.info().name);
     const Goals wanted = goals_of(r.form);
     if (wanted.float_over_double == 0) continue;
-    goal(name + ", float over double", r.batch / f.batch, wanted.float_over_double, true);
+    print_goal(name + ", float over double", r.batch / f.batch, true, wanted.float_over_double);
     for (const Row* row : {&r, &f}) {
       const bool is_double = row == &r;
       const std::string scalar = is_double ? "double" : "float";
       if (const double share = is_double ? wanted.of_limit_in_double : wanted.of_limit_in_float; share > 0)
-        goal(name + ", share of the limit, " + scalar, row->limit / row->batch, share, true);
-      goal(name + ", batch over the scalar template, " + scalar, row->scalar / row->batch, times, true);
-      goal(name + ", two threads over one, " + scalar, row->batch / row->two_threads, 1.9, true);
+        print_goal(name + ", share of the limit, " + scalar, row->limit / row->batch, true, share);
+      print_goal(name + ", batch over the scalar template, " + scalar, row->scalar / row->batch, true, times);
+      print_goal(name + ", two threads over one, " + scalar, row->batch / row->two_threads, true, 1.9);
     }
   }
 }
@@ -244,7 +237,7 @@ int run(int argc, char** argv) {
       BRDF_VERSION, machine().c_str(), kRounds, kPairs);
   const auto in_double = table<double>(forms);
   const auto in_float = table<float>(forms);
-  std::printf("\n%-68s  %8s  %9s  met\n", "goal", "", "measured");
+  std::printf("\ngoals\n");
   print_goals(in_double, in_float);
   return 0;
 }

@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -30,13 +29,14 @@
 #include "fit/model/data.h"
 #include "fit/solve/minima.h"
 #include "fit/solve/varpro.h"
+#include "trade/measure/timing.h"
 
 namespace brdf::fit {
 namespace {
 
 // Processor time: every method runs on one thread, and other programs must not count.
 double now() {
-  return double(std::clock()) / CLOCKS_PER_SEC;
+  return timing::seconds_now(timing::Clock::process);
 }
 
 // Largest resident size so far, MB: what a method adds is the growth while it runs.
@@ -50,9 +50,9 @@ constexpr double kAlpha = 0.2;
 
 // Cook-Torrance: the catalogue's first form with GGX facets and Smith's masking.
 Reflectance form_to_fit() {
-  for (const Reflectance& form : catalogue())
-    if (form.info().facets == &Facets<GgxSlopes, SmithGgx>::facts) return form;
-  throw std::runtime_error("the catalogue has no Cook-Torrance form");
+  return find_form_if(
+             [](const ReflectanceInfo& f) { return f.facets == &Facets<GgxSlopes, SmithGgx>::facts; })
+      .value();
 }
 
 // Half-difference cells of a measured table, 90 x 90 x 180, with 5 % noise on Cook-Torrance.

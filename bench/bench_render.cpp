@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -17,29 +16,18 @@
 #include "render/gpu/renderer.h"
 #include "render/gpu/shader_code.h"
 #include "render/picture/picture.h"
+#include "trade/measure/timing.h"
 
 namespace brdf::render {
 namespace {
 
 double milliseconds(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return 1e3 * timing::seconds_of(work, 1, timing::Clock::wall);
 }
 
 // Time on the processor, of all threads: the device is the processor, and other programs do not count.
 double processor_milliseconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto ms = [](const timeval& t) { return double(t.tv_sec) * 1e3 + double(t.tv_usec) * 1e-3; };
-  return ms(usage.ru_utime) + ms(usage.ru_stime);
-}
-
-// The catalogue's first form of which that is true.
-template <class Is>
-Reflectance first_form(Is&& is) {
-  const auto all = catalogue();
-  return *std::find_if(all.begin(), all.end(), [&](const Reflectance& form) { return is(form.info()); });
+  return 1e3 * timing::seconds_now(timing::Clock::process);
 }
 
 // Runs the works one after the other, `runs` times after one warm-up; medians in milliseconds, by the clock
@@ -64,7 +52,7 @@ std::vector<Medians> interleaved(int runs, const std::vector<std::function<void(
 }
 
 Reflectance microfacets() {
-  return first_form([](const ReflectanceInfo& f) { return f.facets != nullptr; });
+  return find_form_if([](const ReflectanceInfo& f) { return f.facets != nullptr; }).value();
 }
 
 PreparedScene sphere(int width, int height) {
@@ -254,13 +242,14 @@ float highlight_peak(Device& device, const Reflectance& form, double exponent) {
 void highlight_peaks() {
   Device device;
   // A cosine's power about the mirror direction, and of the half vector.
-  const auto canonical = [](const ReflectanceInfo& f) {
-    return f.canonical && f.shape_index(brdf::Role::exponent) >= 0;
+  const auto form = [](bool about_mirror) {
+    return find_form_if([&](const ReflectanceInfo& f) {
+             return f.canonical && f.shape_index(brdf::Role::exponent) >= 0 &&
+                    (f.kink == Kink::mirror_edge) == about_mirror;
+           })
+        .value();
   };
-  const Reflectance about_mirror =
-      first_form([&](const ReflectanceInfo& f) { return canonical(f) && f.kink == Kink::mirror_edge; });
-  const Reflectance of_half =
-      first_form([&](const ReflectanceInfo& f) { return canonical(f) && f.kink != Kink::mirror_edge; });
+  const Reflectance about_mirror = form(true), of_half = form(false);
   std::printf("\nbrightest pixel of a sphere, the lobe alone\n%10s %10s %14s %8s\n", "power",
               std::string(about_mirror.info().name).c_str(), std::string(of_half.info().name).c_str(),
               "ratio");

@@ -2,7 +2,6 @@
 
 #include <cubature.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "brdf/integrals.h"
@@ -10,18 +9,17 @@
 #include "brdf/random.h"
 #include "brdf/reflectance.h"
 #include "brdf/samplers.h"
+#include "trade/measure/timing.h"
 
 namespace brdf::bench {
 namespace {
 
 class Stopwatch {
  public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double seconds() const { return timing::seconds_now(timing::Clock::wall) - start_; }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double start_ = timing::seconds_now(timing::Clock::wall);
 };
 
 // f cos_o sin(theta_o), a block of directions at a time.

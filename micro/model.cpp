@@ -8,11 +8,9 @@
 namespace brdf::micro {
 namespace {
 
-template <class Is>
-Reflectance first_form(const char* what, Is&& is) {
-  for (const Reflectance& form : catalogue())
-    if (is(form.info())) return form;
-  throw std::invalid_argument(std::string("the catalogue has no form of ") + what);
+Reflectance required(const std::optional<Reflectance>& form, const char* what) {
+  if (!form) throw std::invalid_argument(std::string("the catalogue has no form of ") + what);
+  return *form;
 }
 
 bool by_slope_angle(const ReflectanceInfo& form) {
@@ -22,22 +20,24 @@ bool by_slope_angle(const ReflectanceInfo& form) {
 }  // namespace
 
 Reflectance form_of_rough_mirrors() {
-  return first_form("Gaussian slopes with Smith's masking", [](const ReflectanceInfo& f) {
-    return f.facets == &Facets<BeckmannSlopes, SmithBeckmann>::facts;
-  });
+  constexpr const FacetFacts* kFacets = &Facets<BeckmannSlopes, SmithBeckmann>::facts;
+  return required(find_form_if([](const ReflectanceInfo& f) { return f.facets == kFacets; }),
+                  "Gaussian slopes with Smith's masking");
 }
 Reflectance form_of_mirror_grooves() {
-  return first_form("V-cavities with an index", [](const ReflectanceInfo& f) {
-    return f.facets == &Facets<BeckmannSlopes, VCavities>::facts && f.shape_index(Role::index) >= 0;
-  });
+  constexpr const FacetFacts* kFacets = &Facets<BeckmannSlopes, VCavities>::facts;
+  return required(find_form_if([](const ReflectanceInfo& f) {
+                    return f.facets == kFacets && f.shape_index(Role::index) >= 0;
+                  }),
+                  "V-cavities with an index");
 }
 Reflectance form_of_lambert_grooves() {
-  return first_form("Lambertian grooves",
-                    [](const ReflectanceInfo& f) { return by_slope_angle(f) && f.fittable(); });
+  return required(find_form_if([](const ReflectanceInfo& f) { return by_slope_angle(f) && f.fittable(); }),
+                  "Lambertian grooves");
 }
 Reflectance form_with_interreflection() {
-  return first_form("interreflecting grooves",
-                    [](const ReflectanceInfo& f) { return by_slope_angle(f) && !f.fittable(); });
+  return required(find_form_if([](const ReflectanceInfo& f) { return by_slope_angle(f) && !f.fittable(); }),
+                  "interreflecting grooves");
 }
 
 Material model(const Reflectance& form, const std::vector<std::pair<Role, double>>& values) {

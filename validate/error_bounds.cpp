@@ -107,20 +107,22 @@ std::vector<IntegratorRow> check_bounds(std::uint64_t seed, std::size_t pairs,
   const std::size_t share = catalogue().size() * kPairsPerCase, cases = (pairs * 11 / 10 + share - 1) / share;
   for (const Reflectance& form : catalogue()) {
     IntegratorRow total{"bounds_" + std::string(info(form).name), 1e-6, 0, 0, 0, 0, 0, {}};
-    std::vector<IntegratorRow> parts(cases);
-    io::parallel_for(cases, [&](std::size_t k) {
-      Random random(1'000'003 * seed + 1000 * rows.size() + k);
-      compare(random_case(form, random), parts[k]);
-    });
-    for (const IntegratorRow& one : parts) {
+    const auto measure = [&](int k) {
+      Random random(1'000'003 * seed + 1000 * rows.size() + std::size_t(k));
+      IntegratorRow one{};
+      compare(random_case(form, random), one);
+      return one;
+    };
+    const auto add = [&](const IntegratorRow& one) {
       total.cases += one.cases;
       total.wrong += one.wrong;
       total.unconverged += one.unconverged;
       total.mean_evaluations += one.mean_evaluations / double(cases * kWays.size());
-      if (one.worst <= total.worst) continue;
+      if (one.worst <= total.worst) return;
       total.worst = one.worst;
       total.worst_case = one.worst_case;
-    }
+    };
+    io::parallel_in_order(int(cases), int(io::all_processors()), {}, measure, add);
     rows.push_back(std::move(total));
     if (progress) progress(rows.back());
   }

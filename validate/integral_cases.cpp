@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "io/numbers.h"
 #include "validate/degrees.h"
@@ -47,12 +46,6 @@ bool has_v_cavities(const ReflectanceInfo& f) {
   return has_widths(f) && f.kink == Kink::v_cavity;
 }
 
-std::optional<Reflectance> first_form(bool (*is)(const ReflectanceInfo&)) {
-  for (const Reflectance& form : catalogue())
-    if (is(form.info())) return form;
-  return std::nullopt;
-}
-
 struct Set {
   std::string name;
   Reflectance form;
@@ -63,14 +56,14 @@ struct Set {
 
 std::vector<Set> all_sets() {
   std::vector<Set> sets;
-  if (const auto form = first_form(has_facets)) {
+  if (const auto form = find_form_if(has_facets)) {
     sets.push_back({"isotropic", *form, 1500, false});
     sets.push_back({"grazing", *form, 500, true});
     sets.push_back({"anisotropic", *form, 500, false, 1});
   }
-  if (const auto form = first_form(has_widths_alone))
+  if (const auto form = find_form_if(has_widths_alone))
     sets.push_back({std::string(form->info().name), *form, 300, false, 4});
-  if (const auto form = first_form(has_v_cavities)) sets.push_back({"v_cavity", *form, 300, false, 4});
+  if (const auto form = find_form_if(has_v_cavities)) sets.push_back({"v_cavity", *form, 300, false, 4});
   return sets;
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 
 #include "io/parallel.h"
@@ -68,16 +67,14 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
-  std::mutex mutex;
-  int done = 0;
-  io::parallel_for(order.size(), [&](std::size_t j) {
-    const std::size_t k = order[j];
+  const auto run = [&](int j) {
+    const std::size_t k = order[std::size_t(j)];
     const Subject& subject = subjects[k / kCount];
     findings[k] = kChecks[k % kCount].run(subject, options);
     judge(findings[k], subject, options);
-    const std::lock_guard lock(mutex);
-    if (progress) progress(++done, int(order.size()));
-  });
+    return k;
+  };
+  io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
   return findings;
 }
 

@@ -1,7 +1,5 @@
 #include <cmath>
 #include <cstdio>
-#include <mutex>
-#include <optional>
 #include <ostream>
 
 #include "io/json.h"
@@ -50,11 +48,10 @@ std::string line_of(const NumericsRow& row) {
 
 bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostream& out,
                      const std::function<void(int done, int total)>& progress) {
-  std::vector<std::optional<std::vector<NumericsRow>>> rows(forms.size());
   io::Json all = io::Json::array();
   std::vector<std::string> unmeasured;
-  std::size_t reported = 0;
-  int done = 0, over_budget = 0;
+  auto form = forms.begin();
+  int over_budget = 0;
   const auto report = [&](const NumericsRow& row) {
     over_budget += !meets_budget(row);
     if (json)
@@ -65,17 +62,14 @@ bool report_numerics(const std::vector<Reflectance>& forms, bool json, std::ostr
   if (!json)
     out << "form                       scalar      body     faint      tail   values  nan  inf  negative  "
            "budget       where the body is worst: parameters, light -> view in degrees\n";
-  std::mutex mutex;
-  io::parallel_for(forms.size(), [&](std::size_t k) {
-    auto measured = measure_numerics(forms[k]);
-    const std::lock_guard lock(mutex);
-    rows[k] = std::move(measured);
-    for (; reported < rows.size() && rows[reported]; ++reported) {
-      for (const NumericsRow& row : *rows[reported]) report(row);
-      if (rows[reported]->empty()) unmeasured.emplace_back(forms[reported].info().name);
-    }
-    progress(++done, int(forms.size()));
-  });
+  io::parallel_in_order(
+      int(forms.size()), int(io::all_processors()), progress,
+      [&](int k) { return measure_numerics(forms[std::size_t(k)]); },
+      [&](const std::vector<NumericsRow>& rows) {
+        for (const NumericsRow& row : rows) report(row);
+        if (rows.empty()) unmeasured.emplace_back(form->info().name);
+        ++form;
+      });
   if (json) {
     io::Json document{{"rows", all}, {"provenance", io::to_json(io::provenance())}};
     if (!unmeasured.empty()) document["not_applicable"] = unmeasured;

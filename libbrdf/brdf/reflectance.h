@@ -203,6 +203,13 @@ std::span<const Reflectance> catalogue();
 std::vector<std::vector<Reflectance>> families();
 // A form of the catalogue by its name.
 std::optional<Reflectance> find_form(std::string_view name);
+// The first form of the catalogue of whose info that is true.
+template <class Is>
+std::optional<Reflectance> find_form_if(Is&& is) {
+  for (const Reflectance& form : catalogue())
+    if (is(form.info())) return form;
+  return std::nullopt;
+}
 // Its place there; -1 for what is not in it.
 int catalogue_index(const Reflectance& reflectance);
 
