@@ -9,7 +9,7 @@
 
 #include "brdf/material.h"
 #include "brdf/names.h"
-#include "fit/solve/matrix.h"
+#include "fit/algebra/matrix.h"
 
 namespace brdf::fit {
 

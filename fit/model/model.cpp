@@ -1,4 +1,5 @@
 #include "fit/model/model.h"
+#include "fit/algebra/box_quadratic.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "fit/algebra/matrix.h"
 #include "fit/model/data.h"
 #include "fit/model/model.h"
-#include "fit/solve/matrix.h"
 #include "fit/solve/residual.h"
 
 namespace brdf::fit {

@@ -36,8 +36,4 @@ struct Solution {
 Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
                std::span<const double> high, const SolveOptions& options);
 
-// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. For the few unknowns of a channel's weights.
-std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
-                                  std::span<const double> low, std::span<const double> high);
-
 }  // namespace brdf::fit

@@ -1,4 +1,5 @@
 #include "fit/solve/starts.h"
+#include "fit/algebra/box_quadratic.h"
 
 #include <algorithm>
 #include <cmath>

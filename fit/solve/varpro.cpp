@@ -1,4 +1,5 @@
 #include "fit/solve/varpro.h"
+#include "fit/algebra/box_quadratic.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

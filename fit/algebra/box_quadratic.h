@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fit/algebra/matrix.h"
+
+namespace brdf::fit {
+
+// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. For the few unknowns of a channel's weights.
+std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
+                                  std::span<const double> low, std::span<const double> high);
+
+}  // namespace brdf::fit
