@@ -76,8 +76,8 @@ class Floor {
     const std::vector<VkFormat> colors(kTargetCount, gbuffer_format(16));
     const std::array sets{gpu_.frame_layout(), gpu_.maps_layout()};
     layout_ = make_pipeline_layout(device, sets, sizeof(int));
-    vertices_ = make_pipeline(device, {.vertex = shader_code::mesh_vertex(),
-                                       .fragment = shader_code::gbuffer(),
+    vertices_ = make_pipeline(device, {.vertex = shader_code::mesh_vertex,
+                                       .fragment = shader_code::gbuffer,
                                        .constants = {16, 0},
                                        .input = VertexInput::mesh,
                                        .colors = colors,
@@ -94,8 +94,8 @@ class Floor {
     }
     const std::array copy_sets{set_layout_.get()};
     copy_layout_ = make_pipeline_layout(device, copy_sets, 0);
-    copy_ = make_pipeline(device, {.vertex = shader_code::screen_vertex(),
-                                   .fragment = shader_code::copy(),
+    copy_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
+                                   .fragment = shader_code::copy,
                                    .colors = colors,
                                    .depth = true,
                                    .layout = copy_layout_.get()});

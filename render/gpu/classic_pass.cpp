@@ -41,8 +41,8 @@ VkPipeline ClassicPass::pipeline(const Scene& scene) {
   Owned<VkPipeline>& found = pipelines_[{scene.shading, scene.as_coded, scene.per_vertex}];
   if (!found) {
     found = make_pipeline(*device_,
-                          {.vertex = shader_code::classic_vertex(),
-                           .fragment = shader_code::classic(),
+                          {.vertex = shader_code::classic_vertex,
+                           .fragment = shader_code::classic,
                            .constants = {std::uint32_t(scene.shading), scene.as_coded, scene.per_vertex},
                            .input = VertexInput::mesh_without_tangent,
                            .colors = {kColorFormat},

@@ -182,8 +182,7 @@ void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size
   const VkDeviceSize offset = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, mesh.indices.get(), 0, VK_INDEX_TYPE_UINT32);
-  vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                     sizeof item, &item);
+  vkCmdPushConstants(commands, layout, kDrawingStages, 0, sizeof item, &item);
   vkCmdDrawIndexed(commands, mesh.count, 1, 0, 0, 0);
 }
 

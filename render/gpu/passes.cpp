@@ -109,8 +109,8 @@ VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Re
 SkyPass::SkyPass(Device& device, const GpuScene& gpu) {
   const std::array sets{gpu.frame_layout()};
   layout_ = make_pipeline_layout(device, sets, 0);
-  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex(),
-                                     .fragment = shader_code::sky(),
+  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
+                                     .fragment = shader_code::sky,
                                      .colors = {kColorFormat},
                                      .layout = layout_.get()});
 }
@@ -136,7 +136,7 @@ void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const
 DeferredPass::DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer)
     : device_(&device),
       gbuffer_(&gbuffer),
-      lighting_code_(shader_code::lighting(), shader_code::lighting_text) {
+      lighting_code_(shader_code::lighting, shader_code::lighting_text) {
   sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   targets_layout_ = make_set_layout(device, kTargetBindings);
   targets_pool_ = make_descriptor_pool(device, kTargetBindings, 1);
@@ -153,8 +153,8 @@ DeferredPass::DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer
 VkPipeline DeferredPass::geometry_pipeline(bool textured) {
   Owned<VkPipeline>& pipeline = geometry_pipelines_[textured];
   if (!pipeline) {
-    pipeline = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex(),
-                                        .fragment = shader_code::gbuffer(),
+    pipeline = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex,
+                                        .fragment = shader_code::gbuffer,
                                         .constants = {std::uint32_t(gbuffer_->bits), textured},
                                         .input = VertexInput::mesh,
                                         .colors = std::vector(kTargetCount, gbuffer_format(gbuffer_->bits)),
@@ -169,7 +169,7 @@ VkPipeline DeferredPass::lighting_pipeline(const Reflectance& form, int number, 
   Owned<VkPipeline>& pipeline = lighting_pipelines_[{number, add, single}];
   if (!pipeline) {
     pipeline =
-        make_pipeline(*device_, {.vertex = shader_code::screen_vertex(),
+        make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
                                  .fragment = lighting_code_.of(form, number),
                                  .constants = {std::uint32_t(number), std::uint32_t(gbuffer_->bits), single},
                                  .colors = {kColorFormat},
@@ -224,8 +224,7 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
     const int single = only_item(scene, layer, form);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       lighting_pipeline(form, gpu.number_of(form), layer > 0, single >= 0));
-    vkCmdPushConstants(commands, lighting_layout_.get(),
-                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof single, &single);
+    vkCmdPushConstants(commands, lighting_layout_.get(), kDrawingStages, 0, sizeof single, &single);
     vkCmdDraw(commands, 3, 1, 0, 0);
   }
   vkCmdEndRendering(commands);
@@ -244,7 +243,7 @@ void begin_forward(VkCommandBuffer commands, Image& color, Image& depth) {
 }
 
 ForwardPass::ForwardPass(Device& device, const GpuScene& gpu)
-    : device_(&device), code_(shader_code::forward(), shader_code::forward_text) {
+    : device_(&device), code_(shader_code::forward, shader_code::forward_text) {
   const std::array sets{gpu.frame_layout(), gpu.maps_layout()};
   layout_ = make_pipeline_layout(device, sets, sizeof(int));
 }
@@ -252,7 +251,7 @@ ForwardPass::ForwardPass(Device& device, const GpuScene& gpu)
 VkPipeline ForwardPass::pipeline(const Reflectance& form, int number, bool textured) {
   Owned<VkPipeline>& found = pipelines_[{number, textured}];
   if (!found) {
-    found = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex(),
+    found = make_pipeline(*device_, {.vertex = shader_code::mesh_vertex,
                                      .fragment = code_.of(form, number),
                                      .constants = {std::uint32_t(number), textured},
                                      .input = VertexInput::mesh,

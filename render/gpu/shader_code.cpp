@@ -39,45 +39,15 @@ constexpr std::uint32_t kCopy[] =
 
 }  // namespace
 
+const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = kGBuffer,
+            lighting = kLighting, forward = kForward, sky = kSky, classic_vertex = kClassicVertex,
+            classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy;
+
 const char* const lighting_text =
 #include "lighting.frag.text.inc"
     ;
 const char* const forward_text =
 #include "forward.frag.text.inc"
     ;
-
-Spirv mesh_vertex() {
-  return kMeshVertex;
-}
-Spirv screen_vertex() {
-  return kScreenVertex;
-}
-Spirv gbuffer() {
-  return kGBuffer;
-}
-Spirv lighting() {
-  return kLighting;
-}
-Spirv forward() {
-  return kForward;
-}
-Spirv sky() {
-  return kSky;
-}
-Spirv classic_vertex() {
-  return kClassicVertex;
-}
-Spirv classic() {
-  return kClassic;
-}
-Spirv display() {
-  return kDisplay;
-}
-Spirv proof() {
-  return kProof;
-}
-Spirv copy() {
-  return kCopy;
-}
 
 }  // namespace brdf::render::shader_code

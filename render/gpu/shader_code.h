@@ -6,17 +6,8 @@
 
 namespace brdf::render::shader_code {
 
-Spirv mesh_vertex();
-Spirv screen_vertex();
-Spirv gbuffer();
-Spirv lighting();
-Spirv forward();
-Spirv sky();
-Spirv classic_vertex();
-Spirv classic();
-Spirv display();
-Spirv proof();
-Spirv copy();
+extern const Spirv mesh_vertex, screen_vertex, gbuffer, lighting, forward, sky, classic_vertex, classic,
+    display, proof, copy;
 
 // Without brdf.glsl (see FragmentCode).
 extern const char* const lighting_text;

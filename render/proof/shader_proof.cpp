@@ -32,37 +32,16 @@ double ulps(float a, float b) {
   return std::abs(double(ordered(a) - ordered(b)));
 }
 
-Owned<VkShaderModule> make_module(const Device& device, Spirv code) {
-  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  info.codeSize = code.size_bytes();
-  info.pCode = code.data();
-  return owned(device.get(), vkCreateShaderModule, vkDestroyShaderModule, info, "vkCreateShaderModule");
-}
-
 // The compute pipelines of one shader, one form each, and the buffers they share.
 class Machine {
  public:
   Machine(Device& device, Spirv of_catalogue) : device_(device), of_catalogue_(of_catalogue) {
-    const std::array<VkDescriptorSetLayoutBinding, 2> bindings{
-        VkDescriptorSetLayoutBinding{0, kStorage, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
-        VkDescriptorSetLayoutBinding{1, kStorage, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr}};
-    VkDescriptorSetLayoutCreateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    set_info.bindingCount = bindings.size();
-    set_info.pBindings = bindings.data();
-    set_layout_ = owned(device.get(), vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout, set_info,
-                        "vkCreateDescriptorSetLayout");
-    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(std::uint32_t)};
-    const VkDescriptorSetLayout set_layout = set_layout_.get();
-    VkPipelineLayoutCreateInfo layout_info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    layout_info.setLayoutCount = 1;
-    layout_info.pSetLayouts = &set_layout;
-    layout_info.pushConstantRangeCount = 1;
-    layout_info.pPushConstantRanges = &push;
-    layout_ = owned(device.get(), vkCreatePipelineLayout, vkDestroyPipelineLayout, layout_info,
-                    "vkCreatePipelineLayout");
-    const std::array<Binding, 2> kinds{Binding{kStorage}, Binding{kStorage}};
-    pool_ = make_descriptor_pool(device, kinds, 1);
-    set_ = allocate_set(device, pool_.get(), set_layout);
+    constexpr std::array kBindings{Binding{kStorage}, Binding{kStorage}};
+    set_layout_ = make_set_layout(device, kBindings, VK_SHADER_STAGE_COMPUTE_BIT);
+    const std::array sets{set_layout_.get()};
+    layout_ = make_pipeline_layout(device, sets, sizeof(std::uint32_t), VK_SHADER_STAGE_COMPUTE_BIT);
+    pool_ = make_descriptor_pool(device, kBindings, 1);
+    set_ = allocate_set(device, pool_.get(), set_layout_.get());
     input_ = Buffer(device, kBatch * sizeof(ProofConfiguration), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     output_ = Buffer(device, kBatch * sizeof(Result), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     write_buffer(device, set_, 0, kStorage, input_.get());
@@ -211,7 +190,7 @@ struct ShaderBatch::State {
 
 ShaderBatch::ShaderBatch(Device& device, const Reflectance& form,
                          std::span<const ProofConfiguration> configurations)
-    : state_(new State{Machine(device, shader_code::proof()), {}}), count_(configurations.size()) {
+    : state_(new State{Machine(device, shader_code::proof), {}}), count_(configurations.size()) {
   if (count_ > kMost)
     throw InputError("a shader batch holds at most " + std::to_string(kMost) + " directions");
   state_->pipeline = state_->machine.pipeline(form);
@@ -232,7 +211,7 @@ std::vector<ProofValues> ShaderBatch::values() const {
 std::vector<ProofRow> shader_proof(Device& device, std::span<const Reflectance> forms,
                                    const ProofOptions& options,
                                    const std::function<void(const ProofRow&)>& report) {
-  Machine machine(device, options.shader.empty() ? shader_code::proof() : options.shader);
+  Machine machine(device, options.shader.empty() ? shader_code::proof : options.shader);
   std::vector<ProofRow> rows;
   for (const Reflectance& form : forms) {
     rows.push_back(proof_of(machine, form, options));

@@ -27,8 +27,8 @@ DisplayPass::DisplayPass(Device& device, VkRenderPass render_pass) : device_(&de
   set_ = allocate_set(device, pool_.get(), set_layout_.get());
   const std::array sets{set_layout_.get()};
   layout_ = make_pipeline_layout(device, sets, sizeof(Push));
-  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex(),
-                                     .fragment = shader_code::display(),
+  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
+                                     .fragment = shader_code::display,
                                      .colors = {VK_FORMAT_UNDEFINED},
                                      .layout = layout_.get(),
                                      .render_pass = render_pass});
@@ -57,8 +57,7 @@ void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, VkExt
                   state.split,
                   object_extent,
                   bits};
-  vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                     sizeof push, &push);
+  vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof push, &push);
   vkCmdDraw(commands, 3, 1, 0, 0);
 }
 

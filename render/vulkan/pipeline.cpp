@@ -8,13 +8,6 @@
 namespace brdf::render {
 namespace {
 
-Owned<VkShaderModule> make_module(const Device& device, Spirv code) {
-  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  info.codeSize = code.size_bytes();
-  info.pCode = code.data();
-  return owned(device.get(), vkCreateShaderModule, vkDestroyShaderModule, info, "vkCreateShaderModule");
-}
-
 constexpr VkVertexInputBindingDescription kVertexBinding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
 // The tangent stands last, so that shaders without one take the first three.
 constexpr std::array kVertexAttributes{
@@ -37,6 +30,13 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
 }
 
 }  // namespace
+
+Owned<VkShaderModule> make_module(const Device& device, Spirv code) {
+  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  return owned(device.get(), vkCreateShaderModule, vkDestroyShaderModule, info, "vkCreateShaderModule");
+}
 
 Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription& d) {
   const auto vertex = make_module(device, d.vertex), fragment = make_module(device, d.fragment);
@@ -110,11 +110,11 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
   return Owned<VkPipeline>(device.get(), pipeline, vkDestroyPipeline);
 }
 
-Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings) {
+Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings,
+                                             VkShaderStageFlags stages) {
   std::vector<VkDescriptorSetLayoutBinding> entries(bindings.size());
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
-    entries[i] = {i, bindings[i].type, bindings[i].count,
-                  VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT};
+    entries[i] = {i, bindings[i].type, bindings[i].count, stages};
   }
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   info.bindingCount = std::uint32_t(entries.size());
@@ -125,9 +125,8 @@ Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<con
 
 Owned<VkPipelineLayout> make_pipeline_layout(const Device& device,
                                              std::span<const VkDescriptorSetLayout> sets,
-                                             std::uint32_t push_constant_bytes) {
-  const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                                  push_constant_bytes};
+                                             std::uint32_t push_constant_bytes, VkShaderStageFlags stages) {
+  const VkPushConstantRange range{stages, 0, push_constant_bytes};
   VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
   info.setLayoutCount = std::uint32_t(sets.size());
   info.pSetLayouts = sets.data();

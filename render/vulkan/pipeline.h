@@ -27,17 +27,22 @@ struct PipelineDescription {
   VkRenderPass render_pass = VK_NULL_HANDLE;  // null: dynamic rendering into `colors`
 };
 
+Owned<VkShaderModule> make_module(const Device& device, Spirv code);
 Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription& description);
 
 struct Binding {
   VkDescriptorType type;
   std::uint32_t count = 1;
 };
-// Bindings 0, 1, ... visible to vertex and fragment shaders.
-Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings);
+inline constexpr VkShaderStageFlags kDrawingStages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+// Bindings 0, 1, ... visible to these stages.
+Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings,
+                                             VkShaderStageFlags stages = kDrawingStages);
 Owned<VkPipelineLayout> make_pipeline_layout(const Device& device,
                                              std::span<const VkDescriptorSetLayout> sets,
-                                             std::uint32_t push_constant_bytes);
+                                             std::uint32_t push_constant_bytes,
+                                             VkShaderStageFlags stages = kDrawingStages);
 Owned<VkSampler> make_sampler(const Device& device, VkFilter filter, VkSamplerAddressMode address);
 
 // A pool that holds exactly `sets` sets of these bindings; `freeable`: they may be freed one by one.
