@@ -77,8 +77,9 @@ void add_recommend(CLI::App& app) {
       ->check(CLI::IsMember({"image", "brdf"}));
   verb->add_option("--max-cost", a->options.max_cost_ns, "largest cost, ns per evaluation")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--ledger", a->options.ledger,
-                   "ledger that `brdf trade -o` wrote (default: costs measured now)");
+  verb->add_option(
+      "--ledger", a->options.ledger,
+      "ledger that `brdf trade -o` wrote; costs that it lacks, or all without one, are measured now");
   verb->add_option(
       "--compare-weightings", a->compare,
       "instead: scene-weighted against hemisphere-wide fits for the scenes/ and materials/ of this folder");

@@ -173,11 +173,11 @@ TEST(Figures, TheShippedLedgerHasEveryApproximation) {
 // A claim is left out where the ledger lacks its row: a row that nothing makes would hide it for ever.
 TEST(Claims, AreJudgedByRowsThatThereAre) {
   const Ledger ledger = read_ledger(std::filesystem::path(BRDF_SOURCE_DIR) / "data/ledger.json");
-  for (const ClaimRule& rule : claim_rules())
-    for (const RowName& row : rule.rows)
+  for (const auto& rows : claim_rows())
+    for (const RowName& row : rows)
       EXPECT_NE(ledger.find(row.question, row.choice), nullptr) << row.question << ": " << row.choice;
   const std::vector<Claim> judged = judge_claims(ledger);
-  ASSERT_EQ(judged.size(), claim_rules().size());
+  ASSERT_EQ(judged.size(), claim_rows().size());
   ASSERT_EQ(judged.size(), ledger.claims.size());
   for (std::size_t k = 0; k < judged.size(); ++k) {
     EXPECT_EQ(judged[k].claim, ledger.claims[k].claim);
@@ -194,8 +194,8 @@ TEST(Claims, NameChoicesThatTheQuestionsHave) {
       for (const Choice& c : q.choices) choices[q.name].insert(c.name);
   for (const FrameQuestion& q : frame_questions(FrameDetail::full))
     for (const Way& way : q.ways) choices[q.name].insert(way.name);
-  for (const ClaimRule& rule : claim_rules())
-    for (const RowName& row : rule.rows) {
+  for (const auto& rows : claim_rows())
+    for (const RowName& row : rows) {
       if (row.question == names::kSampleCounts || row.question.starts_with(names::families(""))) continue;
       EXPECT_TRUE(choices[row.question].contains(row.choice)) << row.question << ": " << row.choice;
     }
@@ -203,8 +203,8 @@ TEST(Claims, NameChoicesThatTheQuestionsHave) {
 
 TEST(Figures, SchlickIsALittleUnderAQuarterTooLowForGlassAt55Degrees) {
   const FresnelRow<double> row{.cosine = std::cos(degrees(55).radians()), .n = 1.5, .f0 = 0.04};
-  const double exact = exact_dielectric{}(row);
-  EXPECT_NEAR((schlick_fresnel{}(row)-exact) / exact, -0.23, 0.01);
+  const double exact = exact_dielectric(row);
+  EXPECT_NEAR((schlick_fresnel(row) - exact) / exact, -0.23, 0.01);
 }
 
 TEST(Figures, TheNaiveDistributionLosesItsDigitsInFloat) {

@@ -9,41 +9,26 @@
 namespace brdf::trade {
 
 // c^n.
-struct cosine_power {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return math::pow(x.cosine, x.width);
-  }
+inline constexpr auto cosine_power = []<class T>(const CosineRow<T>& x) -> T {
+  return math::pow(x.cosine, x.width);
 };
-struct cosine_power_libm {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return std::pow(x.cosine, x.width);
-  }
+inline constexpr auto cosine_power_libm = []<class T>(const CosineRow<T>& x) -> T {
+  return std::pow(x.cosine, x.width);
 };
 // Wang et al. 2009: a spherical Gaussian e^(n (c - 1)).
-struct spherical_gaussian {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return math::exp(x.width * (x.cosine - T(1)));
-  }
+inline constexpr auto spherical_gaussian = []<class T>(const CosineRow<T>& x) -> T {
+  return math::exp(x.width * (x.cosine - T(1)));
 };
 // Schlick 1994: c/(n - n c + c).
-struct schlick_power {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return x.cosine / (x.width - x.width * x.cosine + x.cosine);
-  }
+inline constexpr auto schlick_power = []<class T>(const CosineRow<T>& x) -> T {
+  return x.cosine / (x.width - x.width * x.cosine + x.cosine);
 };
 // Repeated squaring for an exponent known beforehand.
 template <int doublings>
-struct squared_power {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    T y = x.cosine;
-    for (int k = 0; k < doublings; ++k) y = y * y;
-    return y;
-  }
+inline constexpr auto squared_power = []<class T>(const CosineRow<T>& x) -> T {
+  T y = x.cosine;
+  for (int k = 0; k < doublings; ++k) y = y * y;
+  return y;
 };
 
 // r.o of the mirror direction r = 2 (n.l) n - l, n = +z.
@@ -53,11 +38,8 @@ T mirror_cosine(const DirectionRow<T>& x) {
 }
 
 // Phong's lobe (r.o)^n as a renderer has it, by vectors.
-struct mirror_lobe {
-  template <class T>
-  T operator()(const DirectionRow<T>& x) const {
-    return math::pow(at_least(mirror_cosine(x), T(0)), x.width);
-  }
+inline constexpr auto mirror_lobe = []<class T>(const DirectionRow<T>& x) -> T {
+  return math::pow(at_least(mirror_cosine(x), T(0)), x.width);
 };
 // Blinn's half vector with `factor` times the exponent; 4 makes it as narrow as the mirror direction's.
 struct half_lobe {
@@ -70,32 +52,23 @@ struct half_lobe {
   }
 };
 // The same lobes through differences, accurate at the peak for any exponent.
-struct mirror_lobe_stable {
-  template <class T>
-  T operator()(const DirectionRow<T>& x) const {
-    return mirror_cosine_power(x.width, geometry_of(x));
-  }
+inline constexpr auto mirror_lobe_stable = []<class T>(const DirectionRow<T>& x) -> T {
+  return mirror_cosine_power(x.width, geometry_of(x));
 };
 
 // D of GGX.
-struct ggx_stable {
-  template <class T>
-  T operator()(const DirectionRow<T>& x) const {
-    const Fraction<T> d = d_ggx(Roughness<T>{x.width, x.width}, geometry_of(x));
-    return d.num / d.den;
-  }
+inline constexpr auto ggx_stable = []<class T>(const DirectionRow<T>& x) -> T {
+  const Fraction<T> d = d_ggx(Roughness<T>{x.width, x.width}, geometry_of(x));
+  return d.num / d.den;
 };
 // As it is printed nearly everywhere: alpha^2/(pi ((n.h)^2
 // (alpha^2 - 1) + 1)^2) with a normalised half vector.
-struct ggx_naive {
-  template <class T>
-  T operator()(const DirectionRow<T>& x) const {
-    Vec3<T> h = x.wi + x.wo;
-    h = h * (T(1) / math::sqrt(dot(h, h)));
-    const T a2 = x.width * x.width;
-    const T t = h.z * h.z * (a2 - T(1)) + T(1);
-    return a2 / (T(kPi) * t * t);
-  }
+inline constexpr auto ggx_naive = []<class T>(const DirectionRow<T>& x) -> T {
+  Vec3<T> h = x.wi + x.wo;
+  h = h * (T(1) / math::sqrt(dot(h, h)));
+  const T a2 = x.width * x.width;
+  const T t = h.z * h.z * (a2 - T(1)) + T(1);
+  return a2 / (T(kPi) * t * t);
 };
 
 }  // namespace brdf::trade

@@ -113,10 +113,7 @@ struct lookup_article {
   T operator()(const DirectionRow<T>& x) const {
     const Geometry<T> g = geometry_of(x);
     const T u = g.h.z / (T(2) * g.cos_d), v = g.cos_i;
-    if constexpr (smooth)
-      return T(1 / kPi) * texture.bilinear(u, v);
-    else
-      return T(1 / kPi) * texture.nearest(u, v);
+    return T(1 / kPi) * (smooth ? texture.bilinear(u, v) : texture.nearest(u, v));
   }
 };
 

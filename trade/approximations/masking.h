@@ -12,68 +12,48 @@ Geometry<T> geometry_of(const DirectionRow<T>& x) {
   return geometry(x.wi, x.wo);
 }
 
-struct smith_correlated {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    return v_smith_ggx(a, g);
-  }
+inline constexpr auto smith_correlated = []<class S, class G>(const Roughness<S>& a,
+                                                              const Geometry<G>& g) -> Fraction<S> {
+  return v_smith_ggx(a, g);
 };
 // Smith's G1 of both directions, multiplied as if they were independent (Walter et al. 2007).
-struct smith_separable {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    return {S(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
-  }
+inline constexpr auto smith_separable = []<class S, class G>(const Roughness<S>& a,
+                                                             const Geometry<G>& g) -> Fraction<S> {
+  return {S(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
 };
 // Schlick's rational G1 with k = alpha/2 (Karis 2013, for image-based light).
-struct schlick_ggx_half {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    return v_schlick_ggx(S(0.5) * a.alpha_x, g);
-  }
+inline constexpr auto schlick_ggx_half = []<class S, class G>(const Roughness<S>& a,
+                                                              const Geometry<G>& g) -> Fraction<S> {
+  return v_schlick_ggx(S(0.5) * a.alpha_x, g);
 };
 // The same with k = (roughness + 1)^2/8, alpha = roughness^2
 // (Karis 2013, for analytic lights; the thesis's listing).
-struct schlick_ggx_analytic {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    return v_schlick_ggx(S(0.125) * square(math::sqrt(a.alpha_x) + S(1)), g);
-  }
+inline constexpr auto schlick_ggx_analytic = []<class S, class G>(const Roughness<S>& a,
+                                                                  const Geometry<G>& g) -> Fraction<S> {
+  return v_schlick_ggx(S(0.125) * square(math::sqrt(a.alpha_x) + S(1)), g);
 };
 // And with alpha in roughness's place (the thesis's equation).
-struct schlick_ggx_printed {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    return v_schlick_ggx(S(0.125) * square(a.alpha_x + S(1)), g);
-  }
+inline constexpr auto schlick_ggx_printed = []<class S, class G>(const Roughness<S>& a,
+                                                                 const Geometry<G>& g) -> Fraction<S> {
+  return v_schlick_ggx(S(0.125) * square(a.alpha_x + S(1)), g);
 };
 // Hammon 2017: the correlated denominator linear in the cosines, lerp(2 ci co, ci + co, alpha).
-struct hammon_correlated {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    const G product = G(2) * g.cos_i * g.cos_o;
-    return {S(0.5), product + a.alpha_x * (g.cos_i + g.cos_o - product)};
-  }
+inline constexpr auto hammon_correlated = []<class S, class G>(const Roughness<S>& a,
+                                                               const Geometry<G>& g) -> Fraction<S> {
+  const G product = G(2) * g.cos_i * g.cos_o;
+  return {S(0.5), product + a.alpha_x * (g.cos_i + g.cos_o - product)};
 };
-struct v_shaped_cavities {
-  template <class S, class G>
-  Fraction<G> operator()(const Roughness<S>&, const Geometry<G>& g) const {
-    return v_cavities(g);
-  }
-};
+inline constexpr auto v_shaped_cavities =
+    []<class S, class G>(const Roughness<S>&, const Geometry<G>& g) -> Fraction<G> { return v_cavities(g); };
 // G = 1 (the lookup-texture article calls G meaningless).
-struct masking_dropped {
-  template <class S, class G>
-  Fraction<G> operator()(const Roughness<S>&, const Geometry<G>& g) const {
-    return {G(0.25), g.cos_i * g.cos_o};
-  }
+inline constexpr auto masking_dropped = []<class S, class G>(const Roughness<S>&,
+                                                             const Geometry<G>& g) -> Fraction<G> {
+  return {G(0.25), g.cos_i * g.cos_o};
 };
 
-struct smith_beckmann {
-  template <class S, class G>
-  Fraction<S> operator()(const Roughness<S>& a, const Geometry<G>& g) const {
-    return v_smith_beckmann(a, g);
-  }
+inline constexpr auto smith_beckmann = []<class S, class G>(const Roughness<S>& a,
+                                                            const Geometry<G>& g) -> Fraction<S> {
+  return v_smith_beckmann(a, g);
 };
 
 // Walter et al. 2007: G1 = (3.535 c + 2.181 c^2)/(1 + 2.276
@@ -88,61 +68,41 @@ template <class T>
 T inverse_scaled_tangent(const Roughness<T>& a, const Vec3<T>& w) {
   return w.z / (a.alpha_x * math::sqrt(square(w.x) + square(w.y) + T(1e-30)));
 }
-struct rational_beckmann {
-  template <class T>
-  Fraction<T> operator()(const Roughness<T>& a, const Geometry<T>& g) const {
-    const T g_i = rational_g1(inverse_scaled_tangent(a, g.wi)),
-            g_o = rational_g1(inverse_scaled_tangent(a, g.wo));
-    const T both = g_i * g_o;  // 1/(1 + L_i + L_o) with L = 1/G1 - 1
-    return {T(0.25) * both, g.cos_i * g.cos_o * (g_i + g_o - both)};
-  }
+inline constexpr auto rational_beckmann = []<class T>(const Roughness<T>& a,
+                                                      const Geometry<T>& g) -> Fraction<T> {
+  const T g_i = rational_g1(inverse_scaled_tangent(a, g.wi)),
+          g_o = rational_g1(inverse_scaled_tangent(a, g.wo));
+  const T both = g_i * g_o;  // 1/(1 + L_i + L_o) with L = 1/G1 - 1
+  return {T(0.25) * both, g.cos_i * g.cos_o * (g_i + g_o - both)};
 };
 
 // G1 of one direction.
-struct g1_smith_ggx {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    const T sin2 = (T(1) - x.cosine) * (T(1) + x.cosine);
-    return T(2) * x.cosine / (x.cosine + math::sqrt(square(x.width) * sin2 + square(x.cosine)));
-  }
+inline constexpr auto g1_smith_ggx = []<class T>(const CosineRow<T>& x) -> T {
+  const T sin2 = (T(1) - x.cosine) * (T(1) + x.cosine);
+  return T(2) * x.cosine / (x.cosine + math::sqrt(square(x.width) * sin2 + square(x.cosine)));
 };
 template <class T>
 T g1_schlick(const T& k, const T& c) {
   return c / (c * (T(1) - k) + k);
 }
-struct g1_schlick_half {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return g1_schlick(T(0.5) * x.width, x.cosine);
-  }
+inline constexpr auto g1_schlick_half = []<class T>(const CosineRow<T>& x) -> T {
+  return g1_schlick(T(0.5) * x.width, x.cosine);
 };
-struct g1_schlick_analytic {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return g1_schlick(T(0.125) * square(math::sqrt(x.width) + T(1)), x.cosine);
-  }
+inline constexpr auto g1_schlick_analytic = []<class T>(const CosineRow<T>& x) -> T {
+  return g1_schlick(T(0.125) * square(math::sqrt(x.width) + T(1)), x.cosine);
 };
 // The thesis's equation, with alpha where the listing has roughness.
-struct g1_schlick_printed {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return g1_schlick(T(0.125) * square(x.width + T(1)), x.cosine);
-  }
+inline constexpr auto g1_schlick_printed = []<class T>(const CosineRow<T>& x) -> T {
+  return g1_schlick(T(0.125) * square(x.width + T(1)), x.cosine);
 };
-struct g1_smith_beckmann {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    const T sine = math::sqrt((T(1) - x.cosine) * (T(1) + x.cosine));
-    return x.cosine /
-           (x.cosine + cos_lambda_beckmann(Roughness<T>{x.width, x.width}, Vec3<T>{sine, T(0), x.cosine}));
-  }
+inline constexpr auto g1_smith_beckmann = []<class T>(const CosineRow<T>& x) -> T {
+  const T sine = math::sqrt((T(1) - x.cosine) * (T(1) + x.cosine));
+  return x.cosine /
+         (x.cosine + cos_lambda_beckmann(Roughness<T>{x.width, x.width}, Vec3<T>{sine, T(0), x.cosine}));
 };
-struct g1_rational_beckmann {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    const T sine = math::sqrt((T(1) - x.cosine) * (T(1) + x.cosine));
-    return rational_g1(inverse_scaled_tangent(Roughness<T>{x.width, x.width}, Vec3<T>{sine, T(0), x.cosine}));
-  }
+inline constexpr auto g1_rational_beckmann = []<class T>(const CosineRow<T>& x) -> T {
+  const T sine = math::sqrt((T(1) - x.cosine) * (T(1) + x.cosine));
+  return rational_g1(inverse_scaled_tangent(Roughness<T>{x.width, x.width}, Vec3<T>{sine, T(0), x.cosine}));
 };
 
 // V as a kernel.

@@ -96,8 +96,7 @@ Kernel batched(K kernel, RowKind<R>) {
     };
     repeat(body, out.size());
   };
-  return {[run](const Inputs<double>& in, std::span<double> out) { run(in, out); },
-          [run](const Inputs<float>& in, std::span<float> out) { run(in, out); }};
+  return {run, run};
 }
 
 template <class F, template <class> class R>
@@ -107,8 +106,7 @@ Kernel point_by_point(F f, RowKind<R>) {
     for (std::size_t i = 0; i < out.size(); ++i)
       out[i] = T(f(row_from<R, double>([&](std::size_t k) { return double(columns[k][i]); })));
   };
-  return {[run](const Inputs<double>& in, std::span<double> out) { run(in, out); },
-          [run](const Inputs<float>& in, std::span<float> out) { run(in, out); }};
+  return {run, run};
 }
 
 }  // namespace detail

@@ -68,9 +68,9 @@ void add_published(Question& q, double f0) {
   q.choices.push_back(
       albedo_choice("1024 half vectors", albedo_half_vectors{1024}, "as environment tables are made", f0));
   q.choices.push_back(
-      albedo_choice("rational fit", albedo_materialx{}, "MaterialX's shading language library", f0));
+      albedo_choice("rational fit", albedo_materialx, "MaterialX's shading language library", f0));
   q.choices.push_back(
-      albedo_choice("exponential fit", albedo_karis{}, "Karis 2014; made for k = alpha/2 masking", f0));
+      albedo_choice("exponential fit", albedo_karis, "Karis 2014; made for k = alpha/2 masking", f0));
 }
 
 Question albedo_question() {

@@ -18,7 +18,36 @@ constexpr const char* kThesis = "the thesis";
 constexpr const char* kLookup = "the lookup-texture article";
 constexpr const char* kShading = "the pixel-shader article";
 
-using Found = ClaimRule::Found;
+using ClaimRows = std::vector<const LedgerRow*>;
+
+// The figure that decides, and words for the evidence.
+struct Found {
+  double figure;
+  std::string words = {};
+};
+using Find = Found (*)(const ClaimRows& rows, const Ledger& ledger);
+
+struct ClaimRule {
+  // A field of the first row, by its name below, or what a function finds.
+  struct Figure {
+    Figure(const char* of_row) : field(of_row) {}
+    Figure(Find function) : find(function) {}
+    const char* field = "";
+    Find find = nullptr;
+  };
+  struct Below {
+    double bound;
+    const char* verdict;
+  };
+  const char *source, *claim;
+  std::vector<RowName> rows;  // the first is the claim's
+  Figure figure;
+  std::vector<Below> below;  // the first bound above the figure gives the verdict
+  const char* otherwise;
+  // {figure}, {words}, and of the first row {cost}, {ms}, {max}, {mean}, {image}, {where}, {note}; of the
+  // second {cost 1}, ...
+  const char* evidence;
+};
 
 // --- Figures that no row holds -----------------------------------------------------------------------------
 
@@ -63,33 +92,18 @@ double ward_aspect() {
   return width(across) / std::min(width(along), width(along * -1.0));
 }
 
-// Mean image error of every family on the other five families' materials.
+// Mean image error of every family on the other families' materials.
 std::map<std::string, double> errors_on_others(const Ledger& ledger) {
-  std::map<std::string, double> sums;
+  std::map<std::string, double> sums, counts;
   for (const LedgerRow& row : ledger.rows)
     if (row.question.starts_with(names::families("")) && row.choice != row.exact && row.image_error)
       if (const auto form = find_form(row.choice); form && info(*form).canonical)
-        sums[row.choice] += *row.image_error / 5;
+        sums[row.choice] += *row.image_error, ++counts[row.choice];
+  for (auto& [name, sum] : sums) sum /= counts[name];
   return sums;
 }
 
 // --- What decides ------------------------------------------------------------------------------------------
-
-Found nothing(const ClaimRows&, const Ledger&) {
-  return {0};
-}
-Found cost(const ClaimRows& rows, const Ledger&) {
-  return {rows[0]->cost_ratio};
-}
-Found largest_error(const ClaimRows& rows, const Ledger&) {
-  return {rows[0]->error.max};
-}
-Found mean_error(const ClaimRows& rows, const Ledger&) {
-  return {rows[0]->error.mean};
-}
-Found picture_error(const ClaimRows& rows, const Ledger&) {
-  return {rows[0]->image_error.value_or(0)};
-}
 
 Found peaks(const ClaimRows&, const Ledger&) {
   const double mirror = value(lobe_only(phong{}, Role::exponent, 20), 0, 0, 180);
@@ -126,13 +140,17 @@ Found behind_the_best(const ClaimRows& rows, const Ledger& ledger) {
 
 // --- Evidence ----------------------------------------------------------------------------------------------
 
+double number_of(const LedgerRow& row, std::string_view name) {
+  return name == "cost"   ? row.cost_ratio
+         : name == "ms"   ? row.cost.seconds * 1e3
+         : name == "max"  ? row.error.max
+         : name == "mean" ? row.error.mean
+                          : row.image_error.value_or(0);
+}
+
 std::string field_of(const LedgerRow& row, std::string_view name) {
-  if (name == "cost") return short_number(row.cost_ratio);
-  if (name == "ms") return short_number(row.cost.seconds * 1e3);
-  if (name == "max") return short_number(row.error.max);
-  if (name == "mean") return short_number(row.error.mean);
-  if (name == "image") return short_number(row.image_error.value_or(0));
-  return name == "where" ? row.error.where : row.note;
+  if (name == "where") return row.error.where;
+  return name == "note" ? row.note : short_number(number_of(row, name));
 }
 
 std::string filled(std::string_view text, const ClaimRows& rows, const Found& found) {
@@ -158,15 +176,13 @@ std::vector<RowName> shading_rows(int triangles) {
   return rows;
 }
 
-}  // namespace
-
 const std::vector<ClaimRule>& claim_rules() {
   using namespace names;
   const std::string reference(kReferenceForm), diffuse(kDiffuseForm);
   // clang-format off
   static const std::vector<ClaimRule> rules{
       {kThesis, "the half vector is cheaper than the mirror direction", {{kMirror, kEqualHalfVector}},
-       cost, {{0.95, "holds"}, {1.05, "no difference"}}, "does not hold",
+       "cost", {{0.95, "holds"}, {1.05, "no difference"}}, "does not hold",
        "costs {cost} times the mirror direction: the half vector must be normalised, the mirror direction's cosine "
        "needs no root"},
       {kThesis, "Blinn-Phong's highlight is dimmer than Phong's at equal n", {{kMirror, kEqualHalfVector}},
@@ -183,50 +199,58 @@ const std::vector<ClaimRule>& claim_rules() {
        limb_over_centre, {{1.05, "does not hold"}}, "holds",
        "light from the viewer, sigma 0.5: f at 80 degrees is {figure} times f at normal incidence"},
       {kThesis, "Lambert or Oren-Nayar suffice where physics matters less", {{families(reference), diffuse}},
-       nothing, {}, "a matter of tolerance",
+       "", {}, "a matter of tolerance",
        "Lambert fitted to cook_torrance: image error {image} at {cost} of the cost"},
       {kThesis, "Cook-Torrance is the most realistic", {{families("ward"), reference}},
-       behind_the_best, {{1e-12, "holds among the six"}}, "does not hold",
-       "mean image error on the other five families' materials: {words}; real materials are another question"},
+       behind_the_best, {{1e-12, "holds among the families"}}, "does not hold",
+       "mean image error on the other families' materials: {words}; real materials are another question"},
       {kThesis, "parameters are fitted from goniometer samples by optimisation",
        {{kSampleCounts, kThousandSamples}},
-       mean_error, {{0.02, "holds"}}, "does not hold",
+       "mean", {{0.02, "holds"}}, "does not hold",
        "1000 samples with 5 % noise give f within {mean} on average in {ms} ms"},
       {kThesis, "deferred rendering allows many more lights",
        {{lights(64), kDeferred16}, {lights(1), kDeferred16}},
-       cost, {{0.95, "holds"}}, "does not hold",
+       "cost", {{0.95, "holds"}}, "does not hold",
        "a frame costs {cost} of forward's at 64 lights, {cost 1} at one"},
       {kThesis, "16-bit targets are needed for vectors", {{bits(0.05), kEightBits}, {bits(0.3), kEightBits}},
-       largest_error, {{0.05, "does not hold"}}, "holds for narrow highlights",
+       "max", {{0.05, "does not hold"}}, "holds for narrow highlights",
        "8 bits: image error {image}, largest {max} at alpha 0.05; {image 1} at alpha 0.3"},
       {kShading, "Phong and Gouraud shading look alike", shading_rows(5120),
-       nothing, {}, "holds because the normal is not renormalised",
+       "", {}, "holds because the normal is not renormalised",
        "as coded: {note}; Gouraud: {note 1}; with unit normals: {note 2}"},
       {kShading, "Phong and Gouraud shading look alike", shading_rows(320),
-       nothing, {}, "holds because the normal is not renormalised",
+       "", {}, "holds because the normal is not renormalised",
        "as coded: {note}; Gouraud: {note 1}; with unit normals: {note 2}"},
       {kShading, "the half vector of the code is a half vector",
        {{kHighlightShading, triangles(5120, kHighlightAsCoded)}},
-       nothing, {}, "does not hold",
+       "", {}, "does not hold",
        "the light vector has length sqrt(3), so h is 7.9 degrees off: largest error {max} of a highlight of 0.75"},
       {kLookup, "H = N is adequate because the lobe is strong there", {{lookup(0.3), kCollapsed}},
-       picture_error, {{0.02, "holds in the picture, not towards grazing"}}, "does not hold",
+       "image", {{0.02, "holds in the picture, not towards grazing"}}, "does not hold",
        "image error {image}; largest error {max} 1/sr at {where}"},
       {kLookup, "the lookup texture is fast", {{lookup(0.3), texels(512, 8, "nearest")}},
-       cost, {{0.95, "holds"}}, "does not hold on a CPU",
+       "cost", {{0.95, "holds"}}, "does not hold on a CPU",
        "costs {cost} times the exact evaluation in batches"},
       {kLookup, "G is cancelled by D and meaningless",
        {{kMaskingByAlbedo, kMaskingDropped}, {kMasking, kMaskingDropped}},
-       nothing, {}, "does not hold towards grazing",
+       "", {}, "does not hold towards grazing",
        "without G the albedo is up to {max} too large ({where}); image error on the ball {image 1}"},
       {kLookup, "the reflection is weaker where the light is frontal", {{lookup(0.3), kExact}},
        oblique_over_frontal, {{1, "does not hold"}}, "holds",
        "mirror direction at 60 degrees against normal incidence: f cos_i is {figure} times as large"},
       {kLookup, "its Fresnel term, as coded", {{kFresnelOfGlass, kSlip}},
-       nothing, {}, "wrong",
+       "", {}, "wrong",
        "up to {max} too large, image error {image}"}};
   // clang-format on
   return rules;
+}
+
+}  // namespace
+
+std::vector<std::vector<RowName>> claim_rows() {
+  std::vector<std::vector<RowName>> rows;
+  for (const ClaimRule& rule : claim_rules()) rows.push_back(rule.rows);
+  return rows;
 }
 
 std::vector<Claim> judge_claims(const Ledger& ledger) {
@@ -235,7 +259,8 @@ std::vector<Claim> judge_claims(const Ledger& ledger) {
     ClaimRows rows;
     for (const auto& [question, choice] : rule.rows) rows.push_back(ledger.find(question, choice));
     if (std::find(rows.begin(), rows.end(), nullptr) != rows.end()) continue;
-    const Found found = rule.find(rows, ledger);
+    const Found found =
+        rule.figure.find ? rule.figure.find(rows, ledger) : Found{number_of(*rows[0], rule.figure.field)};
     const auto below = std::find_if(rule.below.begin(), rule.below.end(),
                                     [&](const auto& b) { return found.figure < b.bound; });
     claims.push_back({rule.source, rule.claim, below == rule.below.end() ? rule.otherwise : below->verdict,

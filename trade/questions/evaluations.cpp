@@ -113,23 +113,36 @@ Values values_of(const MakeRun& make) {
   };
 }
 
-Yardstick yardstick_of(const MakeRun& exact, const PicturePoints* picture) {
-  const ErrorDomains domains{direction_domain(0, 80), {direction_domain(85, 89.99)}, 4096, 4096};
-  return {domains, values_of(exact), picture, values_of(exact)};
-}
-
-// Runs over the same directions, timed in turn; each costs per pair of directions.
+// Runs that are timed in turn, each over directions of its own number, and judged by others.
 struct Timed {
   std::string name;
   MakeRun make;
   std::size_t count;
   std::string note;
+  MakeRun exact;
 };
-std::vector<timing::Timing> times_of(const std::vector<Timed>& runs, const timing::Options& options) {
+std::vector<LedgerRow> rows_of(const std::string& question, const std::vector<Timed>& runs,
+                               const timing::Options& clock, const PicturePoints* picture) {
   std::vector<std::function<void()>> calls;
   for (const Timed& timed : runs)
     calls.push_back(timed.make(sample(direction_domain(0, 80), timed.count).columns, timed.count).run);
-  return timing::interleaved(calls, options);
+  const std::vector<timing::Timing> timings = timing::interleaved(calls, clock);
+  std::vector<LedgerRow> rows;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    LedgerRow row;
+    row.question = question;
+    row.choice = runs[k].name;
+    row.exact = runs[0].name;
+    row.quantity = "f_r";
+    row.note = runs[k].note;
+    set_cost(row, timings[k], double(runs[k].count));
+    row.cost_ratio *= double(runs[0].count) / double(runs[k].count);
+    const Values values = values_of(runs[k].make), exact = values_of(runs[k].exact);
+    Yardstick({direction_domain(0, 80), {direction_domain(85, 89.99)}, 4096, 4096}, exact, picture, exact)
+        .judge(row, values, values);
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 // On a software driver a dispatch costs the processor's time, of all its threads.
@@ -145,8 +158,10 @@ timing::Options timed_on(render::Device* device, int rounds) {
   return options;
 }
 
-constexpr const char* kShaderNote =
-    "three channels, f_r and f_r cos_i; all threads of the driver; per pair of directions";
+std::string shader_note(const render::Device& device) {
+  return "three channels, f_r and f_r cos_i; all threads of the driver; per pair of directions; on " +
+         device.name();
+}
 
 }  // namespace
 
@@ -173,30 +188,16 @@ EvaluationTimes evaluation_times(const std::vector<Reflectance>& forms, int roun
 
 std::vector<LedgerRow> batch_rows(const EvaluationOptions& options) {
   const Reflectance form = reference_form();
-  std::vector<Timed> runs{{"a material, pair by pair", pair_by_pair(form), kBatch, "eval() of a material"},
-                          {"batch, double", batch<double>(form), kBatch, "one channel"},
-                          {"batch, float", batch<float>(form), kBatch, "one channel"}};
+  const MakeRun exact = pair_by_pair(form);
+  std::vector<Timed> runs{{"a material, pair by pair", exact, kBatch, "eval() of a material", exact},
+                          {"batch, double", batch<double>(form), kBatch, "one channel", exact},
+                          {"batch, float", batch<float>(form), kBatch, "one channel", exact}};
   if (options.device)
     runs.push_back({"shader on the driver", shader(*options.device, form), kShaderBatch,
-                    std::string(kShaderNote) + "; on " + options.device->name()});
-  const std::vector<timing::Timing> timings =
-      times_of(runs, timed_on(options.device, options.quick ? 21 : 41));
-  const Yardstick yardstick = yardstick_of(runs[0].make, options.picture);
-  std::vector<LedgerRow> rows;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    LedgerRow row;
-    row.question = "one by one or in batches";
-    row.choice = runs[k].name;
-    row.exact = runs[0].name;
-    row.quantity = "f_r";
-    row.note = runs[k].note;
-    set_cost(row, timings[k], double(runs[k].count));
-    row.cost_ratio *= double(kBatch) / double(runs[k].count);
-    const Values values = values_of(runs[k].make);
-    yardstick.judge(row, values, values);
-    row.domain += "; " + std::string(info(form).name) + " at its defaults";
-    rows.push_back(std::move(row));
-  }
+                    shader_note(*options.device), exact});
+  std::vector<LedgerRow> rows = rows_of("one by one or in batches", runs,
+                                        timed_on(options.device, options.quick ? 21 : 41), options.picture);
+  for (LedgerRow& row : rows) row.domain += "; " + std::string(info(form).name) + " at its defaults";
   mark_dominated(rows);
   return rows;
 }
@@ -205,26 +206,16 @@ std::vector<LedgerRow> shader_rows(const EvaluationOptions& options) {
   std::vector<Reflectance> forms{reference_form()};
   for (const Reflectance& form : catalogue())
     if (info(form).canonical && form != forms[0]) forms.push_back(form);
+  // Each is judged by the library's own float values, so none can dominate another.
   std::vector<Timed> runs;
   for (const Reflectance& form : forms)
     runs.push_back({std::string(info(form).name), shader(*options.device, form), kShaderBatch,
-                    std::string(kShaderNote) + "; on " + options.device->name()});
-  const std::vector<timing::Timing> timings =
-      times_of(runs, timed_on(options.device, options.quick ? 21 : 41));
-  // Each is judged by the library's own float values, so none can dominate another.
-  std::vector<LedgerRow> rows;
-  for (std::size_t k = 0; k < forms.size(); ++k) {
-    LedgerRow row;
-    row.question = "a family in the shader";
-    row.choice = runs[k].name;
-    row.exact = runs[0].name;
+                    shader_note(*options.device), batch<float>(form)});
+  std::vector<LedgerRow> rows = rows_of("a family in the shader", runs,
+                                        timed_on(options.device, options.quick ? 21 : 41), options.picture);
+  for (LedgerRow& row : rows) {
     row.quantity = "f_r, shader against the library";
-    row.note = runs[k].note;
-    set_cost(row, timings[k], double(kShaderBatch));
-    const Values values = values_of(runs[k].make);
-    yardstick_of(batch<float>(forms[k]), options.picture).judge(row, values, values);
     row.domain += "; at the table's defaults";
-    rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -93,7 +93,7 @@ io::SampleTable sample_material(const Material& material, std::size_t rows, doub
   };
   // Half the rows anywhere, half within a few degrees to tens of degrees of the mirror direction.
   add(direction_domain(0, most_theta), rows / 2);
-  add(lobe_domain({"alpha", 0.02, 0.5, true}, 2, most_theta), rows - rows / 2);
+  add(lobe_domain({"width", 0.02, 0.5, true}, 2, most_theta), rows - rows / 2);
   return table;
 }
 

@@ -31,41 +31,29 @@ constexpr Weights shown_weights() {
   return w;
 }
 
+// The row's f0 for the form's, or times its lobe where it has none.
+template <class Weights, class S>
+constexpr void set_f0(Weights& w, const S& f0) {
+  bool has_f0 = false;
+  for (const auto& field : Weights::fields()) has_f0 = has_f0 || field.info.role == Role::f0;
+  for (const auto& field : Weights::fields())
+    if (field.info.role == (has_f0 ? Role::f0 : Role::specular))
+      w.*(field.member) = has_f0 ? f0 : w.*(field.member) * f0;
+}
+
 // A form at those weights, every parameter of its shape the row's width. Scalar<T> is what it computes in.
-template <class F, template <class> class Scalar = Own>
+template <class F, template <class> class Scalar = Own, bool kF0 = false>
 struct form_kernel {
   template <class T>
   T operator()(const DirectionRow<T>& x) const {
     using S = Scalar<T>;
-    using Weights = typename F::template Weights<S>;
     using Shape = typename F::template Shape<S>;
-    const auto w = shown_weights<Weights, S>();
+    auto w = shown_weights<typename F::template Weights<S>, S>();
+    if constexpr (kF0) set_f0(w, S(x.f0));
     Shape shape{};
     for (const auto& field : Shape::fields()) shape.*(field.member) = S(x.width);
     const auto in_scalar = [](const Vec3<T>& v) { return Vec3<S>{S(v.x), S(v.y), S(v.z)}; };
     return narrowed<T>(eval(F{}, w, w, shape, geometry(in_scalar(x.wi), in_scalar(x.wo), 1e-6)));
-  }
-};
-
-// The same with the row's f0; where the form has none it multiplies the lobe.
-template <class F>
-struct form_with_f0 {
-  template <class T>
-  T operator()(const DirectionRow<T>& x) const {
-    using Weights = typename F::template Weights<T>;
-    using Shape = typename F::template Shape<T>;
-    auto w = shown_weights<Weights, T>();
-    bool has_f0 = false;
-    for (const auto& field : Weights::fields())
-      if (field.info.role == Role::f0) {
-        w.*(field.member) = x.f0;
-        has_f0 = true;
-      }
-    for (const auto& field : Weights::fields())
-      if (!has_f0 && field.info.role == Role::specular) w.*(field.member) = w.*(field.member) * x.f0;
-    Shape shape{};
-    for (const auto& field : Shape::fields()) shape.*(field.member) = x.width;
-    return eval(F{}, w, w, shape, geometry_of(x));
   }
 };
 

@@ -90,7 +90,7 @@ Scene frame_scene(int lights, FrameDetail detail) {
     scene.lights.push_back({false,
                             {std::cos(turn), -0.5f - 0.5f * float(k % 3), std::sin(turn) - 1.2f},
                             glm::vec3(1),
-                            3.1415927f / float(lights)});
+                            float(kPi) / float(lights)});
   }
   return scene;
 }
@@ -154,7 +154,7 @@ FrameQuestion lookup_question(FrameDetail detail) {
   Scene* const evaluated = add("evaluated", kLevel, {}, false);
   evaluated->shading = Shading::brdf;
   // The article's light is 1 where ours is pi: Cm n.l Cd has no 1/pi.
-  evaluated->lights[0].intensity = 3.1415927f;
+  evaluated->lights[0].intensity = float(kPi);
   const bool quick = detail == FrameDetail::quick;
   for (int texels : quick ? std::vector{32, 128, 512} : std::vector{32, 64, 128, 256, 512, 1024})
     for (int bits : {8, 16, 32})

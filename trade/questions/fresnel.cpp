@@ -15,7 +15,7 @@ Domain dielectric(double eta, double least_cos = 0, double most_cos = 1) {
 
 template <class F>
 Choice dielectric_choice(std::string name, F f, std::string note) {
-  return {std::move(name), kernel(f), std::move(note), picture_of_fresnel(f)};
+  return {std::move(name), kernel(f), std::move(note), on_ball(smith_correlated, f)};
 }
 
 Question dielectric_question() {
@@ -25,12 +25,12 @@ Question dielectric_question() {
              dielectric(1.5),
              {dielectric(1.01), dielectric(5), dielectric(1.5, 0, 0.01)},
              {}};
-  q.choices = {dielectric_choice(names::kExact, exact_dielectric{}, "Cook and Torrance 1982"),
-               dielectric_choice("Schlick", schlick_fresnel{}, "Schlick 1994"),
-               dielectric_choice("spherical Gaussian", gaussian_dielectric{},
+  q.choices = {dielectric_choice(names::kExact, exact_dielectric, "Cook and Torrance 1982"),
+               dielectric_choice("Schlick", schlick_fresnel, "Schlick 1994"),
+               dielectric_choice("spherical Gaussian", gaussian_dielectric,
                                  "Karis 2013: an exponential for the power"),
-               dielectric_choice("constant f0", constant_dielectric{}, "no dependence on the angle"),
-               dielectric_choice(names::kSlip, slipped_dielectric{}, "(g-c)(g-c)/(g+c)*(g+c) as coded")};
+               dielectric_choice("constant f0", constant_dielectric, "no dependence on the angle"),
+               dielectric_choice(names::kSlip, slipped_dielectric, "(g-c)(g-c)/(g+c)*(g+c) as coded")};
   return q;
 }
 
@@ -56,13 +56,13 @@ Question metal_question(const Metal& metal) {
       std::string("Fresnel of ") + metal.name, "F", Measure::absolute, domain(0, 1), {domain(0, 0.01)}, {}};
   const FresnelRow<double> index{0, metal.n, metal.k, f0, a};
   q.choices = {
-      {names::kExact, kernel(exact_conductor{}), "", picture_of_fresnel(exact_conductor{}, index, 0)},
-      {"Schlick", kernel(schlick_fresnel{}), "f0 exact at normal incidence",
-       picture_of_fresnel(schlick_fresnel{}, index, 0)},
-      {"Schlick with a dip", kernel(lazanyi_conductor{}), "Hoffman 2019, fitted at 82 degrees",
-       picture_of_fresnel(lazanyi_conductor{}, index, 0)},
-      {"for large indices", kernel(simplified_conductor{}), "sin^2 dropped against n^2 + k^2",
-       picture_of_fresnel(simplified_conductor{}, index, 0)}};
+      {names::kExact, kernel(exact_conductor), "", on_ball(smith_correlated, exact_conductor, index, 0)},
+      {"Schlick", kernel(schlick_fresnel), "f0 exact at normal incidence",
+       on_ball(smith_correlated, schlick_fresnel, index, 0)},
+      {"Schlick with a dip", kernel(lazanyi_conductor), "Hoffman 2019, fitted at 82 degrees",
+       on_ball(smith_correlated, lazanyi_conductor, index, 0)},
+      {"for large indices", kernel(simplified_conductor), "sin^2 dropped against n^2 + k^2",
+       on_ball(smith_correlated, simplified_conductor, index, 0)}};
   return q;
 }
 

@@ -52,7 +52,7 @@ struct masked_albedo {
 
 template <class V>
 Choice masked_choice(std::string name, V v) {
-  Choice choice{std::move(name), kernel(visibility<V>{v}), "", picture_of_masking(v)};
+  Choice choice{std::move(name), kernel(visibility<V>{v}), "", on_ball(v, schlick_fresnel)};
   choice.judged = scalar_kernel(masked_albedo<V>{v});
   return choice;
 }
@@ -64,13 +64,13 @@ Question masked_question() {
              angles(0, 85, 0.05, 1),
              {angles(0, 85, 0.01, 0.01), angles(85, 89, 0.05, 1)},
              {}};
-  q.choices = {masked_choice("Smith, correlated", smith_correlated{}),
-               masked_choice("Smith, separable", smith_separable{}),
-               masked_choice("Hammon", hammon_correlated{}),
-               masked_choice("Schlick-GGX, k = alpha/2", schlick_ggx_half{}),
-               masked_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic{}),
-               masked_choice("V-cavities", v_shaped_cavities{}),
-               masked_choice(names::kMaskingDropped, masking_dropped{})};
+  q.choices = {masked_choice("Smith, correlated", smith_correlated),
+               masked_choice("Smith, separable", smith_separable),
+               masked_choice("Hammon", hammon_correlated),
+               masked_choice("Schlick-GGX, k = alpha/2", schlick_ggx_half),
+               masked_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic),
+               masked_choice("V-cavities", v_shaped_cavities),
+               masked_choice(names::kMaskingDropped, masking_dropped)};
   q.points = 512;
   q.timed = directions({"alpha", 0.05, 1, true}, 85);
   return q;

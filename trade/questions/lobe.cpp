@@ -8,11 +8,8 @@ namespace brdf::trade {
 namespace {
 
 // With more digits than any choice has.
-struct long_power {
-  template <class T>
-  T operator()(const CosineRow<T>& x) const {
-    return T(std::pow((long double)(x.cosine), (long double)(x.width)));
-  }
+inline constexpr auto long_power = []<class T>(const CosineRow<T>& x) -> T {
+  return T(std::pow((long double)(x.cosine), (long double)(x.width)));
 };
 
 template <class Power>
@@ -31,12 +28,12 @@ Question power_question() {
              at(0, 1),
              {at(0.99, 1), at(0, 0.1)},
              {}};
-  q.choices = {power_choice("pow, own kernels", cosine_power{}, n, "exp(n log c)"),
-               power_choice("pow of the C library", cosine_power_libm{}, n, "does not vectorise"),
-               power_choice("repeated squaring", squared_power<doublings>{}, n, "the exponent must be known"),
-               power_choice("spherical Gaussian", spherical_gaussian{}, n, "Wang et al. 2009"),
-               power_choice("Schlick's rational", schlick_power{}, n, "Schlick 1994")};
-  q.reference = kernel(long_power{});
+  q.choices = {power_choice("pow, own kernels", cosine_power, n, "exp(n log c)"),
+               power_choice("pow of the C library", cosine_power_libm, n, "does not vectorise"),
+               power_choice("repeated squaring", squared_power<doublings>, n, "the exponent must be known"),
+               power_choice("spherical Gaussian", spherical_gaussian, n, "Wang et al. 2009"),
+               power_choice("Schlick's rational", schlick_power, n, "Schlick 1994")};
+  q.reference = kernel(long_power);
   return q;
 }
 
@@ -49,10 +46,10 @@ Question large_power_question() {
              {cosines({"1 - cos, log", 0.999999, 1}, {"n", 1e6, 1e6})},
              {}};
   const double shown = 1000;
-  q.choices = {power_choice("pow, own kernels", cosine_power{}, shown, ""),
-               power_choice("spherical Gaussian", spherical_gaussian{}, shown, "Wang et al. 2009"),
-               power_choice("Schlick's rational", schlick_power{}, shown, "Schlick 1994")};
-  q.reference = kernel(long_power{});
+  q.choices = {power_choice("pow, own kernels", cosine_power, shown, ""),
+               power_choice("spherical Gaussian", spherical_gaussian, shown, "Wang et al. 2009"),
+               power_choice("Schlick's rational", schlick_power, shown, "Schlick 1994")};
+  q.reference = kernel(long_power);
   return q;
 }
 
@@ -73,8 +70,8 @@ Question mirror_question() {
              {exponents(1e6, 1e6), exponents(5, 200, 89.5)},
              {}};
   q.choices = {
-      mirror_choice("mirror direction", mirror_lobe{}, "Phong 1975"),
-      mirror_choice("mirror, by differences", mirror_lobe_stable{}, "accurate at the peak for any n"),
+      mirror_choice("mirror direction", mirror_lobe, "Phong 1975"),
+      mirror_choice("mirror, by differences", mirror_lobe_stable, "accurate at the peak for any n"),
       mirror_choice("half vector, 4 n", half_lobe{4}, "Blinn 1977, made as narrow"),
       mirror_choice(names::kEqualHalfVector, half_lobe{1}, "Blinn 1977, as the documents compare them")};
   return q;
@@ -93,10 +90,10 @@ Question ggx_question() {
   const auto choice = [](const char* name, auto d, const char* note) {
     return Choice{name, kernel(d), note, kernel(distribution_material<decltype(d)>{d, 0.01})};
   };
-  q.choices = {choice("half vector not normalised", ggx_stable{}, "this library's"),
-               choice("through (n.h)^2 - 1", ggx_naive{}, "as printed nearly everywhere")};
+  q.choices = {choice("half vector not normalised", ggx_stable, "this library's"),
+               choice("through (n.h)^2 - 1", ggx_naive, "as printed nearly everywhere")};
   for (Choice& c : q.choices) c.error = Precision::single_;
-  q.reference = kernel(ggx_stable{});
+  q.reference = kernel(ggx_stable);
   return q;
 }
 

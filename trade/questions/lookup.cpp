@@ -22,17 +22,17 @@ void add(Question& q, std::string name, L lookup, std::string note) {
   q.choices.push_back({std::move(name), kernel(std::move(lookup)), std::move(note), std::move(picture)});
 }
 
-template <class Texel>
-void add_tables(Question& q, const LookupMaterial& m, int size, int bits) {
-  const char* note = "(n.h, n.l), clamped to 1";
-  add(q, names::texels(size, bits, "nearest"), lookup_article<Texel, false>(m, size), note);
-  add(q, names::texels(size, bits, "bilinear"), lookup_article<Texel, true>(m, size), note);
+template <template <class, bool> class Table, class Texel>
+void add_tables(Question& q, const LookupMaterial& m, int size, int bits, const std::string& kind,
+                const char* note) {
+  add(q, names::texels(size, bits, "nearest") + kind, Table<Texel, false>(m, size), note);
+  add(q, names::texels(size, bits, "bilinear") + kind, Table<Texel, true>(m, size), note);
 }
-template <class Texel>
-void add_scaled_tables(Question& q, const LookupMaterial& m, int size, int bits) {
-  const char* note = "(tan/alpha, wi.h), G computed";
-  add(q, names::texels(size, bits, "nearest, scaled"), lookup_scaled<Texel, false>(m, size), note);
-  add(q, names::texels(size, bits, "bilinear, scaled"), lookup_scaled<Texel, true>(m, size), note);
+template <template <class, bool> class Table>
+void add_depths(Question& q, const LookupMaterial& m, int size, const std::string& kind, const char* note) {
+  add_tables<Table, std::uint8_t>(q, m, size, 8, kind, note);
+  add_tables<Table, std::uint16_t>(q, m, size, 16, kind, note);
+  add_tables<Table, float>(q, m, size, 32, kind, note);
 }
 
 Question lookup_question(const LookupMaterial& m) {
@@ -45,16 +45,10 @@ Question lookup_question(const LookupMaterial& m) {
   add(q, names::kExact, lookup_exact{m}, "Beckmann, V-cavities, exact Fresnel");
   add(q, names::kCollapsed, lookup_collapsed<false>{m}, "the article's assumption alone");
   add(q, "H = N, clamped to 1", lookup_collapsed<true>{m}, "and the texel's range");
-  for (int size = 32; size <= 1024; size *= 2) {
-    add_tables<std::uint8_t>(q, m, size, 8);
-    add_tables<std::uint16_t>(q, m, size, 16);
-    add_tables<float>(q, m, size, 32);
-  }
-  for (int size = 32; size <= 128; size *= 2) {
-    add_scaled_tables<std::uint8_t>(q, m, size, 8);
-    add_scaled_tables<std::uint16_t>(q, m, size, 16);
-    add_scaled_tables<float>(q, m, size, 32);
-  }
+  for (int size = 32; size <= 1024; size *= 2)
+    add_depths<lookup_article>(q, m, size, "", "(n.h, n.l), clamped to 1");
+  for (int size = 32; size <= 128; size *= 2)
+    add_depths<lookup_scaled>(q, m, size, ", scaled", "(tan/alpha, wi.h), G computed");
   return q;
 }
 

@@ -12,7 +12,7 @@ Domain grazing(Axis alpha) {
 
 template <class V>
 Choice masking_choice(std::string name, V v, std::string note) {
-  return {std::move(name), kernel(visibility<V>{v}), std::move(note), picture_of_masking(v)};
+  return {std::move(name), kernel(visibility<V>{v}), std::move(note), on_ball(v, schlick_fresnel)};
 }
 
 Question ggx_question() {
@@ -22,16 +22,15 @@ Question ggx_question() {
              directions(kAlpha, 85),
              {directions({"alpha", 1e-4, 1e-4}, 85), grazing(kAlpha)},
              {}};
-  q.choices = {
-      masking_choice("Smith, correlated", smith_correlated{}, "Heitz 2014"),
-      masking_choice("Smith, separable", smith_separable{}, "Walter et al. 2007"),
-      masking_choice("Hammon", hammon_correlated{}, "Hammon 2017: square roots made linear"),
-      masking_choice("Schlick-GGX, k = alpha/2", schlick_ggx_half{}, "Karis 2013, image-based light"),
-      masking_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic{},
-                     "Karis 2013, analytic light; the thesis's listing"),
-      masking_choice("V-cavities", v_shaped_cavities{}, "Torrance and Sparrow 1967"),
-      masking_choice(names::kMaskingDropped, masking_dropped{},
-                     "the lookup-texture article: G is meaningless")};
+  q.choices = {masking_choice("Smith, correlated", smith_correlated, "Heitz 2014"),
+               masking_choice("Smith, separable", smith_separable, "Walter et al. 2007"),
+               masking_choice("Hammon", hammon_correlated, "Hammon 2017: square roots made linear"),
+               masking_choice("Schlick-GGX, k = alpha/2", schlick_ggx_half, "Karis 2013, image-based light"),
+               masking_choice("Schlick-GGX, k = (roughness+1)^2/8", schlick_ggx_analytic,
+                              "Karis 2013, analytic light; the thesis's listing"),
+               masking_choice("V-cavities", v_shaped_cavities, "Torrance and Sparrow 1967"),
+               masking_choice(names::kMaskingDropped, masking_dropped,
+                              "the lookup-texture article: G is meaningless")};
   return q;
 }
 
@@ -46,13 +45,14 @@ Question g1_question() {
              {domain(0.01, {"alpha", 1e-4, 1e-4}), domain(1e-4, {"alpha", 0.0036, 1, true})},
              {}};
   // The picture has both directions' product.
-  q.choices = {{"Smith", kernel(g1_smith_ggx{}), "", picture_of_masking(smith_separable{})},
-               {"Schlick-GGX, k = alpha/2", kernel(g1_schlick_half{}), "Karis 2013, image-based light",
-                picture_of_masking(schlick_ggx_half{})},
-               {"Schlick-GGX, k = (roughness+1)^2/8", kernel(g1_schlick_analytic{}),
-                "the thesis's listing, roughness = sqrt(alpha)", picture_of_masking(schlick_ggx_analytic{})},
-               {"Schlick-GGX, k = (alpha+1)^2/8", kernel(g1_schlick_printed{}), "the thesis's equation",
-                picture_of_masking(schlick_ggx_printed{})}};
+  q.choices = {
+      {"Smith", kernel(g1_smith_ggx), "", on_ball(smith_separable, schlick_fresnel)},
+      {"Schlick-GGX, k = alpha/2", kernel(g1_schlick_half), "Karis 2013, image-based light",
+       on_ball(schlick_ggx_half, schlick_fresnel)},
+      {"Schlick-GGX, k = (roughness+1)^2/8", kernel(g1_schlick_analytic),
+       "the thesis's listing, roughness = sqrt(alpha)", on_ball(schlick_ggx_analytic, schlick_fresnel)},
+      {"Schlick-GGX, k = (alpha+1)^2/8", kernel(g1_schlick_printed), "the thesis's equation",
+       on_ball(schlick_ggx_printed, schlick_fresnel)}};
   return q;
 }
 
@@ -63,8 +63,8 @@ Question beckmann_question() {
              directions(kAlpha, 85),
              {directions({"alpha", 1e-4, 1e-4}, 85), grazing(kAlpha)},
              {}};
-  q.choices = {masking_choice("Smith, exact", smith_beckmann{}, "by a polynomial for erfcx"),
-               masking_choice("rational", rational_beckmann{}, "Walter et al. 2007")};
+  q.choices = {masking_choice("Smith, exact", smith_beckmann, "by a polynomial for erfcx"),
+               masking_choice("rational", rational_beckmann, "Walter et al. 2007")};
   return q;
 }
 
@@ -75,9 +75,9 @@ Question beckmann_g1_question() {
              cosines({"cos", 0.01, 1}, kAlpha),
              {cosines({"cos", 0.01, 1}, {"alpha", 1e-4, 1e-4}), cosines({"cos", 1e-4, 0.01}, kAlpha)},
              {}};
-  q.choices = {{"Smith, exact", kernel(g1_smith_beckmann{}), "", picture_of_masking(smith_beckmann{})},
-               {"rational", kernel(g1_rational_beckmann{}), "Walter et al. 2007",
-                picture_of_masking(rational_beckmann{})}};
+  q.choices = {{"Smith, exact", kernel(g1_smith_beckmann), "", on_ball(smith_beckmann, schlick_fresnel)},
+               {"rational", kernel(g1_rational_beckmann), "Walter et al. 2007",
+                on_ball(rational_beckmann, schlick_fresnel)}};
   return q;
 }
 

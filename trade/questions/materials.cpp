@@ -40,17 +40,16 @@ void set_parameter(Material& material, Role role, double value) {
 std::string described(const Material& material) {
   const Term& term = material.terms.front();
   const ReflectanceInfo& about = info(term.form);
-  std::vector<std::string> words{std::string(about.name)};
+  std::string text(about.name);
   const auto add = [&](std::string_view name, double value) {
-    words.push_back(std::string(name) + " " + io::short_number(value));
+    text += ", " + std::string(name) + " " + io::short_number(value);
   };
-  const ReflectanceInfo::Axes axes = about.axes();
+  const auto [along, across] = about.axes();
   for (int k = 0; k < int(about.shape.size()); ++k)
-    if (k != axes.across)
-      add(k == axes.along && axes.across >= 0 ? about.tied_name() : about.shape[std::size_t(k)].name,
-          term.shape[0][std::size_t(k)]);
+    if (k != across)
+      add(k == along ? about.tied_name() : about.shape[std::size_t(k)].name, term.shape[0][std::size_t(k)]);
   for (std::size_t k = 0; k < about.weights.size(); ++k) add(about.weights[k].name, term.weights[0][k]);
-  return io::joined(words);
+  return text;
 }
 
 }  // namespace brdf::trade

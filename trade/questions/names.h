@@ -67,7 +67,7 @@ inline std::string texels(int size, int bits, const char* filter) {
 }  // namespace names
 
 // Cheaper variants of the reference form: what is replaced in it.
-enum class Variant { hammon, schlick_ggx, masking_dropped, no_fresnel, hammon_no_fresnel };
+enum class Variant { hammon, schlick_ggx, no_masking, no_fresnel, hammon_no_fresnel };
 
 }  // namespace brdf::trade
 

@@ -71,13 +71,9 @@ struct distribution_material {
 
 inline constexpr FresnelRow<double> kGlass{.cosine = 0, .n = 1.5, .f0 = 0.04};
 
-template <class F>
-Kernel picture_of_fresnel(F f, const FresnelRow<double>& index = kGlass, double kd = 0.3) {
-  return kernel(ball_material<smith_correlated, F>{{}, f, index, kd});
-}
-template <class V>
-Kernel picture_of_masking(V v) {
-  return kernel(ball_material<V, schlick_fresnel>{v, {}, kGlass});
+template <class V, class F>
+Kernel on_ball(V v, F f, const FresnelRow<double>& index = kGlass, double kd = 0.3) {
+  return kernel(ball_material<V, F>{v, f, index, kd});
 }
 
 // Directions and a width.

@@ -102,7 +102,7 @@ struct shown_by_form {
 template <template <class> class Scalar>
 struct shown_by_pow {
   static Kernel at(double exponent) {
-    return kernel(computed_in<lobe_material<mirror_power<cosine_power>>, Scalar>{{{}, exponent}});
+    return kernel(computed_in<lobe_material<mirror_power<decltype(cosine_power)>>, Scalar>{{{}, exponent}});
   }
 };
 struct Pictures {

@@ -18,8 +18,8 @@ struct OneWidth {
   }
 };
 
-// V masks; without a Fresnel term ks is the reflectance along the normal.
-template <Variant kVariant, class V, bool kFresnel>
+// Without a Fresnel term ks is the reflectance along the normal.
+template <Variant kVariant, auto kMasking, bool kFresnel>
 struct variant_of
     : std::conditional_t<kFresnel, Takes<SchlickWeights, OneWidth>, Takes<LobeWeights, OneWidth>> {
   static constexpr std::string_view name = name_of(kVariant);
@@ -30,7 +30,7 @@ struct variant_of
   template <class S, class G>
   static auto lobes(const OneWidth<S>& shape, const Geometry<G>& g) {
     const Roughness<S> alpha{shape.alpha, shape.alpha};
-    const S vd = quotient(d_ggx(alpha, g), V{}(alpha, g));
+    const S vd = quotient(d_ggx(alpha, g), kMasking(alpha, g));
     if constexpr (kFresnel)
       return std::array<S, 3>{S(1 / kPi), vd, vd * schlick(g)};
     else
@@ -44,12 +44,12 @@ struct at_defaults {
   T operator()(DirectionRow<T> x) const {
     x.width = T(0.3);
     x.f0 = T(0.04);
-    return form_with_f0<F>{}(x);
+    return form_kernel<F, Own, true>{}(x);
   }
 };
 template <class F>
 Choice choice_of(const char* note) {
-  return {std::string(F::name), kernel(form_with_f0<F>{}), note, kernel(at_defaults<F>{})};
+  return {std::string(F::name), kernel(form_kernel<F, Own, true>{}), note, kernel(at_defaults<F>{})};
 }
 
 struct Entry {
@@ -66,7 +66,7 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       entry<variant_of<Variant::hammon, hammon_correlated, true>>("no square roots"),
       entry<variant_of<Variant::schlick_ggx, schlick_ggx_half, true>>("k = alpha/2"),
-      entry<variant_of<Variant::masking_dropped, masking_dropped, true>>("G = 1"),
+      entry<variant_of<Variant::no_masking, masking_dropped, true>>("G = 1"),
       entry<variant_of<Variant::no_fresnel, smith_correlated, false>>(
           "the reflectance at normal incidence for every angle"),
       entry<variant_of<Variant::hammon_no_fresnel, hammon_correlated, false>>("both")};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/numbers.h"
+#include "trade/questions/materials.h"
 #include "trade/questions/variants.h"
 
 namespace brdf::trade {
@@ -19,16 +20,10 @@ bool is_diffuse(const Candidate& c) {
                      [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
-// "f0 and ks", as the candidates call what only the Fresnel rise tells apart.
-std::string fresnel_parameters(const Recommendation& r) {
-  for (const Candidate& c : r.candidates) {
-    const ReflectanceInfo& about = info(c.model);
-    const int f0 = about.weight_index(Role::f0), specular = about.weight_index(Role::specular);
-    if (f0 >= 0 && specular >= 0)
-      return std::string(about.weights[std::size_t(f0)].name) + " and " +
-             std::string(about.weights[std::size_t(specular)].name);
-  }
-  return "";
+// What the reference form calls its parameter of this role.
+std::string weight_name(Role role) {
+  const ReflectanceInfo& about = info(reference_form());
+  return std::string(about.weights[std::size_t(about.weight_index(role))].name);
 }
 
 void give_reasons(Recommendation& r, const RecommendOptions& options) {
@@ -65,9 +60,9 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
     say("no pixel sees theta_o above " + number(v.most_theta_o) + " degrees: grazing accuracy is not needed");
   if (v.most_theta_i < 75)
     say("no lit pixel has theta_i above " + number(v.most_theta_i) + " degrees: grazing light is not shown");
-  if (const std::string both = fresnel_parameters(r); v.most_theta_d < 40 && !both.empty())
-    say("theta_d stays below " + number(v.most_theta_d) + " degrees: the Fresnel rise is not shown, " + both +
-        " cannot be told apart");
+  if (v.most_theta_d < 40)
+    say("theta_d stays below " + number(v.most_theta_d) + " degrees: the Fresnel rise is not shown, " +
+        weight_name(Role::f0) + " and " + weight_name(Role::specular) + " cannot be told apart");
   if (v.least_theta_h > 5)
     say("no half vector comes closer to the normal than " + number(v.least_theta_h) +
         " degrees: the highlight's peak is not shown");
@@ -101,7 +96,7 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   const double no_fresnel = with_variants({Variant::no_fresnel, Variant::hammon_no_fresnel});
   if (no_fresnel <= options.tolerance)
     say("without any Fresnel term the GGX model has error " + number(no_fresnel) + ": it is not needed");
-  const double no_masking = with_variants({Variant::masking_dropped});
+  const double no_masking = with_variants({Variant::no_masking});
   if (no_masking <= options.tolerance)
     say("with masking dropped the GGX model has error " + number(no_masking) + ": it is not needed");
 }

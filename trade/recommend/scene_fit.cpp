@@ -94,7 +94,7 @@ io::SampleTable scene_samples(const SceneView& view, const RgbFunction& referenc
     const double irradiance = double(p.irradiance.x + p.irradiance.y + p.irradiance.z) / 3;
     if (!(irradiance > 0)) continue;
     add_row(table, vec(p.wi), vec(p.wo), reference);
-    for (std::vector<double>& sigma : table.sigma) sigma.push_back(1 / irradiance);
+    for (std::vector<double>& sigma : table.sigma) sigma.push_back(1 / (irradiance * double(p.wi.z)));
   }
   return table;
 }

@@ -22,7 +22,8 @@ struct SceneView {
 SceneView view_of(render::Scene scene);
 
 // The lit points as samples of the reference, at most about
-// `rows` of them, weighted as they shine: sigma is 1/irradiance.
+// `rows` of them, weighted as they shine: sigma is 1/(irradiance cos_i), and a fit's residual then is what a
+// pixel differs by.
 io::SampleTable scene_samples(const SceneView& view, const RgbFunction& reference, std::size_t rows);
 
 // Samples of the reference over both hemispheres, every direction alike (the additive recurrence in equal
