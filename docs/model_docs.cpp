@@ -105,13 +105,10 @@ std::string section_of(const Reflectance& form) {
 using Forms = std::vector<Reflectance>;
 
 std::string forms_text(const Forms& forms) {
-  std::string text, family;
-  for (const Reflectance& form : forms) {
-    if (info(form).family != family) {
-      family = info(form).family;
-      text += "## Family " + family + "\n\n";
-    }
-    text += section_of(form);
+  std::string text;
+  for (const Forms& family : families(forms)) {
+    text += "## Family " + std::string(info(family.front()).family) + "\n\n";
+    for (const Reflectance& form : family) text += section_of(form);
   }
   return text;
 }

@@ -199,8 +199,8 @@ inline const ReflectanceInfo& info(const Reflectance& reflectance) {
 
 // The forms of the catalogue (brdf/forms.h), in its order.
 std::span<const Reflectance> catalogue();
-// The same, one group per family.
-std::vector<std::vector<Reflectance>> families();
+// Forms in their order, one group per family.
+std::vector<std::vector<Reflectance>> families(std::span<const Reflectance> forms = catalogue());
 // A form of the catalogue by its name.
 std::optional<Reflectance> find_form(std::string_view name);
 // The first form of the catalogue of whose info that is true.

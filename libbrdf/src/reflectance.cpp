@@ -120,9 +120,9 @@ std::optional<Reflectance> find_form(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<std::vector<Reflectance>> families() {
+std::vector<std::vector<Reflectance>> families(std::span<const Reflectance> forms) {
   std::vector<std::vector<Reflectance>> groups;
-  for (const Reflectance& form : catalogue()) {
+  for (const Reflectance& form : forms) {
     const auto same = [&](const std::vector<Reflectance>& g) {
       return g.front().info().family == form.info().family;
     };

@@ -8,8 +8,8 @@
 #include "brdf/geometry.h"
 #include "io/error.h"
 #include "render/gpu/fragment_code.h"
-#include "render/gpu/shader_code.h"
 #include "render/gpu/reflectance_glsl.h"
+#include "render/gpu/shader_code.h"
 #include "render/vulkan/resource.h"
 
 namespace brdf::render {

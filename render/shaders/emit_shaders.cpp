@@ -10,9 +10,9 @@
 
 #include "render/compare/arrange.h"
 #include "render/gpu/gpu_layout.h"
+#include "render/gpu/reflectance_glsl.h"
 #include "render/scene/display_rule.h"
 #include "render/scene/texture_rule.h"
-#include "render/gpu/reflectance_glsl.h"
 
 namespace brdf {
 

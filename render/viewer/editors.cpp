@@ -41,27 +41,22 @@ bool slider(const char* label, double& value, double min, double max, double ini
 
 // The families of the catalogue and the forms of the term's own; what is not in the catalogue is a family of one.
 void form_panel(Term& term) {
-  std::vector<std::string> families, forms;
-  const ReflectanceInfo& now = info(term.form);
+  std::vector<std::vector<Reflectance>> groups = families();
+  if (catalogue_index(term.form) < 0) groups.push_back({term.form});
+  std::vector<std::string> names, forms;
   std::size_t family = 0, form = 0;
-  const auto list = [&](const ReflectanceInfo& f) {
-    if (families.empty() || families.back() != f.family) families.emplace_back(f.family);
-    if (f.family != now.family) return;
-    family = families.size() - 1;
-    if (f.name == now.name) form = forms.size();
-    forms.emplace_back(f.name);
-  };
-  for (const Reflectance& f : catalogue()) list(f.info());
-  if (catalogue_index(term.form) < 0) list(now);
-  const auto switch_to = [&](auto&& wanted) {
-    const auto found = std::find_if(catalogue().begin(), catalogue().end(),
-                                    [&](const Reflectance& f) { return wanted(f.info()); });
-    if (found != catalogue().end()) switch_form(term, *found);
-  };
-  if (combo("family", family, families))
-    switch_to([&](const ReflectanceInfo& f) { return f.family == families[family]; });
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    names.emplace_back(info(groups[k].front()).family);
+    const auto own = std::find(groups[k].begin(), groups[k].end(), term.form);
+    if (own == groups[k].end()) continue;
+    family = k;
+    form = std::size_t(own - groups[k].begin());
+  }
+  for (const Reflectance& f : groups[family]) forms.emplace_back(info(f).name);
+  if (combo("family", family, names))
+    switch_form(term, groups[family].front());
   else if (combo("form", form, forms))
-    switch_to([&](const ReflectanceInfo& f) { return f.name == forms[form]; });
+    switch_form(term, groups[family][form]);
 }
 
 void parameter_sliders(Term& term, const std::vector<std::string>& channels) {

@@ -13,13 +13,17 @@ constexpr float kStops = 0.25f;      // of exposure
 constexpr float kMostStops = 20.0f;  // as in a scene file
 
 void next_form(ViewState& state, bool by_family) {
-  const std::span<const Reflectance> forms = catalogue();
   Term& term = state.scene.objects[state.selected].material.terms[0];
-  auto k = std::size_t(std::max(catalogue_index(term.form), 0));
-  const std::string_view family = info(term.form).family;
-  do k = (k + 1) % forms.size();
-  while (by_family && info(forms[k]).family == family);
-  switch_form(term, forms[k]);
+  if (!by_family) {
+    const std::span<const Reflectance> forms = catalogue();
+    return switch_form(term, forms[std::size_t(catalogue_index(term.form) + 1) % forms.size()]);
+  }
+  const std::vector<std::vector<Reflectance>> groups = families();
+  const auto own = std::find_if(groups.begin(), groups.end(), [&](const std::vector<Reflectance>& group) {
+    return std::find(group.begin(), group.end(), term.form) != group.end();
+  });
+  const bool last = own == groups.end() || own + 1 == groups.end();
+  switch_form(term, (last ? groups.front() : own[1]).front());
 }
 
 template <class Enum>

@@ -18,16 +18,22 @@ ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "render", "micro", "trade"
 FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {
     "trade/questions/": "the trade's questions",
-    "trade/approximations/": "the trade's questions",
     "bench/": "measured examples",
     "libbrdf/src/reflectance.cpp": "finding by name",
     "libbrdf/brdf/reflectance_of.h": "finding by name",
 }
-# Words that are a parameter's or a form's name and have a meaning of their own in that file.
+# Words that are a parameter's or a form's name too and have a meaning of their own in that place.
 HOMONYMS = {
     ("io/rgl.cpp", "sigma"): "a field of RGL's files",
-    ("cli/verb_fit.cpp", "sigma"): "a weighting",
+    ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verb_albedo.cpp", "albedo"): "the verb",
+    ("validate/", "albedo"): "a check",
+    ("render/", "albedo"): "a texture map",
+    ("render/", "roughness"): "a texture map",
+    ("render/", "metallic"): "a texture map",
+    ("render/scene/scene.h", "phong"): "a shading",
+    ("micro/", "lambert"): "a facet's reflection",
+    ("micro/", "oren_nayar"): "the angles of grooves",
 }
 
 
@@ -92,9 +98,10 @@ def main():
             exempt["examples in texts"] += sum(is_example(s) for _, s in split(text)[1])
             for line, word, what in faults_of(text, forms, parameters):
                 place = next((p for p in EXEMPT if path.startswith(p)), None)
-                if place or (path, word) in HOMONYMS:
-                    exempt[EXEMPT[place] if place else HOMONYMS[path, word]] += 1
-                    used.add(place or (path, word))
+                own = next(((p, w) for p, w in HOMONYMS if path.startswith(p) and w == word), None)
+                if place or own:
+                    exempt[EXEMPT[place] if place else HOMONYMS[own]] += 1
+                    used.add(place or own)
                 else:
                     faults.append(f"{path}:{line}: {what}")
     faults += [f"{key}: exempt, but nothing there needs it" for key in [*EXEMPT, *HOMONYMS] if key not in used]
