@@ -1,12 +1,33 @@
 // For tests that need the structs of forms: a reflectance's struct, and its parameters as structs.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <optional>
+#include <string>
 
 #include "brdf/forms.h"
 #include "brdf/material.h"
 
 namespace brdf {
+
+namespace detail {
+template <class Variant>
+struct TypesOf;
+template <class... Form>
+struct TypesOf<std::variant<Form...>> {
+  using type = ::testing::Types<Form...>;
+};
+}  // namespace detail
+
+// For typed tests over the whole catalogue: TYPED_TEST_SUITE(Suite, CatalogueTypes, FormName).
+using CatalogueTypes = detail::TypesOf<AnyForm>::type;
+struct FormName {
+  template <class Form>
+  static std::string GetName(int) {
+    return std::string(Form::name);
+  }
+};
 
 // f(form) with the struct of a form of the catalogue; every call must return a value of one type.
 template <class F>

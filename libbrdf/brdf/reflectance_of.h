@@ -276,6 +276,7 @@ template <FixedName kName, template <class> class WeightsOf, template <class> cl
 struct LobesForm : Takes<WeightsOf, ShapeOf> {
   static constexpr std::string_view name = kName.text;
   static constexpr std::string_view family = kName.text;
+  static constexpr NoViolations violations{};
 
   template <class S, class G>
   static auto lobes(const ShapeOf<S>& shape, const Geometry<G>& g) {

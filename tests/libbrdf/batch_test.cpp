@@ -13,21 +13,9 @@
 namespace brdf {
 namespace {
 
-template <class Variant>
-struct TypesOf;
-template <class... Form>
-struct TypesOf<std::variant<Form...>> {
-  using type = ::testing::Types<Form...>;
-};
-struct FormName {
-  template <class Form>
-  static std::string GetName(int) {
-    return std::string(Form::name);
-  }
-};
 template <class Form>
 struct Batch : ::testing::Test {};
-TYPED_TEST_SUITE(Batch, TypesOf<AnyForm>::type, FormName);
+TYPED_TEST_SUITE(Batch, CatalogueTypes, FormName);
 
 constexpr std::size_t kCount = 1003;  // no multiple of any vector length
 

@@ -7,29 +7,16 @@
 #include <string>
 
 #include "brdf/dual.h"
-#include "brdf/forms.h"
 #include "brdf/material.h"
+#include "tests/typed.h"
 
 namespace brdf {
 namespace {
 
-template <class Variant>
-struct TypesOf;
-template <class... Form>
-struct TypesOf<std::variant<Form...>> {
-  using type = ::testing::Types<Form...>;
-};
-
 template <class Form>
 struct EveryForm : ::testing::Test {};
 
-struct FormName {
-  template <class Form>
-  static std::string GetName(int) {
-    return std::string(Form::name);
-  }
-};
-TYPED_TEST_SUITE(EveryForm, TypesOf<AnyForm>::type, FormName);
+TYPED_TEST_SUITE(EveryForm, CatalogueTypes, FormName);
 
 template <class Form, class T>
 T value(const Vec3<T>& wi, const Vec3<T>& wo, std::span<const double> shape,
