@@ -54,21 +54,27 @@ TEST(Deferred, SumsAndPerChannelShapesAreAddedUp) {
   EXPECT_LT(compare(drawn(device, scene, {.gbuffer_bits = 32}), render_reference(scene)).rel_mse, 1e-11);
 }
 
+// So many that a sphere is 20 pixels wide: where narrower ones touch, a pixel of the border may be either's.
+constexpr std::size_t kInOnePicture = 25;
+
 TEST(Deferred, SeveralFormsAndPointLightsShareOnePicture) {
-  std::vector<std::pair<std::string, Material>> row;
-  for_each_form([&](auto form) { row.emplace_back(info(form).name, make_material(form)); });
-  Scene scene = material_scene(row);
-  scene.camera.width = 512;
-  scene.camera.height = 128;
-  scene.sky_zenith = glm::vec3(0.2f, 0.4f, 0.8f);
-  for (int k = 0; k < 7; ++k) scene.lights.push_back({true, {float(k) - 3, 2, 3}, {0.2f, 0.5f, 0.3f}, 4});
-  const PreparedScene prepared = prepare(scene);
   Device device;
-  const Picture picture = drawn(device, prepared, {.gbuffer_bits = 32});
-  const Picture reference = render_reference(prepared);
-  EXPECT_LT(compare(picture, reference).rel_mse, 3e-11);
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(0, 0)[c], reference.at(0, 0)[c], 1e-5);  // the sky
-  EXPECT_LT(compare(drawn(device, prepared, {.path = Path::forward}), reference).rel_mse, 3e-11);
+  for (std::size_t first = 0; first < catalogue().size(); first += kInOnePicture) {
+    std::vector<std::pair<std::string, Material>> row;
+    for (std::size_t k = first; k < std::min(first + kInOnePicture, catalogue().size()); ++k)
+      row.emplace_back(info(catalogue()[k]).name, make_material(catalogue()[k]));
+    Scene scene = material_scene(row);
+    scene.camera.width = 512;
+    scene.camera.height = 128;
+    scene.sky_zenith = glm::vec3(0.2f, 0.4f, 0.8f);
+    for (int k = 0; k < 7; ++k) scene.lights.push_back({true, {float(k) - 3, 2, 3}, {0.2f, 0.5f, 0.3f}, 4});
+    const PreparedScene prepared = prepare(scene);
+    const Picture picture = drawn(device, prepared, {.gbuffer_bits = 32});
+    const Picture reference = render_reference(prepared);
+    EXPECT_LT(compare(picture, reference).rel_mse, 3e-11);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(0, 0)[c], reference.at(0, 0)[c], 1e-5);  // the sky
+    EXPECT_LT(compare(drawn(device, prepared, {.path = Path::forward}), reference).rel_mse, 3e-11);
+  }
 }
 
 TEST(Deferred, EightBitTargetsAreCoarseButRight) {
