@@ -65,14 +65,10 @@ class WeightMapBuilder {
 
   // The lobes' weights where this weight is `size` and all others are 0.
   Column column(std::size_t weight, double size, double f0 = 0) const {
-    Column lobes;
-    for (const LobeWeight& lobe : info_.lobes) {
-      const double factor = lobe.factor == LobeWeight::Factor::one  ? 1
-                            : lobe.factor == LobeWeight::Factor::f0 ? f0
-                                                                    : 1 - f0;
-      lobes.push_back(lobe.weight == weight ? size * factor : 0);
-    }
-    return lobes;
+    std::vector<double> weights(info_.weights.size(), 0);
+    weights[weight] = size;
+    if (const int k = info_.weight_index(Role::f0); k >= 0) weights[std::size_t(k)] = f0;
+    return linear_weights(info_, weights);
   }
   void add_constant(const Column& c) {
     for (std::size_t l = 0; l < map_.lobes; ++l) map_.b[l] += c[l];

@@ -87,6 +87,8 @@ void add_channel(const Model& model, const LobeGram& g, std::size_t member, std:
   const Eigen::VectorXd residual = gram.leftCols(lobes) * w - cross;  // of every column with the residual
   out.cost += std::max(0.0, 0.5 * (w.dot(inner * w) - 2 * w.dot(cross.head(lobes)) + g.square[member]));
 
+  if (partials.empty()) return;  // nothing but weights: Eigen does not solve for zero columns
+
   // D = derivative columns combined with the weights: what a shape parameter does to the model.
   const Eigen::Index m = Eigen::Index(partials.size());
   RowMatrix d = RowMatrix::Zero(columns, m);

@@ -93,15 +93,8 @@ class Machine {
                               nullptr);
       vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof count, &count);
       vkCmdDispatch(commands, (count + kProofGroup - 1) / kProofGroup, 1, 1);
-      VkMemoryBarrier2 to_host{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-      to_host.srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-      to_host.srcAccessMask = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-      to_host.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-      to_host.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-      VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-      dependency.memoryBarrierCount = 1;
-      dependency.pMemoryBarriers = &to_host;
-      vkCmdPipelineBarrier2(commands, &dependency);
+      make_visible_to_host(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                           VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     });
   }
   ProofValues values(std::size_t i) const {

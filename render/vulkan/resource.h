@@ -88,6 +88,9 @@ class Image {
 void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, Use before, Use next,
                 bool discard);
 
+// Makes what a stage wrote readable through mapped memory, once the commands have run.
+void make_visible_to_host(VkCommandBuffer commands, VkPipelineStageFlags2 stage, VkAccessFlags2 access);
+
 int texel_size(VkFormat format);  // bytes
 void upload(Device& device, Image& image, std::span<const std::byte> texels);
 // Reads a four-channel image (16F, 32F or 8-bit) back as floats, row by row from the top.

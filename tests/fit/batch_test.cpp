@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "samples.h"
+#include "tests/io/temporary_folder.h"
 
 namespace brdf::fit {
 namespace {
@@ -16,9 +17,6 @@ namespace fs = std::filesystem;
 class BatchOfFiles : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              ("brdf_batch_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "in");
     for (int k = 0; k < 3; ++k) {
       Material truth = make_material(*find_form("ward"), {"f"});
@@ -30,11 +28,11 @@ class BatchOfFiles : public ::testing::Test {
     batch_ = {folder_ / "out", 2, "settings", {}};
     options_.cross_validation = false;
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::vector<BatchRow> run() { return run_batch(files_, {forms({"ward"})}, options_, batch_); }
 
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
   std::vector<std::string> files_;
   BatchOptions batch_;
   FitOptions options_;

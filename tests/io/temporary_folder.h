@@ -9,11 +9,11 @@
 
 namespace brdf {
 
-// A folder of its own for one test, removed with everything in it.
+// A folder of its own for one test, removed with everything in it, so that tests may run side by side.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = testing::TempDir() + "brdf_XXXXXX";
+    std::string name = (std::filesystem::path(testing::TempDir()) / "brdf_XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder: " + name);
     path_ = name;
   }

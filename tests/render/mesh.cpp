@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
@@ -35,7 +36,8 @@ void expect_sound_frames(const Mesh& mesh) {
 }
 
 std::filesystem::path write(const char* name, const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) / name;
+  static const TemporaryFolder folder;
+  const auto file = folder.path() / name;
   std::ofstream(file) << text;
   return file;
 }

@@ -11,12 +11,14 @@
 #include "render/job.h"
 #include "render/proof/parity.h"
 #include "render/scene/texture.h"
+#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
 
 std::filesystem::path temporary(const char* name) {
-  return std::filesystem::path(testing::TempDir()) / name;
+  static const TemporaryFolder folder;
+  return folder.path() / name;
 }
 
 TEST(Picture, ExrLayersReadBackExactly) {

@@ -9,6 +9,7 @@
 #include "render/compare/state.h"
 #include "render/scene/prepared.h"
 #include "render/scene/scene_json.h"
+#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
@@ -76,7 +77,8 @@ TEST(Scene, RefusesWhatItDoesNotKnowByItsPath) {
 }
 
 TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "view.json";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "view.json";
   const auto message = [&](const std::string& scene) -> std::string {
     std::ofstream(file) << R"({"format":"brdf-view","version":1,"scene":)" << scene << "}";
     try {
@@ -95,7 +97,8 @@ TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
 }
 
 TEST(Scene, AStateIsReadAsItWasWritten) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "state.json";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "state.json";
   ViewState state;
   state.scene = parsed(scene_with(R"("exposure":1.5,)"));
   state.scene.folder.clear();

@@ -8,6 +8,7 @@
 #include "brdf/reflectance_of.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "tests/io/temporary_folder.h"
 #include "trade/recommend/costs.h"
 
 namespace brdf::trade {
@@ -121,7 +122,8 @@ TEST(Costs, AreReadWhereTheLedgerHasTheRowAndMeasuredWhereNot) {
 }
 
 TEST(Costs, OfALedgerOfAnotherVersionAreMeasured) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / "brdf_ledger_of_tomorrow.json";
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "of_tomorrow.json";
   io::write_file_atomically(path, R"({"format": "brdf-ledger", "version": 2, "rows": "otherwise"})");
   EXPECT_FALSE(read_current_ledger(path).has_value());
   EXPECT_THROW(read_ledger(path), InputError);
@@ -131,7 +133,6 @@ TEST(Costs, OfALedgerOfAnotherVersionAreMeasured) {
   const Recommendation r = recommend(options);
   EXPECT_TRUE(r.candidates[0].cost_measured);
   EXPECT_NE(to_text(r).find("is of another version: all costs were measured now"), std::string::npos);
-  std::filesystem::remove(path);
 }
 
 }  // namespace
