@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {
@@ -17,11 +17,11 @@ bool compiles(const std::filesystem::path& file, const std::string& stage) {
 
 TEST(ExportedShader, OfEveryFormCompilesAsItIs) {
   TemporaryFolder folder;
-  for_each_form([&](auto form) {
-    const std::string name(form.name);
+  for (const Reflectance& form : catalogue()) {
+    const std::string name(form.info().name);
     ASSERT_EQ(run_brdf("export --form " + name + " --to glsl -o form.glsl", folder.path()).exit_code, 0);
     EXPECT_TRUE(compiles(folder.path() / "form.glsl", "frag")) << name;
-  });
+  }
 }
 
 TEST(ExportedShader, OfAMaterialCompilesInEveryStageAndWithinAnotherShader) {

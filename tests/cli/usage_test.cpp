@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "brdf/forms.h"
+#include "brdf/reflectance.h"
 #include "io/json.h"
 #include "tests/cli/run_brdf.h"
 
@@ -144,18 +144,18 @@ TEST_F(Cli, SettingsApplyToAMaterialFileAndTangentsAreDegrees) {
 TEST_F(Cli, ModelsListsEveryFormWithItsParameters) {
   const io::Json json = io::parse_json(run("models --json").out, "stdout");
   std::size_t k = 0;
-  for_each_form([&](auto form) {
+  for (const Reflectance& form : catalogue()) {
     const io::Json& entry = json["forms"].at(k++);
-    EXPECT_EQ(entry["form"], form.name);
-    EXPECT_EQ(entry["family"], form.family);
-    EXPECT_EQ(entry["known_violations"].size(), form.violations.size());
+    EXPECT_EQ(entry["form"], form.info().name);
+    EXPECT_EQ(entry["family"], form.info().family);
+    EXPECT_EQ(entry["known_violations"].size(), form.info().violations.size());
     for (const io::Json& p : entry["parameters"]) {
       EXPECT_LE(p["min"].get<double>(), p["default"].get<double>());
       EXPECT_LE(p["default"].get<double>(), p["max"].get<double>());
       EXPECT_TRUE(p["kind"] == "weight" || p["kind"] == "shape");
       EXPECT_FALSE(p["doc"].get<std::string>().empty());
     }
-  });
+  }
   EXPECT_EQ(json["forms"].size(), k);
   EXPECT_THAT(run("models ward").out, HasSubstr("alpha_y"));
 }

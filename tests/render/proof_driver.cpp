@@ -13,9 +13,7 @@ constexpr std::uint32_t kUnprecise[] =
     ;
 
 std::vector<Reflectance> all_forms() {
-  std::vector<Reflectance> forms;
-  for_each_form([&](auto form) { forms.emplace_back(form); });
-  return forms;
+  return {catalogue().begin(), catalogue().end()};
 }
 
 TEST(ShaderProof, EveryFormHasTheLibrarysBits) {

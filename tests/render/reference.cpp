@@ -31,11 +31,11 @@ TEST(Reference, LambertianSphereHasItsClosedForm) {
 }
 
 TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
-  for_each_form([&](auto form) {
+  for (const Reflectance& form : catalogue()) {
     Material material = make_material(form);
     material.terms[0].tangent_phi = radians(0.7);
-    if (info(form).anisotropic()) {
-      material.terms[0].shape[0][std::size_t(info(form).axes().along)] = 0.15;
+    if (form.info().anisotropic()) {
+      material.terms[0].shape[0][std::size_t(form.info().axes().along)] = 0.15;
     }
     const PreparedScene scene = prepare(small_scene(material));
     for (const auto& [x, y] : {std::pair{20, 17}, {24, 30}, {10, 14}}) {
@@ -48,10 +48,10 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
       eval(unturned, {at.wi.x, at.wi.y, at.wi.z}, {at.wo.x, at.wo.y, at.wo.z}, f);
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(at.value[c], f[std::size_t(c)], 1e-4 * std::abs(f[std::size_t(c)]) + 1e-7)
-            << info(form).name;
+            << form.info().name;
       }
     }
-  });
+  }
 }
 
 TEST(Reference, DrawsWhatIsNotInTheCatalogue) {

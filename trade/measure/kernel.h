@@ -88,13 +88,16 @@ std::array<const T*, kFields<R>> columns_of(const Inputs<T>& in) {
   return columns;
 }
 
-template <class K, template <class> class R>
+template <bool kTimed, class K, template <class> class R>
 Kernel batched(K kernel, RowKind<R>) {
   const auto run = [kernel]<class T>(const Inputs<T>& in, std::span<T> out) {
     const auto body = [kernel, columns = columns_of<R, T>(in), to = out.data()](std::size_t i) {
       to[i] = kernel(row_from<R, T>([&](std::size_t k) { return columns[k][i]; }));
     };
-    repeat(body, out.size());
+    if constexpr (kTimed)
+      repeat(body, out.size());
+    else
+      for (std::size_t i = 0; i < out.size(); ++i) body(i);
   };
   return {run, run};
 }
@@ -115,7 +118,27 @@ Kernel point_by_point(F f, RowKind<R>) {
 // a view of a table.
 template <class K>
 Kernel kernel(K k) {
-  return detail::batched(std::move(k), row_of<K>());
+  return detail::batched<true>(std::move(k), row_of<K>());
+}
+
+// The same values from a loop that nobody times (pictures): not compiled once more for each kind of CPU.
+template <class K>
+Kernel untimed_kernel(K k) {
+  return detail::batched<false>(std::move(k), row_of<K>());
+}
+
+// A kernel of directions at one width and one f0, whatever the rows say: without compiling it once more.
+inline Kernel fixed_at(const Kernel& kernel, double width, double f0 = 0) {
+  const auto fixed = [=]<class T>(const auto& run) {
+    return [=](Inputs<T> in, std::span<T> out) {
+      const std::vector<T> widths(out.size(), T(width)), reflectances(out.size(), T(f0));
+      in.at(offsetof(DirectionRow<double>, width) / sizeof(double)) = widths.data();
+      in.at(offsetof(DirectionRow<double>, f0) / sizeof(double)) = reflectances.data();
+      run(in, out);
+    };
+  };
+  return {fixed.template operator()<double>(kernel.in_double),
+          fixed.template operator()<float>(kernel.in_float)};
 }
 
 // A function of one row in double that is too dear, or too branched, for a vectorised loop.

@@ -52,7 +52,7 @@ struct under_uniform_light {
 };
 template <class K>
 Choice albedo_choice(std::string name, const K& k, std::string note, double f0) {
-  return {std::move(name), kernel(k), std::move(note), kernel(under_uniform_light<K>{k, f0})};
+  return {std::move(name), kernel(k), std::move(note), untimed_kernel(under_uniform_light<K>{k, f0})};
 }
 Choice integral_choice(double f0) {
   return {"integrated to 1e-6", exact_albedo(1e-6), "pole-adapted quadrature with error control",

@@ -15,7 +15,7 @@ inline constexpr auto long_power = []<class T>(const CosineRow<T>& x) -> T {
 template <class Power>
 Choice power_choice(std::string name, Power power, double n, std::string note) {
   return {std::move(name), kernel(power), std::move(note),
-          kernel(lobe_material<mirror_power<Power>>{{power}, n})};
+          untimed_kernel(lobe_material<mirror_power<Power>>{{power}, n})};
 }
 
 template <int doublings>
@@ -33,7 +33,7 @@ Question power_question() {
                power_choice("repeated squaring", squared_power<doublings>, n, "the exponent must be known"),
                power_choice("spherical Gaussian", spherical_gaussian, n, "Wang et al. 2009"),
                power_choice("Schlick's rational", schlick_power, n, "Schlick 1994")};
-  q.reference = kernel(long_power);
+  q.reference = scalar_kernel(long_power);
   return q;
 }
 
@@ -49,7 +49,7 @@ Question large_power_question() {
   q.choices = {power_choice("pow, own kernels", cosine_power, shown, ""),
                power_choice("spherical Gaussian", spherical_gaussian, shown, "Wang et al. 2009"),
                power_choice("Schlick's rational", schlick_power, shown, "Schlick 1994")};
-  q.reference = kernel(long_power);
+  q.reference = scalar_kernel(long_power);
   return q;
 }
 
@@ -59,7 +59,7 @@ Domain exponents(double least, double most, double most_theta = 80) {
 
 template <class Lobe>
 Choice mirror_choice(std::string name, Lobe lobe, std::string note) {
-  return {std::move(name), kernel(lobe), std::move(note), kernel(lobe_material<Lobe>{lobe, 20})};
+  return {std::move(name), kernel(lobe), std::move(note), untimed_kernel(lobe_material<Lobe>{lobe, 20})};
 }
 
 Question mirror_question() {
@@ -88,7 +88,7 @@ Question ggx_question() {
              {domain(1e-3, 1e-3), domain(1e-4, 1e-4)},
              {}};
   const auto choice = [](const char* name, auto d, const char* note) {
-    return Choice{name, kernel(d), note, kernel(distribution_material<decltype(d)>{d, 0.01})};
+    return Choice{name, kernel(d), note, untimed_kernel(distribution_material<decltype(d)>{d, 0.01})};
   };
   q.choices = {choice("half vector not normalised", ggx_stable, "this library's"),
                choice("through (n.h)^2 - 1", ggx_naive, "as printed nearly everywhere")};

@@ -18,7 +18,7 @@ struct lookup_material {
 
 template <class L>
 void add(Question& q, std::string name, L lookup, std::string note) {
-  Kernel picture = kernel(lookup_material<L>{lookup});
+  Kernel picture = untimed_kernel(lookup_material<L>{lookup});
   q.choices.push_back({std::move(name), kernel(std::move(lookup)), std::move(note), std::move(picture)});
 }
 

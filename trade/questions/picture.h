@@ -73,7 +73,7 @@ inline constexpr FresnelRow<double> kGlass{.cosine = 0, .n = 1.5, .f0 = 0.04};
 
 template <class V, class F>
 Kernel on_ball(V v, F f, const FresnelRow<double>& index = kGlass, double kd = 0.3) {
-  return kernel(ball_material<V, F>{v, f, index, kd});
+  return untimed_kernel(ball_material<V, F>{v, f, index, kd});
 }
 
 // Directions and a width.

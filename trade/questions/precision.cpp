@@ -50,17 +50,17 @@ Question form_question(const Width& width) {
       {domain(width.extreme_low, width.extreme_low, 0, 80),
        domain(width.extreme_high, width.extreme_high, 0, 80), domain(width.least, width.most, 85, 89.99)},
       {}};
-  const auto add = [&](const char* name, auto k, Precision p, const char* note) {
-    q.choices.push_back({name, kernel(k), note, kernel(at_width<decltype(k)>{k, width.shown}), p, p});
+  const auto add = [&](const char* name, const Kernel& k, Precision p, const char* note) {
+    q.choices.push_back({name, k, note, fixed_at(k, width.shown), p, p});
   };
-  const form_kernel<F, Own> own;
-  const form_kernel<F, Libm> libm;
+  const Kernel own = kernel(form_kernel<F, Own>{}), libm = kernel(form_kernel<F, Libm>{});
   add("double", own, Precision::double_, "own kernels");
   add("double, C library", libm, Precision::double_, "the library's exp, log, ...: does not vectorise");
   add("float", own, Precision::single_, "directions stored in float");
   add("float, C library", libm, Precision::single_, "directions stored in float");
-  add("half storage", half_kernel<F>{}, Precision::single_, "directions, width and result in 16 bits");
-  q.reference = kernel(form_kernel<F, Extended>{});
+  add("half storage", kernel(half_kernel<F>{}), Precision::single_,
+      "directions, width and result in 16 bits");
+  q.reference = scalar_kernel(form_kernel<F, Extended>{});
   return q;
 }
 
@@ -96,13 +96,14 @@ struct computed_in {
 // A material whose evaluation calls the function, for the picture: a form, ...
 template <class F, template <class> class Scalar>
 struct shown_by_form {
-  static Kernel at(double width) { return kernel(at_width<form_kernel<F, Scalar>>{{}, width}); }
+  static Kernel at(double width) { return fixed_at(kernel(form_kernel<F, Scalar>{}), width); }
 };
 // ... and for log, which no form calls, Phong's lobe by pow.
 template <template <class> class Scalar>
 struct shown_by_pow {
   static Kernel at(double exponent) {
-    return kernel(computed_in<lobe_material<mirror_power<decltype(cosine_power)>>, Scalar>{{{}, exponent}});
+    return untimed_kernel(
+        computed_in<lobe_material<mirror_power<decltype(cosine_power)>>, Scalar>{{{}, exponent}});
   }
 };
 struct Pictures {
@@ -137,7 +138,7 @@ Question elementary_question(const char* name, const Domain& domain, const Domai
                {"own, double", own, "vectorises", pictures.own, Precision::double_, Precision::double_},
                {"C library, float", libm, "", pictures.libm, Precision::single_, Precision::single_},
                {"own, float", own, "vectorises", pictures.own, Precision::single_, Precision::single_}};
-  q.reference = kernel(elementary<function, Extended>{});
+  q.reference = scalar_kernel(elementary<function, Extended>{});
   q.floor = 1e-30;
   return q;
 }

@@ -39,17 +39,9 @@ struct variant_of
 };
 
 template <class F>
-struct at_defaults {
-  template <class T>
-  T operator()(DirectionRow<T> x) const {
-    x.width = T(0.3);
-    x.f0 = T(0.04);
-    return form_kernel<F, Own, true>{}(x);
-  }
-};
-template <class F>
 Choice choice_of(const char* note) {
-  return {std::string(F::name), kernel(form_kernel<F, Own, true>{}), note, kernel(at_defaults<F>{})};
+  const Kernel k = kernel(form_kernel<F, Own, true>{});
+  return {std::string(F::name), k, note, fixed_at(k, 0.3, 0.04)};
 }
 
 struct Entry {

@@ -122,9 +122,8 @@ struct Form {
 };
 std::vector<std::string> fittable_forms() {
   std::vector<std::string> names;
-  for_each_form([&](auto form) {
-    if (info(form).fittable()) names.emplace_back(form.name);
-  });
+  for (const Reflectance& form : catalogue())
+    if (form.info().fittable()) names.emplace_back(form.info().name);
   return names;
 }
 
