@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <map>
@@ -13,9 +14,11 @@
 
 namespace brdf::io {
 
-// As many as there are processors, at most eight.
+// As many as BRDF_THREADS says, else as there are processors; at most eight.
 inline unsigned all_processors() {
-  return std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+  const char* wanted = std::getenv("BRDF_THREADS");
+  const int number = wanted ? std::atoi(wanted) : 0;
+  return std::clamp(number > 0 ? unsigned(number) : std::thread::hardware_concurrency(), 1u, 8u);
 }
 
 // Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to places of

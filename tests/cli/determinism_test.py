@@ -1,0 +1,89 @@
+"""The same command writes the same bytes: twice, on 1, 2 and 3 threads, under a locale with decimal commas, and from
+another folder. Usage: determinism_test.py EXECUTABLE SOURCE_TREE; exit 77 where the locale cannot be made.
+
+`trade`, and `recommend` without a ledger, measure time: they are left out.
+"""
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+executable, tree = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+data = tree / "data"
+
+# Each command starts in a folder that holds what the earlier ones wrote.
+COMMANDS = [
+    "models --json",
+    "synth --form ward --set alpha_x=0.1 --set alpha_y=0.3 --grid in_plane --azimuths 0,45,90 --noise 0.05 --seed 7 -o w.csv",
+    "synth --form cook_torrance --set alpha=0.2 --noise 0.02 --sigma-columns --aperture 1 -o c.csv",
+    "synth --microsurface gaussian --set alpha=0.3 --theta-i 30 --surfaces 8 --rays 4096 --size 128 -o m.csv",
+    "synth --microsurface lambert_grooves --set sigma=0.3 --theta-i 45 --surfaces 8 --rays 512 -o g.csv",
+    "eval --form ward c.csv",
+    "eval --form oren_nayar -o e.csv w.csv",
+    "convert m.csv converted.csv",
+    "fit c.csv --form all --json -o c.json --report c.html",
+    "fit w.csv --form ward --anisotropic --json -o w.json",
+    "fit c.csv m.csv g.csv --form lambert+ward --jobs {threads} -o batch",
+    "albedo --material c.json --theta 0,30,60,85 --json",
+    "validate c.json --json -o v.html",
+    "validate --form ward --form oren_nayar_full --json",
+    "validate --form lambert --form phong --numerics --json",
+    "export --material c.json --to glsl -o c.glsl",
+    "render c.json --width 96 --height 96 --compare embree --json -o c.png",
+    "render w.json --width 64 --height 64 -o w.exr",
+    "recommend --scene {data}/scenes/recommend_grazing.json --reference c.json --ledger {data}/ledger.json --json -o advice",
+]
+LOCALE = "de_DE.UTF-8"
+
+
+def digests(folder):
+    return {str(p.relative_to(folder)): hashlib.sha256(p.read_bytes()).hexdigest()
+            for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def outputs(threads, **environment):
+    """Exit code, stdout and every file of all commands, run in a new folder."""
+    with tempfile.TemporaryDirectory(prefix="determinism.") as name:
+        folder, told = pathlib.Path(name), {}
+        for command in COMMANDS:
+            if command.startswith(("render", "recommend", "synth --microsurface")) and not can_render:
+                continue
+            words = command.format(threads=threads, data=data).split()
+            done = subprocess.run([executable, *words], cwd=folder, capture_output=True, check=False,
+                                  env=os.environ | {"BRDF_THREADS": str(threads)} | environment)
+            said = re.sub(rb'"ms": [^,\n]*', b"", done.stdout)  # how long a render took
+            told[command] = (done.returncode, hashlib.sha256(said).hexdigest())
+            if done.returncode not in (0, 1):
+                sys.exit(f"{command}: exit {done.returncode}: {done.stderr.decode()}")
+        return told | {"FILE " + path: digest for path, digest in digests(folder).items()}
+
+
+def german_locale(folder):
+    """Compiled for the test, so that no machine must have it."""
+    made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", f"{folder}/{LOCALE}"], capture_output=True, check=False)
+    return (pathlib.Path(folder) / LOCALE).is_dir(), made.stderr.decode()
+
+
+can_render = subprocess.run([executable, "render", "--help"], capture_output=True, check=False).returncode == 0
+with tempfile.TemporaryDirectory(prefix="locale.") as locales:
+    made, why = german_locale(locales)
+    if not made:
+        print(f"the locale {LOCALE} cannot be made (package locales): {why}")
+        sys.exit(77)
+    first = outputs(1)
+    variants = {
+        "again": outputs(1),
+        "on two threads": outputs(2),
+        "on three threads, with decimal commas": outputs(3, LC_ALL=LOCALE, LOCPATH=locales),
+    }
+differing = 0
+for variant, found in variants.items():
+    for what in sorted(first.keys() | found.keys()):
+        if first.get(what) != found.get(what):
+            print(f"{variant}: {what} differs")
+            differing += 1
+print(f"{len(COMMANDS)} commands, {len(first) - len(COMMANDS)} files, {1 + len(variants)} runs: {differing} differences")
+sys.exit(differing != 0)
