@@ -7,6 +7,7 @@
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/provenance.h"
+#include "io/text.h"
 
 namespace brdf::cli {
 namespace {
@@ -15,7 +16,7 @@ Exit exit_code = Exit::good;
 
 int report(const std::string& message, Exit code) {
   std::cout.flush();
-  std::cerr << "brdf: " << message << '\n';
+  std::cerr << "brdf: " << io::printable(message) << '\n';
   return static_cast<int>(code);
 }
 

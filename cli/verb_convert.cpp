@@ -18,10 +18,11 @@ namespace {
 
 // The table of a sample file; a material is evaluated at the centres of the MERL cells.
 io::SampleTable table_of(const std::string& path) {
-  if (!io::is_json(path)) return io::read_samples(path);
+  io::Content content = io::read_content(path);
+  if (!io::is_json(content)) return io::read_samples(std::move(content));
   synth::Instrument instrument;
   instrument.grid.parts = {"merl"};
-  io::SampleTable table = synth::measure(io::read_material(path), instrument);
+  io::SampleTable table = synth::measure(io::read_material(content), instrument);
   table.source = path;
   table.format = "material";
   return table;

@@ -12,8 +12,19 @@
 namespace brdf::cli {
 namespace {
 
+// The measured values times the cosine of the light, as the values that will stand beside them.
+void multiply_by_cosine(io::SampleTable& table) {
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const double cosine = io::cos_degrees(table.theta_i[k]);
+    for (auto& values : table.values) values[k] *= cosine;
+    for (auto& sigma : table.sigma)
+      if (!sigma.empty()) sigma[k] *= cosine;
+  }
+}
+
 // Adds the material's values as columns f or f_<channel>.
 void add_values(io::SampleTable& table, const Material& material, bool cosine) {
+  if (cosine) multiply_by_cosine(table);
   const std::size_t first = table.channels.size(), count = material.channels.size();
   for (const std::string& channel : material.channels) {
     const std::string name = count == 1 ? "f" : "f_" + channel;
@@ -56,10 +67,11 @@ void add_eval(CLI::App& app) {
     io::SampleTable table = io::read_directions(options->directions);
     add_values(table, material, options->cosine);
     for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));
+    const std::string_view quantity = options->cosine ? "f_r*cos_i" : "f_r";
     if (options->output.empty())
-      io::write_samples(std::cout, table);
+      io::write_samples(std::cout, table, quantity);
     else
-      io::write_samples(options->output, table);
+      io::write_samples(options->output, table, quantity);
     return Exit::good;
   });
 }

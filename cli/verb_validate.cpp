@@ -2,9 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 
 #include "cli/microsurface.h"
@@ -35,12 +33,6 @@ struct Options {
   bool integrators = false, microsurface = false, numerics = false, gpu = false;
 };
 
-std::string read_bytes(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be opened");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::vector<std::string> required(const Options& o) {
   std::vector<std::string> known = validate::check_names();
   for (const std::string& name : validate::data_sheet_names()) known.push_back(name);
@@ -54,9 +46,10 @@ std::vector<std::string> required(const Options& o) {
 }
 
 // A table with its data sheet; of one that cannot be read because two columns are exchanged, that finding.
-validate::MeasuredTable measured(const std::string& file) {
+validate::MeasuredTable measured(io::Content content) {
+  const std::string file = content.name;
   try {
-    io::SampleTable table = io::read_samples(file);
+    io::SampleTable table = io::read_samples(std::move(content));
     validate::DataSheet sheet = validate::data_sheet(table);
     return {std::move(table), std::move(sheet)};
   } catch (const ExchangedColumns& e) {
@@ -75,10 +68,11 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
   for (const std::string& name : o.forms)
     content.subjects.push_back(validate::Subject::form(require_form(name)));
   for (const std::string& file : o.files) {
-    if (io::is_json(file)) {
-      content.subjects.push_back(validate::Subject::material(file, io::read_material(file)));
+    io::Content bytes = io::read_content(file);
+    if (io::is_json(bytes)) {
+      content.subjects.push_back(validate::Subject::material(file, io::read_material(bytes)));
     } else {
-      content.tables.push_back(measured(file));
+      content.tables.push_back(measured(std::move(bytes)));
     }
   }
   if (content.subjects.empty() && content.tables.empty())
@@ -105,7 +99,7 @@ void write_report(const Options& o, validate::ReportContent& content) {
     io::write_file_atomically(o.output, validate::to_markdown(content.findings));
     return;
   }
-  for (const std::string& path : o.pictures) content.pictures.push_back({path, read_bytes(path)});
+  for (const std::string& path : o.pictures) content.pictures.push_back({path, io::read_content(path).bytes});
   io::write_file_atomically(o.output, validate::to_html(content));
 }
 

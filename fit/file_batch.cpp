@@ -22,17 +22,14 @@ namespace fs = std::filesystem;
 using io::Json;
 
 // FNV-1a of settings and the file's content.
-std::string key_of(const std::string& settings, const fs::path& file) {
+std::string key_of(const std::string& settings, const std::string& content) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&](const char* data, std::size_t size) {
     for (std::size_t k = 0; k < size; ++k)
       hash = (hash ^ static_cast<unsigned char>(data[k])) * 0x100000001b3;
   };
   add(settings.data(), settings.size());
-  std::ifstream in(file, std::ios::binary);
-  std::vector<char> buffer(1 << 16);
-  while (in.read(buffer.data(), std::streamsize(buffer.size())), in.gcount() > 0)
-    add(buffer.data(), std::size_t(in.gcount()));
+  add(content.data(), content.size());
   std::ostringstream text;
   text << std::hex << hash;
   return text.str();
@@ -87,10 +84,11 @@ class Batch {
   }
 
   void fit_file(BatchRow& row) {
-    const std::string key = key_of(batch_.settings, row.file);
+    io::Content content = io::read_content(row.file);
+    const std::string key = key_of(batch_.settings, content.bytes);
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
-    const io::SampleTable table = io::read_samples(row.file);
+    const io::SampleTable table = io::read_samples(std::move(content));
     const FitResult result = fit(table, models_, options_);
     const FormFit& best = result.ranking.front();
     if (result.interrupted) {

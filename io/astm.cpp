@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "io/error.h"
+#include "io/table_rules.h"
 #include "io/text.h"
 
 namespace brdf::io::astm {
@@ -20,8 +21,8 @@ bool is_keyword_line(std::string_view line, std::string_view keyword) {
 
 class AstmReader {
  public:
-  explicit AstmReader(const std::filesystem::path& path) : reader_(path) {
-    table_.source = path.string();
+  explicit AstmReader(const Content& text) : reader_(text) {
+    table_.source = text.name;
     table_.format = "astm_e1392";
   }
 
@@ -49,6 +50,9 @@ class AstmReader {
       line = trimmed(line);
       if (is_keyword_line(line, kKeyword)) {
         split(line.substr(kKeyword.size()), ',', fields_);
+        if (fields_.size() > kMostChannels + std::size(kAngles))
+          fail("VARS names " + std::to_string(fields_.size()) + " columns, more than 4 angles and " +
+               std::to_string(kMostChannels) + " channels");
         for (const std::string_view name : fields_)
           names_.emplace_back(name == "theta_o" ? "theta_s" : name == "phi_o" ? "phi_s" : name);
         return;
@@ -58,7 +62,7 @@ class AstmReader {
       std::string_view value = trimmed(line.substr(blank));
       if (value.size() > 1 && value.front() == '"' && value.back() == '"')
         value = value.substr(1, value.size() - 2);
-      table_.metadata.emplace_back(line.substr(0, blank), value);
+      table_.add_comment(line.substr(0, blank), value);
     }
     throw InputError(table_.source + ": no VARS line");
   }
@@ -82,6 +86,7 @@ class AstmReader {
         table_.channels.push_back(names_[k]);
       }
     }
+    check_channel_names(table_.channels, reader_.where());
     if (column_[0] < 0 || column_[2] < 0) fail("the polar angles theta_i and theta_s are both needed");
     if (value_columns_.empty()) fail("VARS names no values");
     for (const int k : {1, 3}) {
@@ -106,8 +111,8 @@ class AstmReader {
   double number(std::size_t column) const {
     double value;
     if (!parse_number(fields_[column], value) || !std::isfinite(value))
-      fail("column " + std::to_string(column + 1) + " (" + names_[column] + "): '" +
-           std::string(fields_[column]) + "' is not a finite number");
+      fail("column " + std::to_string(column + 1) + " (" + names_[column] + "): " + shown(fields_[column]) +
+           " is not a finite number");
     return value;
   }
 
@@ -115,6 +120,7 @@ class AstmReader {
     if (fields_.size() != names_.size())
       fail(std::to_string(fields_.size()) + " columns where the first row has " +
            std::to_string(names_.size()));
+    if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
     std::vector<double>* const angles[] = {&table_.theta_i, &table_.phi_i, &table_.theta_o, &table_.phi_o};
     for (std::size_t k = 0; k < 4; ++k)
       angles[k]->push_back(column_[k] < 0 ? 0.0 : number(static_cast<std::size_t>(column_[k])));
@@ -161,9 +167,9 @@ class AstmReader {
 
 }  // namespace
 
-bool recognises(const std::filesystem::path& path) {
+bool recognises(const Content& text) {
   constexpr std::size_t kLongestHeader = 1000;  // lines
-  LineReader reader(path);
+  LineReader reader(text);
   std::string_view line;
   while (reader.line() < kLongestHeader && reader.next(line)) {
     line = trimmed(line);
@@ -173,8 +179,8 @@ bool recognises(const std::filesystem::path& path) {
   return false;
 }
 
-SampleTable read(const std::filesystem::path& path) {
-  return AstmReader(path).read();
+SampleTable read(const Content& text) {
+  return AstmReader(text).read();
 }
 
 }  // namespace brdf::io::astm

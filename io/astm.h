@@ -2,19 +2,17 @@
 // `VARS theta_i,phi_i,theta_s,phi_s,<channel>...`, then comma-separated rows.
 #pragma once
 
-#include <filesystem>
-
 #include "io/samples.h"
 
 namespace brdf::io::astm {
 
-bool recognises(const std::filesystem::path& path);
+bool recognises(const Content& text);
 
 // Angles are taken for radians where no polar angle exceeds pi/2, otherwise for degrees.
 // Files exist whose VARS line omits the name of an angle: where the rows have one column
 // more than names, the missing angle stands in its usual place; where they have as many,
 // it is not in the file, and phi_i = 180 or phi_s = 0 degrees is assumed (the plane of
 // incidence with the mirror direction at phi_s = 0). Either is said in the warnings.
-SampleTable read(const std::filesystem::path& path);
+SampleTable read(const Content& text);
 
 }  // namespace brdf::io::astm

@@ -1,13 +1,87 @@
 #include "io/content.h"
 
-#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utf8.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "io/error.h"
 
 namespace brdf::io {
+namespace {
 
-bool is_json(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  char first = 0;
-  return (in >> first) && first == '{';
+// A wrong name or a missing right is the caller's fault; anything else that the system reports is the machine's.
+[[noreturn]] void cannot_be_read(const std::string& name, int error) {
+  constexpr std::array kInput{ENOENT, ENOTDIR, EACCES, EPERM, ELOOP, ENAMETOOLONG, EISDIR, ENXIO, ENODEV};
+  const std::string message = name + ": cannot be read: " + std::strerror(error);
+  if (std::find(kInput.begin(), kInput.end(), error) != kInput.end()) throw InputError(message);
+  throw EnvironmentError(message);
+}
+
+}  // namespace
+
+Content read_content(const std::filesystem::path& path, std::size_t limit) {
+  Content content{path.string(), {}};
+  const auto refuse = [&](const std::string& what) { throw InputError(content.name + ": " + what); };
+  const std::string too_large = "is larger than " + std::to_string(limit >> 20) + " MiB";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+  struct stat status;
+  if (!file || fstat(fileno(file.get()), &status) != 0) cannot_be_read(content.name, errno);
+  if (S_ISDIR(status.st_mode)) refuse("is a folder");
+  // A terminal may be typed at; /dev/zero never ends.
+  if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && !isatty(fileno(file.get()))))
+    refuse("is a device");
+  const auto size = static_cast<std::size_t>(status.st_size);  // 0 for a pipe
+  if (size > limit) refuse(too_large);
+  constexpr std::size_t kBlock = 1 << 16;
+  std::string& bytes = content.bytes;
+  for (std::size_t end = 0;;) {
+    bytes.resize(std::max({size + 1, kBlock, 2 * end}));
+    const std::size_t got = std::fread(bytes.data() + end, 1, bytes.size() - end, file.get());
+    end += got;
+    if (end > limit) refuse(too_large);
+    if (end < bytes.size()) {
+      if (std::ferror(file.get())) cannot_be_read(content.name, errno);
+      bytes.resize(end);
+      return content;
+    }
+  }
+}
+
+bool is_json(const Content& content) {
+  const std::size_t first = content.bytes.find_first_not_of(" \t\r\n\v\f");
+  return first != std::string::npos && content.bytes[first] == '{';
+}
+
+std::size_t line_of(const std::string& bytes, std::size_t place) {
+  return 1 + static_cast<std::size_t>(
+                 std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+}
+
+std::string make_utf8(Content& text) {
+  const auto refuse = [&](std::size_t place, const std::string& what) {
+    throw InputError(text.name + ", line " + std::to_string(line_of(text.bytes, place)) + ": " + what);
+  };
+  if (const std::size_t nul = text.bytes.find('\0'); nul != std::string::npos)
+    refuse(nul, "holds a NUL byte: neither text nor a binary format that is read");
+  const auto invalid = utf8::find_invalid(text.bytes.begin(), text.bytes.end());
+  if (invalid == text.bytes.end()) return "";
+  std::string transcoded;
+  transcoded.reserve(text.bytes.size());
+  for (std::size_t k = 0; k < text.bytes.size(); ++k) {
+    const auto c = static_cast<unsigned char>(text.bytes[k]);
+    if (c >= 0x80 && c < 0xa0) refuse(k, "is neither UTF-8 nor Latin-1 text (save the file as UTF-8)");
+    utf8::append(c, std::back_inserter(transcoded));
+  }
+  const std::size_t line = line_of(text.bytes, static_cast<std::size_t>(invalid - text.bytes.begin()));
+  text.bytes = std::move(transcoded);
+  return "line " + std::to_string(line) + " is not UTF-8: the text is taken for Latin-1";
 }
 
 }  // namespace brdf::io

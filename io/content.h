@@ -1,11 +1,30 @@
-// What a file holds, by its content: names say nothing.
+// What a file holds: read once, so that a pipe is as good as a file, and told by the content, never by the name.
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "io/limits.h"
 
 namespace brdf::io {
 
-// Whether the first character that is no blank opens a JSON object. False where the file cannot be opened.
-bool is_json(const std::filesystem::path& path);
+struct Content {
+  std::string name;  // for messages
+  std::string bytes;
+};
+
+// The whole of a file, a pipe or /dev/stdin. Throws InputError where it cannot be opened, is a folder or a device
+// or is larger than `limit`; EnvironmentError where the machine fails.
+Content read_content(const std::filesystem::path& path, std::size_t limit = kLargestFile);
+
+// Whether the first character that is no blank opens a JSON object.
+bool is_json(const Content& content);
+
+// The number of the line, from 1, that holds this byte.
+std::size_t line_of(const std::string& bytes, std::size_t place);
+
+// Makes text UTF-8: what is not is taken for Latin-1, which instruments write. Returns a sentence that says so,
+// empty where nothing had to be done. Throws InputError where the bytes are no text.
+std::string make_utf8(Content& text);
 
 }  // namespace brdf::io

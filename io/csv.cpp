@@ -4,16 +4,16 @@
 #include <cmath>
 #include <functional>
 #include <ostream>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "io/error.h"
 #include "io/output.h"
+#include "io/table_rules.h"
 #include "io/text.h"
 
 namespace brdf::io {
 namespace {
-
-constexpr std::string_view kAngles[] = {"theta_i", "phi_i", "theta_o", "phi_o"};
-constexpr std::string_view kSigmaPrefix = "sigma_";
 
 enum class Quantity { brdf, brdf_cos_i, brdf_cos_o };
 
@@ -26,8 +26,8 @@ struct Column {
 
 class CsvReader {
  public:
-  CsvReader(const std::filesystem::path& path, bool need_values) : reader_(path), need_values_(need_values) {
-    table_.source = path.string();
+  CsvReader(const Content& text, bool need_values) : reader_(text), need_values_(need_values) {
+    table_.source = text.name;
   }
 
   SampleTable read() {
@@ -54,45 +54,44 @@ class CsvReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   [[noreturn]] void fail(std::size_t column, std::string_view text, const std::string& rule) const {
-    fail("column " + std::to_string(column + 1) + " (" + columns_[column].name + "): '" + std::string(text) +
-         "' " + rule);
+    fail("column " + std::to_string(column + 1) + " (" + columns_[column].name + "): " + shown(text) + " " +
+         rule);
   }
 
   void read_comment(std::string_view line) {
-    line = trimmed(line.substr(1));
-    const std::size_t colon = line.find(':');
-    const std::string_view key = colon == line.npos ? std::string_view() : trimmed(line.substr(0, colon));
-    const std::string_view value = colon == line.npos ? line : trimmed(line.substr(colon + 1));
-    if (key == "quantity") {
-      if (!columns_.empty()) fail("the quantity must be stated before the header row");
-      std::string name;
-      std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
-      if (name == "f_r*cos_i")
-        quantity_ = Quantity::brdf_cos_i;
-      else if (name == "f_r*cos_o")
-        quantity_ = Quantity::brdf_cos_o;
-      else if (name != "f_r")
-        fail("quantity '" + std::string(value) + "' is unknown (known: f_r, f_r*cos_i, f_r*cos_o)");
-      return;  // the table holds f_r whatever the file held
-    }
-    table_.metadata.emplace_back(key, value);
+    Comment comment = parse_comment(line.substr(1));
+    if (comment.first == kQuantityKey)
+      read_quantity(comment.second);  // and no comment: the table holds f_r whatever the file held
+    else
+      table_.metadata.push_back(std::move(comment));
+  }
+
+  void read_quantity(const std::string& value) {
+    if (!columns_.empty()) fail("the quantity must be stated before the header row");
+    std::string name;
+    std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
+    if (name == "f_r*cos_i")
+      quantity_ = Quantity::brdf_cos_i;
+    else if (name == "f_r*cos_o")
+      quantity_ = Quantity::brdf_cos_o;
+    else if (name != "f_r")
+      fail("quantity " + shown(value) + " is unknown (known: f_r, f_r*cos_i, f_r*cos_o)");
   }
 
   void read_header(std::string_view line) {
     split(line, ',', fields_);
+    std::unordered_set<std::string_view> seen;
     for (const std::string_view name : fields_) {
       if (name.empty()) fail("column " + std::to_string(columns_.size() + 1) + " has no name");
       double number;
       if (parse_number(name, number))
-        fail("the header row is missing: column " + std::to_string(columns_.size() + 1) + " is the number '" +
-             std::string(name) + "', not a name");
-      const auto same = [&](const Column& c) { return c.name == name; };
-      if (std::any_of(columns_.begin(), columns_.end(), same))
-        fail("column '" + std::string(name) + "' twice");
-      const auto angle = std::find(std::begin(kAngles), std::end(kAngles), name);
-      if (angle != std::end(kAngles)) {
+        fail("the header row is missing: column " + std::to_string(columns_.size() + 1) + " is the number " +
+             shown(name) + ", not a name");
+      if (!seen.insert(name).second) fail("column " + shown(name) + " twice");
+      const auto angle = std::find(std::begin(kAngleNames), std::end(kAngleNames), name);
+      if (angle != std::end(kAngleNames)) {
         columns_.push_back(
-            {Column::Kind::angle, static_cast<std::size_t>(angle - kAngles), std::string(name)});
+            {Column::Kind::angle, static_cast<std::size_t>(angle - kAngleNames), std::string(name)});
       } else if (name.starts_with(kSigmaPrefix)) {
         columns_.push_back({Column::Kind::sigma, 0, std::string(name)});
       } else {
@@ -100,6 +99,7 @@ class CsvReader {
         table_.channels.emplace_back(name);
       }
     }
+    check_channel_names(table_.channels, reader_.where());
     check_header();
     table_.values.resize(table_.channels.size());
     table_.sigma.resize(table_.channels.size());
@@ -108,18 +108,19 @@ class CsvReader {
   }
 
   void check_header() {
-    for (const std::string_view angle : kAngles) {
+    for (const std::string_view angle : kAngleNames) {
       const auto same = [&](const Column& c) { return c.name == angle; };
       if (std::none_of(columns_.begin(), columns_.end(), same))
         fail("column '" + std::string(angle) + "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...)");
     }
     if (need_values_ && table_.channels.empty()) fail("no value column beside the four angles");
+    std::unordered_map<std::string_view, std::size_t> channel;
+    for (std::size_t c = 0; c < table_.channels.size(); ++c) channel[table_.channels[c]] = c;
     for (Column& c : columns_) {
       if (c.kind != Column::Kind::sigma) continue;
-      const auto channel =
-          std::find(table_.channels.begin(), table_.channels.end(), c.name.substr(kSigmaPrefix.size()));
-      if (channel == table_.channels.end()) fail("column '" + c.name + "' has no column of values");
-      c.index = static_cast<std::size_t>(channel - table_.channels.begin());
+      const auto found = channel.find(std::string_view(c.name).substr(kSigmaPrefix.size()));
+      if (found == channel.end()) fail("column " + shown(c.name) + " has no column of values");
+      c.index = found->second;
       has_sigma_ = true;
     }
   }
@@ -155,7 +156,7 @@ class CsvReader {
   [[noreturn]] void below_horizon(std::size_t column) {
     const std::size_t theta = columns_[column].index, phi = theta + 1;
     const std::string at = reader_.where() + ": column " + std::to_string(column + 1) + " (" +
-                           columns_[column].name + "): '" + std::string(fields_[column]) + "' ";
+                           columns_[column].name + "): " + shown(fields_[column]) + " ";
     std::size_t rows = table_.rows(), above = 0;
     bool first = true;
     for (std::string_view line; first || reader_.next(line); first = false) {
@@ -170,12 +171,18 @@ class CsvReader {
       ++rows;
     }
     if (largest_[phi] <= 90.0 && above > 1 && 4 * above >= rows) {
-      const std::string t(kAngles[theta]), p(kAngles[phi]);
+      const std::string t(kAngleNames[theta]), p(kAngleNames[phi]);
       throw ExchangedColumns(at + "is below the horizon; " + t + " reaches " + to_text(largest_[theta]) +
                              " degrees and " + p + " only " + to_text(largest_[phi]) + ": the columns " + t +
                              " and " + p + " look exchanged");
     }
     throw InputError(at + "is below the horizon (theta must be between -90 and 90 degrees)");
+  }
+
+  double divided(double value, double cosine) const {
+    if (!std::isfinite(value / cosine))
+      fail(to_text(value) + " divided by the cosine " + to_text(cosine) + " is beyond the range of numbers");
+    return value / cosine;
   }
 
   void store_row() {
@@ -192,9 +199,10 @@ class CsvReader {
         ++table_.skipped;
         return;
       }
-      for (double& value : row_values_) value /= cosine;
-      for (double& sigma : row_sigma_) sigma /= cosine;
+      for (double& value : row_values_) value = divided(value, cosine);
+      for (double& sigma : row_sigma_) sigma = divided(sigma, cosine);
     }
+    if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
     table_.add_directions(angles_[0], angles_[1], angles_[2], angles_[3]);
     for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
     if (has_sigma_) {
@@ -217,15 +225,17 @@ class CsvReader {
 
 }  // namespace
 
-SampleTable read_csv(const std::filesystem::path& path, bool need_values) {
-  return CsvReader(path, need_values).read();
+SampleTable read_csv(const Content& text, bool need_values) {
+  return CsvReader(text, need_values).read();
 }
 
-void write_samples(std::ostream& out, const SampleTable& table) {
+void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity) {
+  check_table(table);
   std::string text;
-  for (const auto& [key, value] : table.metadata)
-    text += "# " + (key.empty() ? value : key + ": " + value) + '\n';
-  for (const std::string_view angle : kAngles) (text += angle) += ',';
+  for (const Comment& comment : table.metadata) text += "# " + comment_text(comment) + '\n';
+  (((text += "# ") += kQuantityKey) += ": ") += quantity;
+  text += '\n';
+  for (const std::string_view angle : kAngleNames) (text += angle) += ',';
   for (const std::string& channel : table.channels) (text += channel) += ',';
   for (std::size_t c = 0; c < table.channels.size(); ++c)
     if (table.has_sigma(c)) ((text += kSigmaPrefix) += table.channels[c]) += ',';
@@ -253,8 +263,8 @@ void write_samples(std::ostream& out, const SampleTable& table) {
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
-void write_samples(const std::filesystem::path& path, const SampleTable& table) {
-  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table); });
+void write_samples(const std::filesystem::path& path, const SampleTable& table, std::string_view quantity) {
+  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table, quantity); });
 }
 
 }  // namespace brdf::io

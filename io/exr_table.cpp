@@ -7,15 +7,25 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "io/error.h"
 #include "io/output.h"
+#include "io/table_rules.h"
 
 namespace brdf::io {
 namespace {
 
 constexpr std::size_t kWidth = 1024;
+
+// Attributes by which OpenEXR tells kinds of files apart: a comment of that name would be taken for one.
+constexpr std::array kReserved{"type",    "name",   "version",       "chunkCount",
+                               "tiles",   "view",   "multiView",     "maxSamplesPerPixel",
+                               "preview", "envmap", "chromaticities"};
+constexpr std::string_view kPrefix = "comment.";
+constexpr std::size_t kLongestKey = 255;
 
 struct Column {
   std::string name;
@@ -49,9 +59,12 @@ void write(const std::filesystem::path& path, const SampleTable& table) {
     frame.insert(column.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float),
                                          sizeof(float) * width));
   }
-  for (const auto& [key, value] : table.metadata)
-    if (!key.empty() && header.find(key.c_str()) == header.end())
-      header.insert(key, Imf::StringAttribute(value));
+  for (const auto& [key, value] : table.metadata) {
+    if (key.empty() || key.size() + kPrefix.size() > kLongestKey) continue;
+    const bool is_reserved = std::find(kReserved.begin(), kReserved.end(), key) != kReserved.end() ||
+                             header.find(key.c_str()) != header.end();
+    header.insert(is_reserved ? std::string(kPrefix) + key : key, Imf::StringAttribute(value));
+  }
   Imf::OutputFile file(path.c_str(), header);
   file.setFrameBuffer(frame);
   file.writePixels(static_cast<int>(height));
@@ -60,7 +73,8 @@ void write(const std::filesystem::path& path, const SampleTable& table) {
 }  // namespace
 
 std::vector<std::string> write_exr_table(const std::filesystem::path& path, const SampleTable& table) {
-  if (table.rows() == 0) throw InputError(table.source + ": holds no rows");
+  if (table.rows() == 0) throw InputError(table.name() + ": holds no rows");
+  check_table(table);
   write_path_atomically(path, [&](const std::filesystem::path& temporary) {
     try {
       write(temporary, table);
@@ -68,7 +82,16 @@ std::vector<std::string> write_exr_table(const std::filesystem::path& path, cons
       throw EnvironmentError(path.string() + ": cannot be written: " + error.what());
     }
   });
-  return {"digits beyond 32-bit float (7 significant ones)", "free-text comments and line numbers"};
+  std::vector<std::string> lost{"digits beyond 32-bit float (7 significant ones)",
+                                "free-text comments and line numbers"};
+  std::size_t infinite = 0;
+  for (const Column& column : columns_of(table))
+    infinite += static_cast<std::size_t>(
+        std::count_if(column.values->begin(), column.values->end(),
+                      [](double value) { return std::abs(value) > std::numeric_limits<float>::max(); }));
+  if (infinite > 0)
+    lost.push_back(std::to_string(infinite) + " numbers beyond 3.4e38: infinite in a 32-bit float");
+  return lost;
 }
 
 }  // namespace brdf::io

@@ -233,7 +233,7 @@ void HtmlReport::plot(const Plot& plot) {
   body_ += "</figure>\n";
   command(plot.command);
   if (!plots_.empty()) plots_ += ",\n";
-  plots_ += to_json(plot).dump();
+  plots_ += to_line(to_json(plot));
 }
 
 void HtmlReport::picture(std::string_view png, std::string_view caption, std::string_view made_by) {

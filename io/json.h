@@ -4,19 +4,23 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/content.h"
 #include "io/provenance.h"
 
 namespace brdf::io {
 
 using Json = nlohmann::ordered_json;  // keeps the order of keys: files read as they were written
 
-// Parses strictly: syntax errors and keys given twice are
-// refused with file, line and column. Throws InputError.
+// Parses strictly: syntax errors, keys given twice, numbers out of range and what is nested too deeply are refused
+// with the file and the place. Throws InputError.
 Json read_json(const std::filesystem::path& path);
+Json read_json(const Content& content);
 Json parse_json(const std::string& text, const std::string& file);
 
-// Indented by two, arrays of numbers on one line. Numbers read back exactly.
+// Indented by two, arrays of numbers on one line. Numbers read back exactly. Text that is not UTF-8 (a file's
+// name) has its bytes replaced: that costs a letter, not the work.
 std::string to_text(const Json& json);
+std::string to_line(const Json& json);
 
 Json to_json(const Provenance& made);
 

@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "io/output.h"
+#include "io/table_rules.h"
 #include "io/text.h"
 
 namespace brdf::io {
@@ -33,13 +34,9 @@ double to_degrees(Angle angle) {
 
 std::vector<std::string> read_channels(const JsonPlace& place) {
   std::vector<std::string> channels;
-  for (std::size_t k = 0; k < place.size(); ++k) {
-    channels.push_back(place.at(k).text());
-    if (channels.back().empty()) place.at(k).fail("must not be empty");
-    if (std::find(channels.begin(), channels.end() - 1, channels.back()) != channels.end() - 1)
-      place.at(k).fail("names a channel twice");
-  }
+  for (std::size_t k = 0; k < place.size(); ++k) channels.push_back(place.at(k).text());
   if (channels.empty()) place.fail("must name at least one channel");
+  check_channel_names(channels, place.file() + ": " + place.path());
   return channels;
 }
 
@@ -49,7 +46,7 @@ void check_parameter_names(const JsonPlace& place, std::span<const ParameterInfo
     if (parameter_index(table, key) >= 0) continue;
     std::string known;
     for (const ParameterInfo& p : table) (known += known.empty() ? "" : ", ") += p.name;
-    throw InputError(place.file() + ": " + place.path() + ": unknown key \"" + key +
+    throw InputError(place.file() + ": " + place.path() + ": unknown key \"" + printable(key, 60) +
                      "\" (known: " + (known.empty() ? "none" : known) + ")");
   }
 }
@@ -162,17 +159,25 @@ MaterialFile material_from_json(const JsonPlace& place) {
   return file;
 }
 
-MaterialFile read_material_file(const std::filesystem::path& path) {
-  const Json json = read_json(path);
-  const JsonPlace place(json, path.string());
+MaterialFile read_material_file(const Content& content) {
+  const Json json = read_json(content);
+  const JsonPlace place(json, content.name);
   if (!json.is_object()) place.fail("must be an object");
   place.at("format");
   place.at("version");
   return material_from_json(place);
 }
 
+MaterialFile read_material_file(const std::filesystem::path& path) {
+  return read_material_file(read_content(path));
+}
+
 Material read_material(const std::filesystem::path& path) {
   return read_material_file(path).material;
+}
+
+Material read_material(const Content& content) {
+  return read_material_file(content).material;
 }
 
 Json to_json(const Material& material) {

@@ -12,6 +12,7 @@ struct MaterialFile {
 };
 
 MaterialFile read_material_file(const std::filesystem::path& path);
+MaterialFile read_material_file(const Content& content);
 void write_material_file(const std::filesystem::path& path, const MaterialFile& file);
 
 // A material inside another document, for instance a scene's object.

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <numbers>
 
 #include "brdf/vec3.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "io/text.h"
 
 namespace brdf::io::merl {
 namespace {
@@ -28,6 +28,14 @@ std::array<SineCosine, n> table_of(Angle degrees) {
     table[k] = {sin_degrees(angle), cos_degrees(angle)};
   }
   return table;
+}
+
+using Header = std::array<std::int32_t, 3>;
+
+Header header_of(const Content& content) {
+  Header header{};
+  std::memcpy(header.data(), content.bytes.data(), sizeof header);
+  return header;
 }
 
 std::size_t clamped(double index, int count) {
@@ -81,20 +89,26 @@ void add_cell_directions(SampleTable& table) {
   }
 }
 
-SampleTable read(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::int32_t dimensions[3] = {};
-  in.read(reinterpret_cast<char*>(dimensions), sizeof dimensions);
+SampleTable read(const Content& content) {
+  const auto [theta_half, theta_difference, phi_difference] = header_of(content);
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(content.name + ": the MERL file " + what);
+  };
+  if (theta_half != kThetaHalf || theta_difference != kThetaDifference || phi_difference != kPhiDifference)
+    refuse("has " + std::to_string(theta_half) + " x " + std::to_string(theta_difference) + " x " +
+           std::to_string(phi_difference) + " cells, not 90 x 90 x 180");
+  constexpr std::size_t kPlane = kCells * sizeof(double), kSize = sizeof(Header) + 3 * kPlane;
+  if (content.bytes.size() != kSize)
+    refuse("has " + std::to_string(content.bytes.size()) + " bytes where its 90 x 90 x 180 x 3 cells take " +
+           std::to_string(kSize));
   SampleTable table;
-  table.source = path.string();
+  table.source = content.name;
   table.format = "merl";
   table.channels = {"r", "g", "b"};
   table.sigma.resize(3);
-  for (int c = 0; c < 3; ++c) {
-    std::vector<double>& plane = table.values.emplace_back(kCells);
-    in.read(reinterpret_cast<char*>(plane.data()), static_cast<std::streamsize>(kCells * sizeof(double)));
-  }
-  if (!in) throw InputError(table.source + ": the MERL file is shorter than its 90 x 90 x 180 x 3 cells");
+  for (std::size_t c = 0; c < 3; ++c)
+    std::memcpy(table.values.emplace_back(kCells).data(), content.bytes.data() + sizeof(Header) + c * kPlane,
+                kPlane);
   table.reserve(kCells);
   std::size_t kept = 0;
   for (std::size_t cell = 0; cell < kCells; ++cell) {
@@ -116,14 +130,10 @@ SampleTable read(const std::filesystem::path& path) {
   return table;
 }
 
-bool recognises(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::file_size(path, error) != 12 + 3 * kCells * sizeof(double) || error) return false;
-  std::ifstream in(path, std::ios::binary);
-  std::int32_t dimensions[3] = {};
-  in.read(reinterpret_cast<char*>(dimensions), sizeof dimensions);
-  return in && dimensions[0] == kThetaHalf && dimensions[1] == kThetaDifference &&
-         dimensions[2] == kPhiDifference;
+bool recognises(const Content& content) {
+  if (content.bytes.size() < sizeof(Header)) return false;
+  const Header header = header_of(content);
+  return std::all_of(header.begin(), header.end(), [](std::int32_t n) { return n > 0 && n < (1 << 16); });
 }
 
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table) {
@@ -151,6 +161,9 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
         const double mean = values[cell] / count[cell];
         negative += mean < 0;
         plane[cell] = std::max(mean, 0.0) / kScale[c];
+        if (!std::isfinite(plane[cell]))
+          throw InputError(table.name() + ": values about " + to_text(mean) +
+                           " are beyond what a MERL file can hold");
       }
       out.write(reinterpret_cast<const char*>(plane.data()),
                 static_cast<std::streamsize>(kCells * sizeof(double)));

@@ -29,11 +29,12 @@ std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o
 // Appends the directions of all cells above the horizon, in file order, without values.
 void add_cell_directions(SampleTable& table);
 
-// True where size and header are those of a MERL file.
-bool recognises(const std::filesystem::path& path);
+// True where the file begins with three small integers, as no text does: whether they are the right ones, and the
+// size, read() judges.
+bool recognises(const Content& content);
 
 // Reads the whole file; cells marked invalid (negative) or below the horizon are left out and counted.
-SampleTable read(const std::filesystem::path& path);
+SampleTable read(const Content& content);
 
 // Writes the mean of the rows in each cell, -1 where there are none. Returns what is lost, one phrase each.
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <functional>
 #include <numbers>
 
 #include "io/error.h"
@@ -49,10 +49,13 @@ class Stack {
   Cell find_cell(double x, double y) const {
     x *= static_cast<double>(width_ - 1);
     y *= static_cast<double>(height_ - 1);
-    const std::size_t column = std::min(static_cast<std::size_t>(std::max(x, 0.0)), width_ - 2);
-    const std::size_t row = std::min(static_cast<std::size_t>(std::max(y, 0.0)), height_ - 2);
+    const std::size_t column = clamped(x, width_ - 2), row = clamped(y, height_ - 2);
     return {column, row, column + row * width_, x - static_cast<double>(column),
             y - static_cast<double>(row)};
+  }
+  // An index of at most `last`; 0 for what is no number.
+  static std::size_t clamped(double x, std::size_t last) {
+    return static_cast<std::size_t>(std::min(std::max(0.0, x), static_cast<double>(last)));
   }
   static double mix(const std::vector<float>& values, std::size_t k, std::size_t stride,
                     const Between& slice) {
@@ -147,9 +150,9 @@ const std::string& Measurement::description() const {
   return data_->description;
 }
 
-Measurement::Measurement(const std::filesystem::path& path) : data_(std::make_unique<Data>()) {
-  TensorFile file(path);
-  const auto refuse = [&](const std::string& why) { throw InputError(path.string() + ": RGL file: " + why); };
+Measurement::Measurement(const Content& content) : data_(std::make_unique<Data>()) {
+  const TensorFile file(content);
+  const auto refuse = [&](const std::string& why) { throw InputError(content.name + ": RGL file: " + why); };
   if (!file.has("rgb")) refuse("spectral files are not read, only RGB ones");
   if (file.shape("phi_i") != std::vector<std::size_t>{1}) refuse("anisotropic files are not read");
   data_->description = file.bytes("description");
@@ -158,10 +161,12 @@ Measurement::Measurement(const std::filesystem::path& path) : data_(std::make_un
   const auto &ndf = file.shape("ndf"), &sigma = file.shape("sigma"), &vndf = file.shape("vndf"),
              &rgb = file.shape("rgb");
   const auto at_least_two = [](std::size_t a, std::size_t b) { return a >= 2 && b >= 2; };
-  if (angles < 1 || !std::is_sorted(data_->theta_i.begin(), data_->theta_i.end()) || ndf.size() != 2 ||
-      sigma.size() != 2 || vndf.size() != 4 || rgb.size() != 5 || vndf[0] != 1 || vndf[1] != angles ||
-      rgb[0] != 1 || rgb[1] != angles || rgb[2] != 3 || !at_least_two(ndf[0], ndf[1]) ||
-      !at_least_two(sigma[0], sigma[1]) || !at_least_two(vndf[2], vndf[3]) || !at_least_two(rgb[3], rgb[4]))
+  const auto not_above =
+      std::adjacent_find(data_->theta_i.begin(), data_->theta_i.end(), std::greater_equal<>());
+  if (angles < 1 || not_above != data_->theta_i.end() || ndf.size() != 2 || sigma.size() != 2 ||
+      vndf.size() != 4 || rgb.size() != 5 || vndf[0] != 1 || vndf[1] != angles || rgb[0] != 1 ||
+      rgb[1] != angles || rgb[2] != 3 || !at_least_two(ndf[0], ndf[1]) || !at_least_two(sigma[0], sigma[1]) ||
+      !at_least_two(vndf[2], vndf[3]) || !at_least_two(rgb[3], rgb[4]))
     refuse("the fields' sizes do not belong together");
   data_->ndf = Stack(file.floats("ndf"), ndf[1], ndf[0]);
   data_->sigma = Stack(file.floats("sigma"), sigma[1], sigma[0]);
@@ -186,31 +191,33 @@ void Measurement::eval_cos_o(const Vec3<double>& wi, const Vec3<double>& wo, dou
     // Slices in the file: theta_i, then channel.
     const double low = data_->rgb.eval(x, y, {3 * slice.index + c, 1, 0});
     const double high = slice.high == 0 ? 0 : data_->rgb.eval(x, y, {3 * (slice.index + 1) + c, 1, 0});
-    rgb[c] = std::max(0.0, slice.low * low + slice.high * high) * scale;
+    const double value = (slice.low * low + slice.high * high) * scale;
+    rgb[c] = value < 0 ? 0 : value;  // no number stays none
   }
 }
 
-bool recognises(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  char magic[12] = {};
-  in.read(magic, sizeof magic);
-  return in && std::string_view(magic, sizeof magic) == std::string_view("tensor_file\0", 12);
+bool recognises(const Content& content) {
+  return content.bytes.starts_with(std::string_view("tensor_file\0", 12));
 }
 
-SampleTable read(const std::filesystem::path& path) {
-  const Measurement measurement(path);
+SampleTable read(const Content& content) {
+  const Measurement measurement(content);
   SampleTable table;
-  table.source = path.string();
+  table.source = content.name;
   table.format = "rgl";
   table.channels = {"r", "g", "b"};
   table.values.resize(3);
   table.sigma.resize(3);
-  table.metadata = {{"sample", measurement.description()},
-                    {"instrument", "RGL gonio-photometer, adaptive tensor file"}};
+  table.add_comment("sample", measurement.description());
+  table.add_comment("instrument", "RGL gonio-photometer, adaptive tensor file");
   const auto add = [&](double theta_i, double theta_o, double phi_o) {
     const Vec3<double> wi = unit_vector(theta_i, 180), wo = unit_vector(theta_o, phi_o);
     double rgb[3];
     measurement.eval_cos_o(wi, wo, rgb);
+    if (!std::all_of(rgb, rgb + 3, [&](double value) { return std::isfinite(value / wo.z); })) {
+      ++table.skipped;
+      return;
+    }
     table.add_directions(theta_i, 180, theta_o, phi_o);
     for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(rgb[c] / wo.z);
   };
@@ -219,7 +226,11 @@ SampleTable read(const std::filesystem::path& path) {
     for (int theta_o = 4; theta_o <= 80; theta_o += 4)
       for (int phi_o = 0; phi_o <= 180; phi_o += 10) add(theta_i, theta_o, phi_o);
   }
+  if (table.rows() == 0) throw InputError(table.source + ": RGL file: holds no finite value");
   table.warnings.push_back("the tensor was sampled at " + std::to_string(table.rows()) + " directions");
+  if (table.skipped > 0)
+    table.warnings.push_back(std::to_string(table.skipped) +
+                             " directions left out: their value is undefined");
   return table;
 }
 

@@ -2,7 +2,6 @@
 // efficient material acquisition and rendering"), isotropic RGB ones.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 
 #include "brdf/vec3.h"
@@ -10,13 +9,13 @@
 
 namespace brdf::io::rgl {
 
-bool recognises(const std::filesystem::path& path);
+bool recognises(const Content& content);
 
 // The measured BRDF as its own interpolation gives it between the measured directions.
 class Measurement {
  public:
   // Throws InputError where the file is damaged, or anisotropic or spectral (unsupported).
-  explicit Measurement(const std::filesystem::path& path);
+  explicit Measurement(const Content& content);
   ~Measurement();
 
   // f_r cos_o per channel (r, g, b) in 1/sr for unit directions above the horizon; negative values, which the
@@ -32,6 +31,7 @@ class Measurement {
 
 // f_r of the file at theta_i 5, 15, 30, 45, 60, 75, theta_o 0..80 in steps of 4, phi_o 0..180 in steps of 10
 // degrees (phi_i = 180): enough to fit the canonical forms; half of the hemisphere, as the file is isotropic.
-SampleTable read(const std::filesystem::path& path);
+// Directions where the tables leave the value undefined (a density of 0) are left out and counted.
+SampleTable read(const Content& content);
 
 }  // namespace brdf::io::rgl

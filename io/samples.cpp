@@ -4,19 +4,24 @@
 #include "io/csv.h"
 #include "io/merl.h"
 #include "io/rgl.h"
+#include "io/table_rules.h"
 #include "io/zemax.h"
 
 namespace brdf::io {
 
 std::string SampleTable::where(std::size_t row) const {
-  if (row < lines.size()) return source + ", line " + std::to_string(lines[row]);
-  return source + ", row " + std::to_string(row + 1);
+  if (row < lines.size()) return name() + ", line " + std::to_string(lines[row]);
+  return name() + ", row " + std::to_string(row + 1);
 }
 
 std::optional<std::string> SampleTable::find_metadata(std::string_view key) const {
   for (const auto& [name, value] : metadata)
     if (name == key) return value;
   return std::nullopt;
+}
+
+void SampleTable::add_comment(std::string_view key, std::string_view value) {
+  metadata.push_back(parse_comment(comment_text({std::string(key), std::string(value)})));
 }
 
 void SampleTable::reserve(std::size_t rows) {
@@ -32,16 +37,39 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
   phi_o.push_back(phi_of_viewer);
 }
 
+namespace {
+
+SampleTable read_text(Content text, bool need_values) {
+  const std::string transcoded = make_utf8(text);
+  SampleTable table = need_values && zemax::recognises(text)  ? zemax::read(text)
+                      : need_values && astm::recognises(text) ? astm::read(text)
+                                                              : read_csv(text, need_values);
+  if (!transcoded.empty()) table.warnings.push_back(transcoded);
+  return table;
+}
+
+}  // namespace
+
+SampleTable read_samples(Content content) {
+  SampleTable table = rgl::recognises(content)    ? rgl::read(content)
+                      : merl::recognises(content) ? merl::read(content)
+                                                  : read_text(std::move(content), true);
+  check_table(table);
+  return table;
+}
+
+SampleTable read_directions(Content content) {
+  SampleTable table = read_text(std::move(content), false);
+  check_table(table);
+  return table;
+}
+
 SampleTable read_samples(const std::filesystem::path& path) {
-  if (rgl::recognises(path)) return rgl::read(path);
-  if (merl::recognises(path)) return merl::read(path);
-  if (zemax::recognises(path)) return zemax::read(path);
-  if (astm::recognises(path)) return astm::read(path);
-  return read_csv(path, true);
+  return read_samples(read_content(path));
 }
 
 SampleTable read_directions(const std::filesystem::path& path) {
-  return read_csv(path, false);
+  return read_directions(read_content(path));
 }
 
 }  // namespace brdf::io

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "brdf/directions.h"
+#include "io/comments.h"
+#include "io/content.h"
 
 namespace brdf::io {
 
@@ -22,8 +24,7 @@ struct SampleTable {
   std::vector<double> theta_i, phi_i, theta_o, phi_o;  // degrees
   std::vector<std::vector<double>> values;             // [channel][row], f_r in 1/sr
   std::vector<std::vector<double>> sigma;  // [channel][row], standard deviation in 1/sr; empty where unknown
-  std::vector<std::pair<std::string, std::string>>
-      metadata;  // header comments in order; free text has no key
+  std::vector<Comment> metadata;           // header comments in order; free text has no key
 
   std::string source;                 // the file's path, for messages
   std::string format = "csv";         // csv, merl, rgl, astm_e1392, zemax
@@ -33,10 +34,14 @@ struct SampleTable {
 
   std::size_t rows() const { return theta_i.size(); }
   bool has_sigma(std::size_t channel) const { return channel < sigma.size() && !sigma[channel].empty(); }
+  // The file, or "table" where there is none.
+  std::string name() const { return source.empty() ? "table" : source; }
   // "FILE, line N" or "FILE, row N".
   std::string where(std::size_t row) const;
   // First metadata value under `key`.
   std::optional<std::string> find_metadata(std::string_view key) const;
+  // Adds a comment as a file holds it: one line, free text where its key is reserved.
+  void add_comment(std::string_view key, std::string_view value);
   void reserve(std::size_t rows);
   // Adds a row of directions, in degrees; its values are the caller's.
   void add_directions(double theta_of_light, double phi_of_light, double theta_of_viewer,
@@ -45,13 +50,19 @@ struct SampleTable {
 
 // Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md).
 // Throws InputError naming file, line and column.
+// What is read can be written: names, finite values and comments are those of a CSV.
 SampleTable read_samples(const std::filesystem::path& path);
+SampleTable read_samples(Content content);
 // The same for a table of directions: a CSV without any value column is accepted.
 SampleTable read_directions(const std::filesystem::path& path);
+SampleTable read_directions(Content content);
 
-// Writes CSV that reads back to exactly the same table (shortest decimals that round-trip).
-void write_samples(const std::filesystem::path& path, const SampleTable& table);
-void write_samples(std::ostream& out, const SampleTable& table);
+// Writes CSV that reads back to exactly the same table (shortest decimals that round-trip). Throws InputError
+// where the table breaks a rule of the format. `quantity` is what the values are, if not f_r: f_r*cos_i or
+// f_r*cos_o.
+void write_samples(const std::filesystem::path& path, const SampleTable& table,
+                   std::string_view quantity = "f_r");
+void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity = "f_r");
 
 // Unit vectors of all rows in the local frame (normal +z, tangent +x).
 DirectionArrays<double> unit_directions(const SampleTable& table);

@@ -1,55 +1,67 @@
 #include "io/tensor_file.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 
 #include "io/error.h"
+#include "io/text.h"
 
 namespace brdf::io {
 namespace {
 
 constexpr std::string_view kMagic("tensor_file\0\1\0", 14);  // name and version 1.0
 constexpr std::uint8_t kUint8 = 1, kFloat32 = 10;
-
-template <class T>
-T read_value(std::ifstream& in) {
-  T value{};
-  in.read(reinterpret_cast<char*>(&value), sizeof value);
-  return value;
-}
+// Bytes of an element by the type's number: integers of 8 to 64 bits, each without and with sign, then floats.
+constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
 }  // namespace
 
-TensorFile::TensorFile(const std::filesystem::path& path)
-    : path_(path.string()), in_(path, std::ios::binary) {
-  std::error_code error;
-  size_ = std::filesystem::file_size(path, error);
-  if (!in_ || error) throw InputError(path_ + ": cannot be read");
-  std::string magic(kMagic.size(), '\0');
-  in_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-  if (magic != kMagic) fail("not a tensor file of version 1.0");
-  const auto count = read_value<std::uint32_t>(in_);
-  for (std::uint32_t k = 0; k < count && in_; ++k) {
-    Field field;
-    field.name.resize(read_value<std::uint16_t>(in_));
-    in_.read(field.name.data(), static_cast<std::streamsize>(field.name.size()));
-    field.shape.resize(read_value<std::uint16_t>(in_));
-    field.type = read_value<std::uint8_t>(in_);
-    field.offset = read_value<std::uint64_t>(in_);
-    field.count = 1;
-    for (std::size_t& size : field.shape) {
-      size = read_value<std::uint64_t>(in_);
-      if (size > size_ || field.count * size > size_)
-        fail("field \"" + field.name + "\" is larger than the file");
-      field.count *= size;
-    }
-    if (field.offset > size_) fail("field \"" + field.name + "\" lies behind the file's end");
-    fields_.push_back(std::move(field));
+TensorFile::TensorFile(const Content& content) : content_(content) {
+  if (!content.bytes.starts_with(kMagic)) fail("not a tensor file of version 1.0");
+  std::size_t at = kMagic.size();
+  const auto count = read_value<std::uint32_t>(at);
+  for (std::uint32_t k = 0; k < count; ++k) fields_.push_back(read_field(at));
+}
+
+TensorFile::Field TensorFile::read_field(std::size_t& at) const {
+  Field field;
+  field.name = read_bytes(at, read_value<std::uint16_t>(at));
+  field.shape.resize(read_value<std::uint16_t>(at));
+  field.type = read_value<std::uint8_t>(at);
+  field.offset = read_value<std::uint64_t>(at);
+  const std::size_t element = field.type < kElementSize.size() ? kElementSize[field.type] : 0;
+  if (element == 0)
+    fail("field " + shown(field.name) + " is of the unknown type " + std::to_string(field.type));
+  if (field.offset > content_.bytes.size())
+    fail("field " + shown(field.name) + " lies behind the file's end");
+  const std::size_t most = (content_.bytes.size() - field.offset) / element;
+  field.count = 1;
+  for (std::size_t& size : field.shape) {
+    size = read_value<std::uint64_t>(at);
+    if (size > 0 && field.count > most / size)
+      fail("field " + shown(field.name) + " reaches beyond the file's end");
+    field.count *= size;
   }
-  if (!in_) fail("the table of fields is cut off");
+  return field;
+}
+
+template <class T>
+T TensorFile::read_value(std::size_t& at) const {
+  T value;
+  std::memcpy(&value, read_bytes(at, sizeof value).data(), sizeof value);
+  return value;
+}
+
+std::string_view TensorFile::read_bytes(std::size_t& at, std::size_t count) const {
+  if (count > content_.bytes.size() - at) fail("the table of fields is cut off");
+  at += count;
+  return std::string_view(content_.bytes).substr(at - count, count);
 }
 
 void TensorFile::fail(const std::string& what) const {
-  throw InputError(path_ + ": tensor file: " + what);
+  throw InputError(content_.name + ": tensor file: " + what);
 }
 
 const TensorFile::Field* TensorFile::find(const std::string& name) const {
@@ -58,37 +70,32 @@ const TensorFile::Field* TensorFile::find(const std::string& name) const {
   return found == fields_.end() ? nullptr : &*found;
 }
 
-const TensorFile::Field& TensorFile::require(const std::string& name) const {
+const std::vector<std::size_t>& TensorFile::shape(const std::string& name) const {
   const Field* field = find(name);
   if (!field) fail("no field \"" + name + "\"");
-  return *field;
+  return field->shape;
 }
 
-const std::vector<std::size_t>& TensorFile::shape(const std::string& name) const {
-  return require(name).shape;
+const TensorFile::Field& TensorFile::require(const std::string& name, std::uint8_t type,
+                                             const char* what) const {
+  shape(name);
+  const Field& field = *find(name);
+  if (field.type != type) fail("field \"" + name + "\" must hold " + what);
+  return field;
 }
 
-void TensorFile::read_at(std::uint64_t offset, void* into, std::size_t bytes) {
-  in_.clear();
-  in_.seekg(static_cast<std::streamoff>(offset));
-  in_.read(static_cast<char*>(into), static_cast<std::streamsize>(bytes));
-  if (!in_) fail("cut off");
-}
-
-std::vector<float> TensorFile::floats(const std::string& name) {
-  const Field& field = require(name);
-  if (field.type != kFloat32) fail("field \"" + name + "\" must hold 32-bit floats");
+std::vector<float> TensorFile::floats(const std::string& name) const {
+  const Field& field = require(name, kFloat32, "32-bit floats");
   std::vector<float> values(field.count);
-  read_at(field.offset, values.data(), values.size() * sizeof(float));
+  std::memcpy(values.data(), content_.bytes.data() + field.offset, values.size() * sizeof(float));
+  if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
+    fail("field \"" + name + "\" holds a value that is not finite");
   return values;
 }
 
-std::string TensorFile::bytes(const std::string& name) {
-  const Field& field = require(name);
-  if (field.type != kUint8) fail("field \"" + name + "\" must hold bytes");
-  std::string values(field.count, '\0');
-  read_at(field.offset, values.data(), values.size());
-  return values;
+std::string TensorFile::bytes(const std::string& name) const {
+  const Field& field = require(name, kUint8, "bytes");
+  return content_.bytes.substr(field.offset, field.count);
 }
 
 }  // namespace brdf::io

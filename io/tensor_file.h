@@ -1,23 +1,25 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "io/content.h"
+
 namespace brdf::io {
 
-// The container of RGL's files: named arrays in one file, each read when asked for.
+// The container of RGL's files: named arrays in one file.
 class TensorFile {
  public:
-  explicit TensorFile(const std::filesystem::path& path);
+  // The content must outlive it. Throws InputError where an array reaches beyond the file.
+  explicit TensorFile(const Content& content);
+  explicit TensorFile(Content&&) = delete;
 
   bool has(const std::string& name) const { return find(name) != nullptr; }
   // Sizes from slow to fast; throws InputError where the field is missing.
   const std::vector<std::size_t>& shape(const std::string& name) const;
-  std::vector<float> floats(const std::string& name);
-  std::string bytes(const std::string& name);
+  std::vector<float> floats(const std::string& name) const;  // refuses values that are not finite
+  std::string bytes(const std::string& name) const;
 
  private:
   struct Field {
@@ -27,14 +29,15 @@ class TensorFile {
     std::vector<std::size_t> shape;
     std::size_t count;
   };
+  Field read_field(std::size_t& at) const;
+  template <class T>
+  T read_value(std::size_t& at) const;
+  std::string_view read_bytes(std::size_t& at, std::size_t count) const;
   const Field* find(const std::string& name) const;
-  const Field& require(const std::string& name) const;
-  void read_at(std::uint64_t offset, void* into, std::size_t bytes);
+  const Field& require(const std::string& name, std::uint8_t type, const char* what) const;
   [[noreturn]] void fail(const std::string& what) const;
 
-  std::string path_;
-  std::ifstream in_;
-  std::uint64_t size_ = 0;
+  const Content& content_;
   std::vector<Field> fields_;
 };
 

@@ -1,60 +1,28 @@
 #include "io/text.h"
 
+#include <utf8.h>
+
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 
 #include "io/error.h"
 
 namespace brdf::io {
 
-LineReader::LineReader(const std::filesystem::path& path)
-    : path_(path.string()), file_(std::fopen(path.c_str(), "rb"), &std::fclose), buffer_(1 << 16) {
-  std::error_code ignored;
-  if (!file_) throw InputError(path_ + ": cannot be read: " + std::strerror(errno));
-  if (std::filesystem::is_directory(path, ignored)) throw InputError(path_ + ": is a folder");
-}
-
 std::string LineReader::where() const {
-  return path_ + ", line " + std::to_string(line_);
-}
-
-// Moves the unread rest to the front and reads on; grows the buffer for a line longer than it.
-bool LineReader::fill() {
-  if (at_end_) return false;
-  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-            buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
-  end_ -= begin_;
-  begin_ = 0;
-  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  const std::size_t got = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_.get());
-  if (got == 0) {
-    if (std::ferror(file_.get())) throw InputError(path_ + ": cannot be read: " + std::strerror(errno));
-    at_end_ = true;
-  }
-  end_ += got;
-  return got > 0;
+  return content_->name + ", line " + std::to_string(line_);
 }
 
 bool LineReader::next(std::string_view& line) {
-  std::size_t scanned = begin_;
-  for (;;) {
-    const void* newline = std::memchr(buffer_.data() + scanned, '\n', end_ - scanned);
-    if (newline || (at_end_ && begin_ < end_)) {
-      const std::size_t stop =
-          newline ? static_cast<std::size_t>(static_cast<const char*>(newline) - buffer_.data()) : end_;
-      line = std::string_view(buffer_.data() + begin_, stop - begin_);
-      begin_ = std::min(stop + 1, end_);
-      if (line.ends_with('\r')) line.remove_suffix(1);
-      if (line_++ == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-      return true;
-    }
-    if (at_end_) return false;
-    const std::size_t seen = end_ - begin_;
-    fill();
-    scanned = begin_ + seen;
-  }
+  if (rest_.empty()) return false;
+  const std::size_t stop = std::min(rest_.find('\n'), rest_.size());
+  line = rest_.substr(0, stop);
+  rest_.remove_prefix(std::min(stop + 1, rest_.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line_++ == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+  if (line.size() > kLongestLine)
+    throw InputError(where() + ": is longer than " + std::to_string(kLongestLine >> 20) + " MiB");
+  return true;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -91,6 +59,31 @@ bool parse_number(std::string_view text, double& value) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc() && stop == end;
+}
+
+std::string printable(std::string_view text, std::size_t most) {
+  const bool is_cut = text.size() > most;
+  while (is_cut && most > 0 && (text[most] & 0xc0) == 0x80) --most;  // not within a character
+  if (is_cut) text = text.substr(0, most);
+  const bool is_utf8 = utf8::is_valid(text.begin(), text.end());
+  std::string out;
+  const auto at = [&](std::size_t k) { return static_cast<unsigned char>(k < text.size() ? text[k] : 0); };
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const unsigned char c = at(k);
+    // U+0080..U+009F are control characters too: C2 and one more byte.
+    const bool is_c1 = (c == 0xc2 && at(k + 1) < 0xa0) || (c >= 0x80 && c < 0xa0 && at(k - 1) == 0xc2);
+    constexpr std::string_view kHex = "0123456789abcdef";
+    if (c < 0x20 || c == 0x7f || is_c1 || (c >= 0x80 && !is_utf8))
+      ((out += "\\x") += kHex[c >> 4]) += kHex[c & 15];
+    else
+      out += text[k];
+  }
+  return is_cut ? out + "..." : out;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  return "'" + printable(text, kLongest) + "'";
 }
 
 void append_number(std::string& out, double value) {

@@ -1,33 +1,28 @@
 #pragma once
 
-#include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/content.h"
+
 namespace brdf::io {
 
-// Reads a text file line by line through a fixed buffer, so that a file's size does not matter.
-// Accepts LF and CRLF, and a byte order mark. Throws InputError where the file cannot be opened or read.
+// The lines of a text, LF or CRLF, a byte order mark left out. Throws InputError for a line beyond kLongestLine.
 class LineReader {
  public:
-  explicit LineReader(const std::filesystem::path& path);
-  // The view is valid until the next call.
+  // The content must outlive the reader.
+  explicit LineReader(const Content& content) : content_(&content), rest_(content.bytes) {}
+  explicit LineReader(Content&&) = delete;
   bool next(std::string_view& line);
   std::size_t line() const { return line_; }  // of the last line returned, from 1
   // "FILE, line N"
   std::string where() const;
 
  private:
-  bool fill();
-
-  std::string path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0, line_ = 0;
-  bool at_end_ = false;
+  const Content* content_;
+  std::string_view rest_;
+  std::size_t line_ = 0;
 };
 
 std::string_view trimmed(std::string_view text);
@@ -40,6 +35,11 @@ void split_blanks(std::string_view line, std::vector<std::string_view>& fields);
 // The whole of `text` as a number (a leading plus sign is
 // allowed). False where it is none or out of double's range.
 bool parse_number(std::string_view text, double& value);
+
+// For messages: control characters as \xNN, so that a file cannot drive a terminal; cut after `most` bytes.
+std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
+// The same in quotes, for what a file holds: 'text', the first 60 bytes of it.
+std::string shown(std::string_view text);
 
 // Shortest decimal that reads back to the same double.
 void append_number(std::string& out, double value);

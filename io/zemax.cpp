@@ -13,7 +13,7 @@ namespace {
 // Words of the file's lines, comments and blank lines left out.
 class Lines {
  public:
-  explicit Lines(const std::filesystem::path& path) : reader_(path), path_(path.string()) {}
+  explicit Lines(const Content& text) : reader_(text), name_(text.name) {}
 
   bool next(std::vector<std::string_view>& words) {
     std::string_view line;
@@ -27,7 +27,7 @@ class Lines {
     return false;
   }
   void require(std::vector<std::string_view>& words, const std::string& what) {
-    if (!next(words)) throw InputError(path_ + ": ends where " + what + " is expected");
+    if (!next(words)) throw InputError(name_ + ": ends where " + what + " is expected");
   }
   // The line "KEY VALUE".
   std::string value_of(const std::string& key) {
@@ -43,7 +43,7 @@ class Lines {
     std::vector<double> values(count);
     for (std::size_t k = 0; k < count; ++k)
       if (!parse_number(words_[k], values[k]) || !std::isfinite(values[k]))
-        fail("column " + std::to_string(k + 1) + ": '" + std::string(words_[k]) + "' is not a number");
+        fail("column " + std::to_string(k + 1) + ": " + shown(words_[k]) + " is not a number");
     return values;
   }
   // "KEY n" and n numbers on the next line.
@@ -51,22 +51,25 @@ class Lines {
     const std::string text = value_of(key);
     double count;
     if (!parse_number(text, count) || !(count >= 1 && count <= 100000) || count != std::floor(count))
-      fail("'" + text + "' is not a number of angles");
-    return numbers("the angles of " + key, static_cast<std::size_t>(count));
+      fail(shown(text) + " is not a number of angles");
+    const std::vector<double> angles = numbers("the angles of " + key, static_cast<std::size_t>(count));
+    for (const double angle : angles)
+      if (!(std::abs(angle) <= kLargestAzimuth))
+        fail("angle " + to_text(angle) + " must be between -1e6 and 1e6 degrees");
+    return angles;
   }
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   std::size_t line() const { return reader_.line(); }
 
-  std::vector<std::pair<std::string, std::string>> metadata;
+  SampleTable table;  // its comments
 
  private:
   void comment(std::string_view text) {
     const std::size_t colon = text.find(": ");
-    if (colon != text.npos && colon < 40)
-      metadata.emplace_back(trimmed(text.substr(0, colon)), trimmed(text.substr(colon + 1)));
+    if (colon != text.npos && colon < 40) table.add_comment(text.substr(0, colon), text.substr(colon + 1));
   }
   LineReader reader_;
-  std::string path_;
+  std::string name_;
   std::vector<std::string_view> words_;
 };
 
@@ -81,13 +84,13 @@ Header read_header(Lines& lines) {
   lines.value_of("Symmetry");
   const std::string spectral = lines.value_of("SpectralContent");
   const std::string type = lines.value_of("ScatterType");
-  if (type != "BRDF") lines.fail("ScatterType '" + type + "' is not read (only BRDF)");
+  if (type != "BRDF") lines.fail("ScatterType " + shown(type) + " is not read (only BRDF)");
   if (spectral == "Monochrome")
     header.channels = {"fr"};
   else if (spectral == "XYZ")
     header.channels = {"X", "Y", "Z"};
   else
-    lines.fail("SpectralContent '" + spectral + "' is unknown (known: Monochrome, XYZ)");
+    lines.fail("SpectralContent " + shown(spectral) + " is unknown (known: Monochrome, XYZ)");
   header.rotation = lines.enumeration("SampleRotation");
   header.theta_i = lines.enumeration("AngleOfIncidence");
   header.azimuth = lines.enumeration("ScatterAzimuth");
@@ -124,6 +127,7 @@ void read_channel(Lines& lines, const Header& header, std::vector<double>& value
     lines.value_of("TIS");
     for (std::size_t a = 0; a < header.azimuth.size(); ++a) {
       for (const double value : lines.numbers("one value per radial angle", header.radial.size())) {
+        if (values.size() == kMostRows) lines.fail("more than " + std::to_string(kMostRows) + " values");
         values.push_back(value);
         at_line.push_back(static_cast<std::uint32_t>(lines.line()));
       }
@@ -135,8 +139,8 @@ void read_channel(Lines& lines, const Header& header, std::vector<double>& value
 
 }  // namespace
 
-bool recognises(const std::filesystem::path& path) {
-  LineReader reader(path);
+bool recognises(const Content& text) {
+  LineReader reader(text);
   std::string_view line;
   std::vector<std::string_view> words;
   while (reader.next(line)) {
@@ -148,8 +152,8 @@ bool recognises(const std::filesystem::path& path) {
   return false;
 }
 
-SampleTable read(const std::filesystem::path& path) {
-  Lines lines(path);
+SampleTable read(const Content& text) {
+  Lines lines(text);
   const Header header = read_header(lines);
   std::vector<std::vector<double>> raw(header.channels.size());
   std::vector<std::uint32_t> at_line;
@@ -157,11 +161,10 @@ SampleTable read(const std::filesystem::path& path) {
     at_line.clear();
     read_channel(lines, header, values, at_line);
   }
-  SampleTable table;
-  table.source = path.string();
+  SampleTable table = std::move(lines.table);
+  table.source = text.name;
   table.format = "zemax";
   table.channels = header.channels;
-  table.metadata = lines.metadata;
   table.values.resize(raw.size());
   table.sigma.resize(raw.size());
   std::size_t entry = 0, below = 0, repeated = 0;

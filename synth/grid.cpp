@@ -13,11 +13,20 @@ namespace {
 constexpr double kInPlaneLimit = 85;  // an instrument's arm rarely gets closer to the horizon
 constexpr double kHemisphereLimit = 80;
 
+// Refuses before the memory is taken.
+void check_rows(double rows) {
+  if (rows > static_cast<double>(io::kMostRows))
+    throw InputError("the grid has " + io::to_text(rows) + " directions, more than " +
+                     std::to_string(io::kMostRows) + " (a larger --step, fewer --theta-i or --azimuths)");
+}
+
 void add_in_plane(io::SampleTable& grid, const GridOptions& options) {
   const double step = options.step > 0 ? options.step : 1;
   const std::vector<double> own = {0, 15, 30, 45, 60, 75};
   const int last = static_cast<int>(kInPlaneLimit / step);
-  for (const double theta_i : options.theta_i.empty() ? own : options.theta_i)
+  const std::vector<double>& incidences = options.theta_i.empty() ? own : options.theta_i;
+  check_rows(double(grid.rows()) + double(incidences.size()) * (2.0 * last + 1));
+  for (const double theta_i : incidences)
     for (int k = -last; k <= last; ++k)
       grid.add_directions(theta_i, 180, std::abs(k * step), k < 0 ? 180 : 0);
 }
@@ -27,7 +36,9 @@ void add_hemisphere(io::SampleTable& grid, const GridOptions& options) {
   const std::vector<double> own = {0, 20, 40, 60, 75};
   const int rings = static_cast<int>(kHemisphereLimit / step);
   const int sectors = std::max(4, static_cast<int>(180 / step));  // twice as wide in azimuth
-  for (const double theta_i : options.theta_i.empty() ? own : options.theta_i) {
+  const std::vector<double>& incidences = options.theta_i.empty() ? own : options.theta_i;
+  check_rows(double(grid.rows()) + double(incidences.size()) * (1 + double(rings) * sectors));
+  for (const double theta_i : incidences) {
     grid.add_directions(theta_i, 180, 0, 0);
     for (int ring = 1; ring <= rings; ++ring)
       for (int sector = 0; sector < sectors; ++sector)
@@ -37,6 +48,7 @@ void add_hemisphere(io::SampleTable& grid, const GridOptions& options) {
 
 void add_file(io::SampleTable& grid, const std::string& path) {
   const io::SampleTable file = io::read_directions(path);
+  check_rows(double(grid.rows()) + double(file.rows()));
   for (std::size_t k = 0; k < file.rows(); ++k)
     grid.add_directions(file.theta_i[k], file.phi_i[k], file.theta_o[k], file.phi_o[k]);
 }
@@ -48,6 +60,7 @@ double in_turn(double degrees) {
 
 // Seen from a sample turned by +a, directions turn by -a.
 io::SampleTable turned(const io::SampleTable& grid, const std::vector<double>& azimuths) {
+  check_rows(double(grid.rows()) * double(azimuths.size()));
   io::SampleTable all;
   all.reserve(grid.rows() * azimuths.size());
   for (const double azimuth : azimuths)

@@ -133,7 +133,7 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
   add("source", "computed; truth below");
   add("licence", "Apache-2.0");
   for (auto& field : io::provenance_fields(io::provenance(instrument.seed))) table.metadata.push_back(field);
-  add("truth", io::to_json(material).dump());
+  add("truth", io::to_line(io::to_json(material)));
   add("grid", io::joined(grid.parts, "+"));
   if (!grid.theta_i.empty()) add("theta_i", joined(grid.theta_i));
   if (grid.step > 0) add("step", io::to_text(grid.step));

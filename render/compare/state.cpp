@@ -37,9 +37,9 @@ std::string lower_case_suffix(const std::filesystem::path& file) {
 }
 
 // What a file holds where it is JSON. One that calls itself JSON must be.
-std::optional<Json> json_of(const std::filesystem::path& file) {
-  if (lower_case_suffix(file) != ".json" && !io::is_json(file)) return std::nullopt;
-  Json json = io::read_json(file);
+std::optional<Json> json_of(const std::filesystem::path& file, const io::Content& content) {
+  if (lower_case_suffix(file) != ".json" && !io::is_json(content)) return std::nullopt;
+  Json json = io::read_json(content);
   if (!json.is_object() || !json.contains("format") || !json["format"].is_string())
     throw InputError(file.string() + ": has no \"format\" (brdf-scene, brdf-material, brdf-view)");
   return json;
@@ -126,14 +126,17 @@ ViewState with_document(ViewState state, const Json& json, const std::filesystem
 }  // namespace
 
 void open_file(ViewState& state, const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such file");
-  if (const std::optional<Json> json = json_of(file)) {
+  // The state keeps the name of samples and models: they are read again when they are drawn.
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(file.string() + ": is no file that can be read again");
+  io::Content content = io::read_content(file);
+  if (const std::optional<Json> json = json_of(file, content)) {
     state = with_document(state, *json, file);
   } else if (is_model(file)) {
     load_model(file);  // refused here rather than in the next frame
     state.scene.objects.at(state.selected).mesh = std::filesystem::absolute(file).string();
   } else {
-    require_one_or_three_channels(io::read_samples(file).channels.size(), file.string());
+    require_one_or_three_channels(io::read_samples(std::move(content)).channels.size(), file.string());
     state.samples = file;
     state.other = Other::samples;
     state.display = Display::split;

@@ -104,7 +104,7 @@ Object read_object(const JsonPlace& place, const std::filesystem::path& folder) 
   read(place, "position", object.position);
   read(place, "rotation", object.rotation);
   if (place.has("scale") && place.at("scale").value().is_number()) {
-    object.scale = glm::vec3(float(place.at("scale").number()));
+    object.scale = glm::vec3(float(place.at("scale").number(-1e6, 1e6)));
   } else {
     read(place, "scale", object.scale);
   }

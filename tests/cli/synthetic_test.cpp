@@ -28,7 +28,8 @@ struct Set {
 // The rows of the README's table.
 std::vector<Set> sets() {
   std::vector<Set> all;
-  io::LineReader reader(kFolder / "README.md");
+  const io::Content text = io::read_content(kFolder / "README.md");
+  io::LineReader reader(text);
   std::string_view line;
   std::vector<std::string_view> cells;
   const auto code = [](std::string_view cell) {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 
 #include "io/error.h"
 #include "io/material_file.h"
@@ -80,6 +81,17 @@ class Damaged : public testing::Test {
       EXPECT_TRUE(table.theta_i[k] >= 0 && table.theta_i[k] <= 90);
       EXPECT_TRUE(table.theta_o[k] >= 0 && table.theta_o[k] <= 90);
     }
+    // What is read can be written, and that is a fixed point.
+    const auto written = [](const SampleTable& t) {
+      std::ostringstream out;
+      write_samples(out, t);
+      return out.str();
+    };
+    const std::string once = written(table);
+    const SampleTable back = read_samples(Content{"written", once});
+    EXPECT_EQ(back.values, table.values);
+    EXPECT_EQ(back.metadata, table.metadata);
+    EXPECT_EQ(written(back), once);
   }
 
   std::mt19937_64 random_{5};

@@ -119,13 +119,15 @@ TEST_F(Refused, WrongTypesAndCounts) {
               HasSubstr("$.weights.kd: [0.1] must have one value per channel (2)"));
   EXPECT_THAT(message("0.25", "\"x\""), HasSubstr("$.shape.alpha_y: \"x\" must be an array"));
   EXPECT_THAT(message("0.25", "[0.2, null]"), HasSubstr("$.shape.alpha_y[1]: null must be a number"));
-  EXPECT_THAT(message("[\"r\", \"g\"]", "[\"r\", \"r\"]"), HasSubstr("names a channel twice"));
+  EXPECT_THAT(message("[\"r\", \"g\"]", "[\"r\", \"r\"]"),
+              HasSubstr("$.channels: channel 'r' is named twice"));
   EXPECT_THAT(message("[\"r\", \"g\"]", "[]"), HasSubstr("$.channels: [] must name at least one channel"));
 }
 
 TEST_F(Refused, MissingAndRepeatedKeysOtherFormatsAndBadSyntax) {
   EXPECT_THAT(message(", \"alpha_y\": 0.25", ""), HasSubstr("$.shape: key \"alpha_y\" is missing"));
-  EXPECT_THAT(message("\"alpha_y\"", "\"alpha_x\""), HasSubstr("m.json: key \"alpha_x\" is given twice"));
+  EXPECT_THAT(message("\"alpha_y\"", "\"alpha_x\""),
+              HasSubstr("m.json: $.shape: key \"alpha_x\" is given twice"));
   EXPECT_THAT(message("brdf-material", "brdf-scene"),
               HasSubstr("$.format: \"brdf-scene\" must be \"brdf-material\""));
   EXPECT_THAT(message("\"version\": 1", "\"version\": 2"), HasSubstr("$.version: 2 must be 1"));

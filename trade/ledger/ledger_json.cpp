@@ -50,7 +50,7 @@ LedgerRow row_from(const JsonPlace& place) {
   row.unit = named<Unit>(place.at("unit"));
   row.cost_ratio = place.at("cost_ratio").number();
   row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(),
-              int(place.at("rounds").number()), place.at("cost_ratio_spread").number()};
+              int(place.at("rounds").number(0, 1e9)), place.at("cost_ratio_spread").number()};
   const JsonPlace error = place.at("error");
   row.error = {error.at("max").number(), error.at("mean").number(), error.at("p99").number(),
                named<Measure>(error.at("measure")), error.at("where").text()};
@@ -131,7 +131,7 @@ Ledger ledger_from_json(const JsonPlace& place) {
   ledger.quick = place.at("quick").value().is_boolean() && place.at("quick").value().get<bool>();
   const JsonPlace machine = place.at("machine");
   ledger.machine = {machine.at("processor").text(), machine.at("compiler").text(), machine.at("flags").text(),
-                    unsigned(machine.at("threads").number())};
+                    unsigned(machine.at("threads").number(0, 1e9))};
   ledger.left_out = place.at("left_out").text();
   const JsonPlace rows = place.at("rows");
   for (std::size_t k = 0; k < rows.size(); ++k) ledger.rows.push_back(row_from(rows.at(k)));

@@ -18,8 +18,9 @@ namespace {
 constexpr std::size_t kFitRows = 2500;
 
 RgbFunction read_reference(const std::filesystem::path& path) {
-  if (io::is_json(path)) return rgb_function(io::read_material(path));
-  return rgb_function(io::read_samples(path));
+  io::Content content = io::read_content(path);
+  if (io::is_json(content)) return rgb_function(io::read_material(content));
+  return rgb_function(io::read_samples(std::move(content)));
 }
 
 // mean |f - g| cos_i / mean g cos_i over both hemispheres up to 85 degrees.

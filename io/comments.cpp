@@ -1,0 +1,35 @@
+#include "io/comments.h"
+
+#include <utf8.h>
+
+#include <algorithm>
+
+#include "io/text.h"
+
+namespace brdf::io {
+namespace {
+
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; }, ' ');
+  return utf8::is_valid(text.begin(), text.end()) ? text : utf8::replace_invalid(text);
+}
+
+}  // namespace
+
+Comment parse_comment(std::string_view text) {
+  const std::string line = on_one_line(std::string(text));
+  const std::string_view view = line;
+  const std::size_t colon = view.find(':');
+  if (colon == view.npos) return {"", std::string(trimmed(view))};
+  return {std::string(trimmed(view.substr(0, colon))), std::string(trimmed(view.substr(colon + 1)))};
+}
+
+std::string comment_text(const Comment& comment) {
+  const std::string key(trimmed(on_one_line(comment.first)));
+  const std::string text = on_one_line(key.empty() ? comment.second : key + ": " + comment.second);
+  const bool would_have_key = key.empty() && text.find(':') != text.npos;
+  return (would_have_key || parse_comment(text).first == kQuantityKey ? ": " : "") + text;
+}
+
+}  // namespace brdf::io
