@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/error.h"
+#include "io/limits.h"
 #include "io/material_file.h"
 #include "io/numbers.h"
 #include "io/text.h"
@@ -150,6 +151,9 @@ Material choose_material(const MaterialChoice& choice) {
   } else {
     std::size_t channels = 1;
     for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
+    if (channels > io::kMostChannels)
+      throw InputError("--set: " + std::to_string(channels) + " values are more than the " +
+                       std::to_string(io::kMostChannels) + " channels of a material");
     material = make_material(require_form(choice.form), channel_names(channels));
   }
   apply_settings(material, settings);

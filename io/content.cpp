@@ -42,7 +42,7 @@ Content read_content(const std::filesystem::path& path, std::size_t limit) {
   constexpr std::size_t kBlock = 1 << 16;
   std::string& bytes = content.bytes;
   for (std::size_t end = 0;;) {
-    bytes.resize(std::max({size + 1, kBlock, 2 * end}));
+    bytes.resize(std::min(std::max({size + 1, kBlock, 2 * end}), limit + 1));
     const std::size_t got = std::fread(bytes.data() + end, 1, bytes.size() - end, file.get());
     end += got;
     if (end > limit) refuse(too_large);

@@ -34,7 +34,7 @@ class Follower {
       path += level.is_array      ? "[" + std::to_string(level.index) + "]"
               : level.key.empty() ? ""
                                   : "." + level.key;
-    return printable(path, 200);
+    return printable(path, 60);
   }
 
  private:

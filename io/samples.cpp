@@ -2,6 +2,7 @@
 
 #include "io/astm.h"
 #include "io/csv.h"
+#include "io/error.h"
 #include "io/merl.h"
 #include "io/rgl.h"
 #include "io/table_rules.h"
@@ -40,6 +41,7 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
 namespace {
 
 SampleTable read_text(Content text, bool need_values) {
+  if (is_json(text)) throw InputError(text.name + ": is JSON, not a table of samples");
   const std::string transcoded = make_utf8(text);
   SampleTable table = need_values && zemax::recognises(text)  ? zemax::read(text)
                       : need_values && astm::recognises(text) ? astm::read(text)

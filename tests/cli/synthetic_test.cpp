@@ -28,8 +28,8 @@ struct Set {
 // The rows of the README's table.
 std::vector<Set> sets() {
   std::vector<Set> all;
-  const io::Content text = io::read_content(kFolder / "README.md");
-  io::LineReader reader(text);
+  const io::Content readme = io::read_content(kFolder / "README.md");
+  io::LineReader reader(readme);
   std::string_view line;
   std::vector<std::string_view> cells;
   const auto code = [](std::string_view cell) {

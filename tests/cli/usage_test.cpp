@@ -209,7 +209,7 @@ TEST_F(Cli, ConvertSaysWhatIsLostAndReadsItsOwnFiles) {
   EXPECT_EQ(to_exr.exit_code, 0) << to_exr.err;
   EXPECT_THAT(to_exr.err, HasSubstr("lost: digits beyond 32-bit float"));
   EXPECT_EQ(file_text(folder_.path() / "m.exr").substr(0, 4), "\x76\x2f\x31\x01");
-  write("s.csv", "theta_i,phi_i,theta_o,phi_o,fr\n30,180,30,0,7\n");
+  write("s.csv", "# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,fr\n30,180,30,0,7\n");
   EXPECT_EQ(run("convert s.csv t.csv").exit_code, 0);
   EXPECT_EQ(file_text(folder_.path() / "t.csv"), file_text(folder_.path() / "s.csv"));
 }

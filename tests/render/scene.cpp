@@ -1,9 +1,11 @@
 #include "render/scene/scene.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "io/error.h"
 #include "render/compare/state.h"
@@ -74,6 +76,27 @@ TEST(Scene, RefusesWhatItDoesNotKnowByItsPath) {
                 .find("absent.png: no such texture"),
             std::string::npos);
   EXPECT_NE(message_of(scene_with("", R"(,"mesh":"sphere:many")")).find("sphere:many"), std::string::npos);
+}
+
+TEST(Scene, AScaleHasOneRangeHoweverItIsWritten) {
+  for (const char* scale : {"1e300", "[1,1,1e300]", "-1e7"})
+    EXPECT_NE(message_of(scene_with("", std::string(R"(,"scale":)") + scale))
+                  .find("must be between -1e+06 and 1e+06"),
+              std::string::npos)
+        << scale;
+  EXPECT_EQ(parsed(scene_with("", R"(,"scale":1e6)")).objects[0].scale.x, 1e6f);
+}
+
+TEST(Scene, AMaterialMayComeThroughAPipe) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe.json";
+  std::ofstream(folder.path() / "s.json")
+      << R"({"format":"brdf-scene","version":1,"objects":[{"material":"pipe.json"}]})";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << kMaterial; });
+  const Scene scene = load_scene(folder.path() / "s.json");
+  writer.join();
+  EXPECT_EQ(scene.objects[0].material, parsed(scene_with("")).objects[0].material);
 }
 
 TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
