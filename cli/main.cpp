@@ -1,12 +1,20 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <iostream>
 #include <new>
 #include <string>
 
+#include "cli/options.h"
 #include "cli/verbs.h"
 #include "io/error.h"
+#include "io/file_buffer.h"
 #include "io/provenance.h"
+#include "io/temporary.h"
 #include "io/text.h"
 
 namespace brdf::cli {
@@ -14,11 +22,46 @@ namespace {
 
 Exit exit_code = Exit::good;
 
-int report(const std::string& message, Exit code) {
+int report(std::string_view message, Exit code, std::string_view before = "") {
   std::cout.flush();
-  std::cerr << "brdf: " << io::printable(message) << '\n';
+  std::cerr << "brdf: " << before;
+  try {
+    std::cerr << io::printable(message);
+  } catch (const std::bad_alloc&) {  // memory may be what is missing
+    std::cerr << "not enough memory";
+  }
+  std::cerr << '\n';
   return static_cast<int>(code);
 }
+
+// Files would take the places of closed standard streams, and be written to as if they were these. What stands in
+// for stdout cannot be written, so that output is not lost unnoticed.
+void fill_standard_descriptors() {
+  for (const int k : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(k, F_GETFD) < 0 && errno == EBADF)
+      ::open(k == STDOUT_FILENO ? "/dev/full" : "/dev/null", k == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// stdout while it lives; finish() says whether all that was printed arrived.
+class StandardOutput {
+ public:
+  StandardOutput() : buffer_(STDOUT_FILENO, isatty(STDOUT_FILENO) != 0), before_(std::cout.rdbuf(&buffer_)) {}
+  StandardOutput(const StandardOutput&) = delete;
+  StandardOutput& operator=(const StandardOutput&) = delete;
+  ~StandardOutput() { std::cout.rdbuf(before_); }
+
+  // The program's exit code: a result that nobody received is not good.
+  int finish(int code) {
+    std::cout.flush();
+    if (buffer_.error() == 0 || code > static_cast<int>(Exit::failed)) return code;
+    std::cerr << "brdf: standard output: writing broke off: " << std::strerror(buffer_.error()) << '\n';
+    return static_cast<int>(Exit::environment);
+  }
+
+ private:
+  io::FileBuffer buffer_;
+  std::streambuf* before_;
+};
 
 // The verb that the command line was for, for the hint after a usage error.
 std::string verb_name(const CLI::App& app) {
@@ -26,7 +69,7 @@ std::string verb_name(const CLI::App& app) {
   return "";
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv) try {
   CLI::App app(
       "Models of surface reflection: fitted to measurements, judged, rendered.\n"
       "Exit codes: 0 good, 1 a result that fails, 2 bad input or usage, 3 the environment lacks something.",
@@ -35,6 +78,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   add_verbs(app);
+  require_plain_numbers(app);
   io::record_command_line(argc, argv);
   try {
     app.parse(argc, argv);
@@ -44,15 +88,15 @@ int run(int argc, char** argv) {
     if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-')
       return report("'" + std::string(argv[1]) + "' is no verb (see brdf --help)", Exit::bad_input);
     return report(std::string(error.what()) + " (see brdf" + verb_name(app) + " --help)", Exit::bad_input);
-  } catch (const InputError& error) {
-    return report(error.what(), Exit::bad_input);
-  } catch (const EnvironmentError& error) {
-    return report(error.what(), Exit::environment);
-  } catch (const std::bad_alloc&) {
-    return report("not enough memory", Exit::environment);
-  } catch (const std::exception& error) {
-    return report(std::string("stopped: ") + error.what(), Exit::environment);
   }
+} catch (const InputError& error) {
+  return report(error.what(), Exit::bad_input);
+} catch (const EnvironmentError& error) {
+  return report(error.what(), Exit::environment);
+} catch (const std::bad_alloc&) {
+  return report("not enough memory", Exit::environment);
+} catch (const std::exception& error) {
+  return report(error.what(), Exit::environment, "stopped: ");
 }
 
 }  // namespace
@@ -74,5 +118,8 @@ void add_missing(CLI::App& app, const char* name) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_DFL);  // `brdf models | head` ends quietly
-  return brdf::cli::run(argc, argv);
+  brdf::cli::fill_standard_descriptors();
+  brdf::io::remove_temporaries_on_signals();
+  brdf::cli::StandardOutput out;
+  return out.finish(brdf::cli::run(argc, argv));
 }

@@ -43,7 +43,8 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
   for (const char* name :
        {"--form", "--material", "--grid", "--step", "--blind-zone", "--aperture", "--source-aperture",
         "--noise", "--noise-floor", "--saturation", "--clip-negatives", "--sigma-columns"}) {
-    if (CLI::Option* other = verb.get_option_no_throw(name)) surface->excludes(other);
+    for (CLI::Option* other : verb.get_options())
+      if (other->check_name(name)) surface->excludes(other);
   }
 }
 

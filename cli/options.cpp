@@ -1,8 +1,65 @@
 #include "cli/options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "io/text.h"
 
 namespace brdf::cli {
+namespace {
+
+template <class Integer>
+bool is_integer(std::string_view text) {
+  Integer value;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && stop == text.data() + text.size();
+}
+
+bool is_finite_number(std::string_view text) {
+  double value;
+  return io::parse_number(text, value) && std::isfinite(value);
+}
+
+// What is wrong with the text as a value of this type, by CLI11's name of it; empty: nothing.
+std::string number_fault(const std::string& type, const std::string& text) {
+  const std::string shown = "'" + text + "' ";
+  if (type.starts_with("UINT") && !is_integer<std::uint64_t>(text))
+    return shown + "must be a whole number from 0 to 18446744073709551615";
+  if (type.starts_with("INT") && !is_integer<std::int64_t>(text)) return shown + "must be a whole number";
+  if (type.starts_with("FLOAT") && !is_finite_number(text)) return shown + "must be a finite number";
+  return {};
+}
+
+// "500M" as bytes in digits.
+std::string to_bytes(std::string& text) {
+  const std::string fault = "'" + text + "' must be a whole number above 0, alone or with K, M or G";
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view unit(stop, std::size_t(text.data() + text.size() - stop));
+  constexpr std::string_view kUnits = "KMG";
+  const std::size_t power = unit.empty() ? 0 : kUnits.find(unit) + 1;
+  if (error != std::errc() || number == 0 || (!unit.empty() && (unit.size() != 1 || power == 0)))
+    return fault;
+  const unsigned bits = 10 * unsigned(power);
+  if (number > UINT64_MAX >> bits) return fault + ", below 2^64";
+  text = std::to_string(number << bits);
+  return {};
+}
+
+}  // namespace
+
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes) {
+  verb.add_option("--memory-limit", bytes, "Most device memory, for instance 500M or 1G")
+      ->transform(CLI::Validator(to_bytes, "SIZE"));
+}
+
+void require_plain_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    option->check(CLI::Validator(
+        [type = option->get_type_name()](const std::string& text) { return number_fault(type, text); }, ""));
+  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) require_plain_numbers(*verb);
+}
 
 void add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
                      std::function<void(const std::string&)> set, const std::string& description) {

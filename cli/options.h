@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,6 +32,13 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
 
 // Adds --form, --material and --set, the same in every verb that takes one material.
 void add_material_options(CLI::App& verb, MaterialChoice& choice);
+
+// Adds an option that takes an amount of memory above 0 in bytes, or with K, M or G (powers of 1024).
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes);
+
+// Every option of the verbs that takes numbers takes them as files do: whole words, decimal, finite, and within
+// their type's range.
+void require_plain_numbers(CLI::App& app);
 
 // Adds an option that may be repeated and takes one word
 // each time (so that a file after it is not swallowed).

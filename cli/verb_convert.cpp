@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -10,6 +9,7 @@
 #include "io/exr_table.h"
 #include "io/material_file.h"
 #include "io/merl.h"
+#include "io/output.h"
 #include "io/samples.h"
 #include "synth/instrument.h"
 
@@ -32,6 +32,7 @@ Exit run(const std::string& in, const std::string& out) {
   const std::string suffix = std::filesystem::path(out).extension();
   if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr")
     throw InputError(out + ": unknown output format (known: .csv, .binary for MERL, .exr)");
+  io::check_targets({{"OUT", out}}, {in});
   const io::SampleTable table = table_of(in);
   for (const std::string& warning : table.warnings)
     std::cerr << "brdf convert: " << in << ": " << warning << '\n';

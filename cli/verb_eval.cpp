@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/verbs.h"
 #include "io/error.h"
+#include "io/output.h"
 #include "io/provenance.h"
 #include "io/samples.h"
 
@@ -63,6 +64,7 @@ void add_eval(CLI::App& app) {
   verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
   verb->footer("Example: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv");
   on_run(*verb, [options] {
+    io::check_targets({{"-o", options->output}}, {options->material.material, options->directions});
     const Material material = choose_material(options->material);
     io::SampleTable table = io::read_directions(options->directions);
     add_values(table, material, options->cosine);

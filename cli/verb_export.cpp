@@ -29,6 +29,7 @@ void add_export(CLI::App& app) {
       "brdf_material(wi, wo) with the parameters as constants is added.\n"
       "Example: brdf export --form ward --to glsl -o ward.glsl");
   on_run(*verb, [options] {
+    io::check_targets({{"-o", options->output}}, {options->material.material});
     const Material material = choose_material(options->material);
     const std::string text = io::glsl_source(
         material, {.material = !options->material.material.empty() || !options->material.set.empty(),

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -80,20 +81,27 @@ fit::FitOptions fit_options(Options& o) {
   return f;
 }
 
-// Ctrl-C asks for the best so far; a second one ends the program.
+// Ctrl-C asks for the best so far; a second one ends the program. Where it is ignored it stays so.
 void watch_for_interrupt() {
-  std::signal(SIGINT, [](int) {
+  static struct sigaction before;
+  struct sigaction action = {};
+  action.sa_handler = [](int) {
     interrupted = true;
-    std::signal(SIGINT, SIG_DFL);
-  });
+    sigaction(SIGINT, &before, nullptr);
+  };
+  if (sigaction(SIGINT, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    sigaction(SIGINT, &action, nullptr);
 }
 
 Exit run_one(const Options& o, const fit::FitOptions& options) {
+  io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0]});
   const io::SampleTable table = io::read_samples(o.samples[0]);
   watch_for_interrupt();
   const fit::FitResult result = fit::fit(table, models_of(o.form), options);
   const fit::FormFit& best = result.ranking.front();
-  if (!o.output.empty() && best.solved())
+  if (result.interrupted && !o.output.empty() && std::filesystem::is_regular_file(o.output))
+    std::cerr << "brdf fit: interrupted: " << o.output << " is kept as it was\n";
+  else if (!o.output.empty() && best.solved())
     io::write_material_file(o.output, {best.material, fit::material_block(best, result, table, options)});
   else if (!o.output.empty())
     std::cerr << "brdf fit: no form could be fitted: " << o.output << " is not written\n";
@@ -146,8 +154,6 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
   if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
   const std::filesystem::path folder = o.output;
-  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
-    throw InputError(o.output + ": is not a folder");
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const std::vector<fit::BatchRow> rows =
@@ -170,6 +176,7 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
     std::cout << io::to_text(io::Json{{"files", list}});
   else
     std::cout << (folder / "summary.csv").string() << ", " << (folder / "summary.html").string() << '\n';
+  if (std::ranges::any_of(rows, &fit::BatchRow::environment_failed)) return Exit::environment;
   return good ? Exit::good : Exit::failed;
 }
 
@@ -202,7 +209,7 @@ void add_fit(CLI::App& app) {
   add_named_option(*verb, "--weights", o.fit.weighting,
                    "Weights of the residuals (auto: sigma columns where there are any)");
   verb->add_option("--starts", o.fit.random_starts, "Random starts besides the grid")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 100000));
   verb->add_option("--seed", o.fit.seed, "Of the random starts")->capture_default_str();
   verb->add_option("--aperture", o.fit.aperture,
                    "Full width of the detector's field in degrees: the model is averaged over it")

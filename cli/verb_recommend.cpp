@@ -7,6 +7,7 @@
 
 #include "cli/verbs.h"
 #include "io/error.h"
+#include "io/output.h"
 #include "trade/recommend/recommend.h"
 
 namespace brdf::cli {
@@ -29,8 +30,12 @@ Exit run_comparison(const RecommendArguments& a) {
   const auto rows = trade::compare_held_out(data / "scenes", data / "materials", a.options.progress);
   io::Json json = io::Json::array();
   std::size_t better = 0;
-  if (!a.json)
-    std::printf("%-22s %-20s %-14s %14s %14s\n", "scene", "material", "form", "scene-weighted", "hemisphere");
+  const auto print = [&](const char* format, auto... columns) {
+    char line[256];
+    std::snprintf(line, sizeof line, format, columns...);
+    if (!a.json) std::cout << line << '\n';
+  };
+  print("%-22s %-20s %-14s %14s %14s", "scene", "material", "form", "scene-weighted", "hemisphere");
   for (const trade::HeldOut& row : rows) {
     better += row.scene_weighted < row.hemisphere_wide;
     json.push_back({{"scene", row.scene},
@@ -38,15 +43,11 @@ Exit run_comparison(const RecommendArguments& a) {
                     {"form", row.form},
                     {"scene_weighted", row.scene_weighted},
                     {"hemisphere_wide", row.hemisphere_wide}});
-    if (!a.json)
-      std::printf("%-22s %-20s %-14s %14.4f %14.4f\n", row.scene.c_str(), row.material.c_str(),
-                  row.form.c_str(), row.scene_weighted, row.hemisphere_wide);
+    print("%-22s %-20s %-14s %14.4f %14.4f", row.scene.c_str(), row.material.c_str(), row.form.c_str(),
+          row.scene_weighted, row.hemisphere_wide);
   }
-  if (a.json)
-    std::cout << io::to_text({{"rows", json}, {"better", better}}) << '\n';
-  else
-    std::printf(
-        "image error at held-out light and camera positions: the scene's weighting is better in %zu of %zu\n",
+  if (a.json) std::cout << io::to_text({{"rows", json}, {"better", better}}) << '\n';
+  print("image error at held-out light and camera positions: the scene's weighting is better in %zu of %zu",
         better, rows.size());
   return Exit::good;
 }
@@ -92,9 +93,14 @@ void add_recommend(CLI::App& app) {
   on_run(*verb, [a] {
     if (isatty(STDERR_FILENO)) a->options.progress = show_progress;
     a->options.judge = a->metric == "image" ? trade::Judge::image : trade::Judge::brdf;
+    if (!a->compare.empty() && !a->output.empty())
+      throw InputError("-o " + a->output + ": --compare-weightings writes to stdout");
     if (!a->compare.empty()) return run_comparison(*a);
     if (a->options.scene.empty() || a->options.reference.empty())
       throw InputError("recommend needs --scene and --reference (see brdf recommend --help)");
+    if (!a->output.empty())
+      io::check_folder_target({"-o", a->output}, trade::recommendation_files(),
+                              {a->options.scene, a->options.reference, a->options.ledger});
     return run_recommendation(*a);
   });
 }

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options.h"
 #include "cli/render_parity.h"
 #include "cli/verbs.h"
 #include "io/error.h"
@@ -103,8 +104,7 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_option("--exposure", job.exposure, "Stops, instead of the scene's")
       ->check(CLI::Range(-20.0f, 20.0f));
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
-  verb.add_option("--memory-limit", job.memory_limit, "Most device memory, for instance 500M or 1G")
-      ->transform(CLI::AsSizeValue(false));
+  add_memory_option(verb, job.memory_limit);
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
 }
 

@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
+#include "io/output.h"
 #include "io/text.h"
 #include "synth/instrument.h"
 
@@ -72,11 +73,14 @@ Exit run_microsurface(const Options& o) {
 }
 
 Exit run(const Options& o) {
+  std::vector<std::string_view> parts;
+  io::split(o.grid, '+', parts);
+  std::vector<std::filesystem::path> inputs(parts.begin(), parts.end());
+  inputs.push_back(o.material.material);
+  io::check_targets({{"-o", o.output}}, inputs);
   if (!o.microsurface.surface.empty()) return run_microsurface(o);
   const Material material = choose_material(o.material);
   synth::Instrument instrument = o.instrument;
-  std::vector<std::string_view> parts;
-  io::split(o.grid, '+', parts);
   instrument.grid.parts.assign(parts.begin(), parts.end());
   if (!o.azimuths.empty())
     instrument.grid.azimuths = o.azimuths;

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -27,15 +28,26 @@ void show_progress(double fraction, const std::string& what) {
   if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
 }
 
+constexpr std::string_view kSuffixes[] = {".json", ".csv", ".html"};
+
+void check_outputs(const TradeArguments& a) {
+  std::vector<io::Target> targets;
+  for (const std::string& path : a.outputs) {
+    if (std::ranges::find(kSuffixes, std::filesystem::path(path).extension()) == std::end(kSuffixes))
+      throw InputError("-o " + path + ": the ledger is written as .json, .csv or .html");
+    if (!a.compared.empty()) throw InputError("-o " + path + ": --compare writes to stdout");
+    targets.push_back({"-o", path});
+  }
+  io::check_targets(targets);
+}
+
 void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& ledger) {
   if (path.extension() == ".csv")
     io::write_file_atomically(path, trade::to_csv(ledger));
   else if (path.extension() == ".json")
     trade::write_ledger(path, ledger);
-  else if (path.extension() == ".html")
-    io::write_file_atomically(path, trade::to_html(ledger));
   else
-    throw InputError(path.string() + ": the ledger is written as .json, .csv or .html");
+    io::write_file_atomically(path, trade::to_html(ledger));
 }
 
 Exit run_comparison(const TradeArguments& a) {
@@ -70,6 +82,7 @@ void add_trade(CLI::App& app) {
       "          brdf trade --compare ledger.json another.json\n"
       "Exit code 1: --compare found a row that differs by more.");
   on_run(*verb, [arguments] {
+    check_outputs(*arguments);
     if (!arguments->compared.empty()) return run_comparison(*arguments);
     if (isatty(STDERR_FILENO)) arguments->options.progress = show_progress;
     const trade::Ledger ledger = trade::measure_ledger(arguments->options);

@@ -33,6 +33,17 @@ struct Options {
   bool integrators = false, microsurface = false, numerics = false, gpu = false;
 };
 
+// The pictures of the report, which are PNG files.
+std::vector<validate::Picture> read_pictures(const Options& o) {
+  std::vector<validate::Picture> pictures;
+  for (const std::string& path : o.pictures) {
+    std::string bytes = io::read_content(path).bytes;
+    if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) throw InputError("--picture " + path + ": is no PNG file");
+    pictures.push_back({path, std::move(bytes)});
+  }
+  return pictures;
+}
+
 std::vector<std::string> required(const Options& o) {
   std::vector<std::string> known = validate::check_names();
   for (const std::string& name : validate::data_sheet_names()) known.push_back(name);
@@ -93,14 +104,20 @@ Exit judge(const std::vector<validate::Finding>& findings, const std::vector<std
   return Exit::good;
 }
 
-void write_report(const Options& o, validate::ReportContent& content) {
+void check_output(const Options& o) {
+  if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
+    throw InputError("-o " + o.output + ": must end in .html or .md");
+  if (!o.pictures.empty() && !o.output.ends_with(".html"))
+    throw InputError("--picture " + o.pictures.front() + ": needs -o with a name that ends in .html");
+  std::vector<std::filesystem::path> inputs(o.files.begin(), o.files.end());
+  inputs.insert(inputs.end(), o.pictures.begin(), o.pictures.end());
+  io::check_targets({{"-o", o.output}}, inputs);
+}
+
+void write_report(const Options& o, const validate::ReportContent& content) {
   if (o.output.empty()) return;
-  if (o.output.ends_with(".md")) {
-    io::write_file_atomically(o.output, validate::to_markdown(content.findings));
-    return;
-  }
-  for (const std::string& path : o.pictures) content.pictures.push_back({path, io::read_content(path).bytes});
-  io::write_file_atomically(o.output, validate::to_html(content));
+  io::write_file_atomically(o.output, o.output.ends_with(".md") ? validate::to_markdown(content.findings)
+                                                                : validate::to_html(content));
 }
 
 Exit run_integrators(const Options& o) {
@@ -162,14 +179,15 @@ Exit run(const Options& o) {
   if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
   if (!(o.max_theta > 0 && o.max_theta <= 90))
     throw InputError("--max-theta " + io::to_text(o.max_theta) + ": must be above 0 and at most 90 degrees");
-  if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
-    throw InputError("-o " + o.output + ": must end in .html or .md");
+  check_output(o);
+  std::vector<validate::Picture> pictures = read_pictures(o);
   const std::vector<std::string> require = required(o);
   validate::CheckOptions options;
   options.effort = o.effort == "full" ? validate::Effort::full : validate::Effort::quick;
   options.max_theta = o.max_theta;
   options.seed = o.seed;
   validate::ReportContent content = judged(o, options);
+  content.pictures = std::move(pictures);
   write_report(o, content);
   if (o.json)
     std::cout << io::to_text(validate::to_json(content.findings)) << '\n';

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/options.h"
 #include "cli/verbs.h"
 #include "io/error.h"
+#include "io/output.h"
 #include "render/job.h"
 #include "render/viewer/viewer.h"
 
@@ -56,9 +58,8 @@ void add_view(CLI::App& app) {
   verb->add_option("--gbuffer-bits", viewer.gbuffer_bits, "8, 16 or 32")
       ->check(CLI::IsMember({8, 16, 32}))
       ->capture_default_str();
-  verb->add_option("--memory-limit", viewer.memory_limit, "Most device memory, for instance 500M or 1G")
-      ->transform(CLI::AsSizeValue(false));
-  verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::NonNegativeNumber);
+  add_memory_option(*verb, viewer.memory_limit);
+  verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::Range(0, 1000000000));
   verb->add_flag("--validation", viewer.validation,
                  "Run under Vulkan's validation and synchronisation layers");
   verb->footer(
@@ -69,7 +70,14 @@ void add_view(CLI::App& app) {
       "fit;\n"
       "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
       "Example: brdf view fitted.json --measured samples.csv");
-  on_run(*verb, [options] {
+  on_run(*verb, [options, verb] {
+    const render::Job& job = options->job;
+    std::vector<io::Target> targets;  // those that were asked for: the others may never be written
+    if (verb->count("--save-as") > 0) targets.push_back({"--save-as", options->viewer.state_file});
+    if (verb->count("--screenshot") > 0) targets.push_back({"--screenshot", options->viewer.screenshot});
+    std::vector<std::filesystem::path> inputs = job.materials;  // a state may be saved over itself
+    inputs.insert(inputs.end(), {job.scene, job.measured});
+    io::check_targets(targets, inputs);
     options->viewer.state = initial_state(options->job);
     return render::view(options->viewer) > 0 ? Exit::failed : Exit::good;
   });

@@ -1,9 +1,11 @@
 #include "fit/file_batch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <new>
 #include <sstream>
 
 #include "fit/report/html.h"
@@ -35,18 +37,41 @@ std::string key_of(const std::string& settings, const std::string& content) {
   return text.str();
 }
 
-// "copper.csv" and "copper.fit" differ in suffix only: the whole name is kept where that happens.
+constexpr const char* kSummaries[] = {"summary.csv", "summary.html"};
+
+// What the results of a file of this name are called.
+std::vector<std::string> outputs_of(const std::string& name) {
+  return {name + ".json", name + ".fit.json", name + ".html", name + ".png"};
+}
+
+// "copper.csv" and "copper.fit" differ in suffix only: the whole name is kept where that happens, and where a
+// result would be called like another file's or like the summary.
 std::vector<std::string> output_names(const std::vector<std::string>& files) {
   std::map<std::string, std::string> taken;
+  for (const char* summary : kSummaries) taken.emplace(summary, "the summary");
+  const auto is_free = [&](const std::string& name) {
+    const std::vector<std::string> outputs = outputs_of(name);
+    return std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return taken.count(o) > 0; });
+  };
   std::vector<std::string> names;
   for (const std::string& file : files) {
     std::string name = fs::path(file).stem().string();
-    if (taken.count(name)) name = fs::path(file).filename().string();
-    if (const auto [it, added] = taken.emplace(name, file); !added)
-      throw InputError(file + " and " + it->second + ": results of both would be called " + name);
+    if (!is_free(name)) name = fs::path(file).filename().string();
+    for (const std::string& output : outputs_of(name))
+      if (const auto [it, added] = taken.emplace(output, file); !added)
+        throw InputError(file + " and " + it->second + ": results of both would be called " + output);
     names.push_back(std::move(name));
   }
   return names;
+}
+
+// Refuses a folder that cannot be written, or where a result would replace one of the files.
+void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& names,
+                   const fs::path& folder) {
+  std::vector<std::string> outputs(std::begin(kSummaries), std::end(kSummaries));
+  for (const std::string& name : names)
+    for (std::string& output : outputs_of(name)) outputs.push_back(std::move(output));
+  io::check_folder_target({"-o", folder}, outputs, {files.begin(), files.end()});
 }
 
 class Batch {
@@ -55,12 +80,11 @@ class Batch {
         const FitOptions& options, const BatchOptions& batch)
       : files_(files), models_(models), options_(options), batch_(batch), names_(output_names(files)) {
     rows_.resize(files.size());
+    check_outputs(files_, names_, batch_.folder);
   }
 
   std::vector<BatchRow> run() {
-    std::error_code error;
-    fs::create_directories(batch_.folder, error);
-    if (error) throw InputError(batch_.folder.string() + ": cannot be made a folder: " + error.message());
+    io::make_folder(batch_.folder);
     io::parallel_for(
         files_.size(), [this](std::size_t k) { work(k); }, batch_.jobs);
     return std::move(rows_);
@@ -78,6 +102,12 @@ class Batch {
     try {
       fit_file(row);
     } catch (const InputError& error) {
+      row.error = error.what();
+    } catch (const std::bad_alloc&) {
+      row.environment_failed = true;
+      row.error = row.file + ": not enough memory";
+    } catch (const std::exception& error) {
+      row.environment_failed = true;
       row.error = error.what();
     }
     say(row);

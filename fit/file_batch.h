@@ -21,16 +21,18 @@ struct BatchOptions {
 };
 
 struct BatchRow {
-  std::string file, name;  // name.json (material), name.fit.json, name.html in the folder
-  std::string error;       // why there is no fit; empty where there is one
+  std::string file, name;           // name.json (material), name.fit.json, name.html in the folder
+  std::string error;                // why there is no fit; empty where there is one
+  bool environment_failed = false;  // not the file's fault
   bool reused = false;
   io::Json best;  // first of the ranking
   std::string recommended;
 };
 
 // Fits every file into the folder. A file whose name.fit.json was written by the same settings from the same
-// content is kept, so that a run that was killed redoes only what was in flight. Input errors are rows.
-// Throws InputError where two files would have the same name.
+// content is kept, so that a run that was killed redoes only what was in flight. What goes wrong with a
+// file is its row's error. Throws InputError where the folder cannot be written, a result would replace one of the
+// files, or two would have the same name.
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
                                 const std::vector<std::vector<Reflectance>>& models,
                                 const FitOptions& options, const BatchOptions& batch);

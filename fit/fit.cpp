@@ -1,7 +1,6 @@
 #include "fit/fit.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "fit/assess/assess.h"
@@ -79,7 +78,6 @@ double information_criterion(const SampleStream& stream, const Minimum& m) {
 
 FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
                   std::optional<double> noise) {
-  const auto begin = std::chrono::steady_clock::now();
   const Model model(forms, data.channels, options);
   Residual residual = residual_of(data, options);
   SearchResult search = find_minima(data, model, residual, options);
@@ -127,7 +125,6 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
     out.cross_validated_error = cv.error;
     out.cross_validated_standard_error = cv.standard_error;
   }
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ std::vector<Column> columns_of(const SampleTable& table) {
   return columns;
 }
 
-void write(const std::filesystem::path& path, const SampleTable& table) {
+std::string to_exr(const SampleTable& table) {
   const std::size_t width = std::min(kWidth, table.rows()), height = (table.rows() + width - 1) / width;
   Imf::Header header(static_cast<int>(width), static_cast<int>(height));
   Imf::FrameBuffer frame;
@@ -65,9 +66,13 @@ void write(const std::filesystem::path& path, const SampleTable& table) {
                              header.find(key.c_str()) != header.end();
     header.insert(is_reserved ? std::string(kPrefix) + key : key, Imf::StringAttribute(value));
   }
-  Imf::OutputFile file(path.c_str(), header);
-  file.setFrameBuffer(frame);
-  file.writePixels(static_cast<int>(height));
+  Imf::StdOSStream bytes;
+  {
+    Imf::OutputFile file(bytes, header);
+    file.setFrameBuffer(frame);
+    file.writePixels(static_cast<int>(height));
+  }
+  return bytes.str();
 }
 
 }  // namespace
@@ -75,13 +80,7 @@ void write(const std::filesystem::path& path, const SampleTable& table) {
 std::vector<std::string> write_exr_table(const std::filesystem::path& path, const SampleTable& table) {
   if (table.rows() == 0) throw InputError(table.name() + ": holds no rows");
   check_table(table);
-  write_path_atomically(path, [&](const std::filesystem::path& temporary) {
-    try {
-      write(temporary, table);
-    } catch (const std::exception& error) {
-      throw EnvironmentError(path.string() + ": cannot be written: " + error.what());
-    }
-  });
+  write_file_atomically(path, to_exr(table));
   std::vector<std::string> lost{"digits beyond 32-bit float (7 significant ones)",
                                 "free-text comments and line numbers"};
   std::size_t infinite = 0;

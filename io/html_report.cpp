@@ -268,9 +268,8 @@ std::string HtmlReport::document(const Provenance& made) const {
     html += html_escaped(key) + ": <code>" + html_escaped(value) + "</code><br>";
   html += "</p></footer>\n";
   if (!plots_.empty()) {
-    std::string data = plots_;  // inside a script element only "</" could end it
-    for (std::size_t at = 0; (at = data.find("</", at)) != std::string::npos; at += 3)
-      data.replace(at, 2, "<\\/");
+    std::string data;  // in a script element "</" and "<!--" have meanings of their own
+    for (const char c : plots_) data += c == '<' ? std::string("\\u003c") : std::string(1, c);
     html += "<script>" + chart_library() + "</script>\n<script>\nconst plots = [\n" + data + "\n];" + kDraw +
             "</script>\n";
   }

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "io/shell.h"
+
 namespace brdf::io {
 namespace {
 
@@ -10,34 +12,18 @@ std::string& recorded_command() {
   return command;
 }
 
-std::string quoted(std::string_view word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
-  std::string result = "'";
-  for (const char c : word) {
-    if (c == '\'')
-      result += "'\\''";
-    else if (c == '\n')
-      result += ' ';  // a header line must stay one line
-    else
-      result += c;
-  }
-  return result + "'";
-}
-
 }  // namespace
 
 void record_command_line(int argc, const char* const* argv) {
   std::string command = "brdf";
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    if (word == "-o" || word == "--output") {
+    if (word == "-o" || word == "--output" || word == "--report") {
       ++k;
       continue;
     }
-    if (word.starts_with("--output=")) continue;
-    command += ' ' + quoted(word);
+    if (word.starts_with("-o") || word.starts_with("--output=") || word.starts_with("--report=")) continue;
+    command += ' ' + shell_word(word);
   }
   recorded_command() = command;
 }

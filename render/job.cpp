@@ -4,6 +4,7 @@
 
 #include "io/error.h"
 #include "io/material_file.h"
+#include "io/output.h"
 #include "io/samples.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/pictures.h"
@@ -126,10 +127,16 @@ void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures
   write_exr(job.output, layers);
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot be made: " + error.message());
+// Refuses an output that is one of the files that the picture is made of.
+void check_output(const Job& job, const ViewState& state) {
+  std::vector<std::filesystem::path> inputs = job.materials;
+  inputs.insert(inputs.end(), {job.scene, job.state, job.compare, job.measured, state.samples});
+  for (const Object& object : state.scene.objects) {
+    inputs.push_back(state.scene.folder / object.mesh);
+    for (const auto& texture : object.textures)
+      if (texture) inputs.push_back(state.scene.folder / *texture);
+  }
+  io::check_targets({{"-o", job.output}}, inputs);
 }
 
 BytePicture bytes_of(const Texture& texture) {
@@ -144,6 +151,7 @@ BytePicture bytes_of(const Texture& texture) {
 
 JobReport run(const Job& job) {
   ViewState state = state_of(job);
+  check_output(job, state);
   // Without a display of its own, a comparison shows all it has in a row.
   const bool row = compared(job) && state.display == Display::picture && !job.show;
   if (row) state.display = Display::difference;
@@ -193,6 +201,7 @@ void write_lobes(const Job& job) {
   const ViewState state = state_of(job);
   if (!is_png(job.output))
     throw InputError("-o " + job.output.string() + ": the plot's name must end in .png");
+  check_output(job, state);
   const std::vector<LobeCurve> curves = lobe_curves(state);
   int solo = state.plot_solo;
   if (job.solo) {
@@ -207,7 +216,7 @@ void write_lobes(const Job& job) {
 }
 
 void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder) {
-  make_folder(folder);
+  io::make_folder(folder);
   if (kind == "tiles") {
     write_png(folder / "tiles.png", bytes_of(floor_tile(size, seed)));
     return;
@@ -219,7 +228,7 @@ void write_maps(const std::string& kind, int size, std::uint64_t seed, const std
 }
 
 void write_lookup_pictures(const std::filesystem::path& folder) {
-  make_folder(folder);
+  io::make_folder(folder);
   for (std::size_t k = 0; k < kNames<LookupFactor>.size(); ++k) {
     write_png(folder / (std::string(name_of(LookupFactor(k))) + ".png"),
               lookup_picture(LookupFactor(k), false));

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "io/shell.h"
 #include "io/text.h"
 #include "validate/sheet_checks.h"
 
@@ -16,7 +17,7 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   plane.y_label = "f_r of " + t.channels.front() + ", 1/sr";
   plane.log_y = true;
   plane.caption = "The values as they were measured, one colour for each angle of the light.";
-  plane.command = "grep -v '^#' " + t.source;
+  plane.command = "grep -v '^#' " + io::shell_file(t.source);
   for (const auto& [light, members] : by_light(t)) {
     io::Series s{"light at " + io::to_text(light.first), {}, {}, io::Series::Style::points};
     for (const std::size_t k : members) {
@@ -46,7 +47,7 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   albedo.caption =
       "The band is the bound: it holds what no sample is near to, the coarseness of the sampling, and half "
       "the noise floor.";
-  albedo.command = "brdf validate " + t.source + " --json";
+  albedo.command = "brdf validate " + io::shell_file(t.source) + " --json";
   if (!albedo.series.empty() && albedo.series[0].x.size() > 1) report.plot(albedo);
 }
 

@@ -7,6 +7,7 @@
 
 #include "brdf/quadrature.h"
 #include "brdf/reflectance.h"
+#include "io/shell.h"
 #include "io/text.h"
 #include "validate/checks.h"
 #include "validate/degrees.h"
@@ -177,7 +178,7 @@ Finding search(const Subject& subject, const char* check, Quantity quantity, boo
   const Viewer viewer = viewer_at(best.point);
   w.angles = {{"theta", in_degrees(viewer.theta)}, {"phi", in_degrees(viewer.phi)}};
   if (catalogue_index(*subject.of_form()) >= 0)
-    w.command = "brdf validate --form " + subject.name() + " --json";
+    w.command = "brdf validate --form " + io::shell_word(subject.name()) + " --json";
   f.witness = w;
   return f;
 }

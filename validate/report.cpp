@@ -96,13 +96,40 @@ io::Json to_json(const std::vector<Finding>& findings) {
   return json;
 }
 
+namespace {
+
+// Text of a Markdown table's cell, whatever it holds.
+std::string markdown_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\`*_[]<>|~&").find(c) != std::string_view::npos) out += '\\';
+    out += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return out;
+}
+
+// The same as code: the fence is longer than any run of its character inside.
+std::string markdown_code(std::string_view text) {
+  std::string out;
+  std::size_t longest = 0, run = 0;
+  for (const char c : text) {
+    longest = std::max(longest, run = c == '`' ? run + 1 : 0);
+    out += c == '|' ? std::string("\\|") : std::string(1, c);
+  }
+  const std::string fence(longest + 1, '`'), space = longest > 0 ? " " : "";
+  return fence + space + out + space + fence;
+}
+
+}  // namespace
+
 std::string to_markdown(const std::vector<Finding>& findings) {
   std::string text =
       "**" + summary(findings) + "**\n\n| subject | check | verdict | finding |\n|---|---|---|---|\n";
   for (const Finding& f : findings) {
     constexpr std::array signs{"pass", "known violation", "**fail**", "not applicable"};
-    text += "| " + f.subject + " | " + f.check + " | " + signs[std::size_t(f.outcome)] + " | " + f.statement;
-    if (shows_witness(f) && !f.witness->command.empty()) text += "<br>`" + f.witness->command + "`";
+    text += "| " + markdown_text(f.subject) + " | " + f.check + " | " + signs[std::size_t(f.outcome)] +
+            " | " + markdown_text(f.statement);
+    if (shows_witness(f) && !f.witness->command.empty()) text += "<br>" + markdown_code(f.witness->command);
     text += " |\n";
   }
   return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/shell.h"
 #include "io/text.h"
 
 namespace brdf::validate {
@@ -85,10 +86,11 @@ std::vector<std::pair<std::string, double>> Subject::parameters(const Material& 
 }
 
 std::string Subject::selector(const Material& at) const {
-  if (!form_) return "--material " + name_;
+  if (!form_) return "--material " + io::shell_file(name_);
   if (catalogue_index(*form_) < 0) return {};
-  std::string words = "--form " + name_;
-  for (const auto& [name, value] : parameters(at)) words += " --set " + name + "=" + io::to_text(value);
+  std::string words = "--form " + io::shell_word(name_);
+  for (const auto& [name, value] : parameters(at))
+    words += " --set " + io::shell_word(name) + "=" + io::to_text(value);
   return words;
 }
 

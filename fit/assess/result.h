@@ -82,7 +82,6 @@ struct FormFit {
   double loss_scale = 0;
   std::vector<MinimumReport> minima;
   int starts = 0, iterations = 0, passes = 0;
-  double seconds = 0;
   std::string solver_message;
 
   // Some start gave a finite cost. Otherwise the material is the form's defaults, and no error is known.

@@ -123,8 +123,11 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
     j["minima"] = minima;
     j["correlations"] = correlations_json(fit.correlations);
     j["condition"] = number(fit.condition);
-    j["solver"] = {{"message", fit.solver_message}, {"starts", fit.starts},   {"iterations", fit.iterations},
-                   {"passes", fit.passes},          {"seconds", fit.seconds}, {"loss_scale", fit.loss_scale}};
+    j["solver"] = {{"message", fit.solver_message},
+                   {"starts", fit.starts},
+                   {"iterations", fit.iterations},
+                   {"passes", fit.passes},
+                   {"loss_scale", fit.loss_scale}};
     ranking.push_back(std::move(j));
   }
   Json j = io::to_json(io::provenance(options.seed));

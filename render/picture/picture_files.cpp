@@ -3,6 +3,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <stb_image_write.h>
 
@@ -51,15 +52,13 @@ void write_exr(const std::filesystem::path& file, const std::vector<Layer>& laye
   const io::Provenance made = io::provenance();
   header.insert("brdf_version", Imf::StringAttribute(made.version));
   header.insert("command", Imf::StringAttribute(made.command));
-  io::write_path_atomically(file, [&](const std::filesystem::path& temporary) {
-    try {
-      Imf::OutputFile out(temporary.c_str(), header);
-      out.setFrameBuffer(buffer);
-      out.writePixels(layers[0].picture->height);
-    } catch (const std::exception& error) {
-      throw EnvironmentError(file.string() + ": cannot be written: " + error.what());
-    }
-  });
+  Imf::StdOSStream bytes;
+  {
+    Imf::OutputFile out(bytes, header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(layers[0].picture->height);
+  }
+  io::write_file_atomically(file, bytes.str());
 }
 
 Picture read_exr(const std::filesystem::path& file, const std::string& layer) {

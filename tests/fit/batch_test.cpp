@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -77,6 +80,44 @@ TEST_F(BatchOfFiles, OneBadFileDoesNotStopTheOthers) {
 TEST_F(BatchOfFiles, AnExceptionOfAnyKindEndsItAndIsThrown) {
   batch_.progress = [](const std::string&) { throw std::runtime_error("no more"); };
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST_F(BatchOfFiles, WhatTheEnvironmentRefusesIsARowAndEndsNoOther) {
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit small{8, old.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const auto rows = run();
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, before);
+  for (const BatchRow& row : rows) {
+    EXPECT_TRUE(row.environment_failed);
+    EXPECT_NE(row.error.find("File too large"), std::string::npos) << row.error;
+  }
+}
+
+TEST_F(BatchOfFiles, NoResultTakesTheNameOfTheSummaryOrOfAnotherResult) {
+  const auto renamed = [&](std::size_t k, const char* name) {
+    const fs::path to = folder_ / "in" / name;
+    fs::rename(files_[k], to);
+    files_[k] = to.string();
+  };
+  renamed(0, "summary.csv");
+  renamed(2, "s1.fit.csv");  // its material would be s1.fit.json, the statistics of s1
+  const auto rows = run();
+  EXPECT_EQ(rows[0].name, "summary.csv");
+  EXPECT_EQ(rows[1].name, "s1");
+  EXPECT_EQ(rows[2].name, "s1.fit.csv");
+}
+
+TEST_F(BatchOfFiles, ASampleFileIsNotReplacedByAResult) {
+  const fs::path to = folder_ / "in" / "s0.json";  // what a file holds is known by its content
+  fs::rename(files_[0], to);
+  files_[0] = to.string();
+  batch_.folder = folder_ / "in";
+  EXPECT_THROW(run(), InputError);
+  EXPECT_EQ(io::read_samples(to).format, "csv");
 }
 
 TEST_F(BatchOfFiles, AFileWithoutASolutionIsARowAndNoMaterial) {

@@ -31,6 +31,16 @@ TEST(HtmlReport, DataCannotEndTheScript) {
   EXPECT_EQ(html.find("albedo </script>"), std::string::npos);
 }
 
+TEST(HtmlReport, DataHoldNoMarkupOfTheScriptElement) {
+  HtmlReport report("t");
+  Plot plot = line_plot();
+  plot.series[0].label = "<!--<script>";
+  report.plot(plot);
+  const std::string html = report.document({"1.0", "", {}});
+  EXPECT_EQ(html.find("<!--<"), std::string::npos);
+  EXPECT_NE(html.find("\\u003c!--\\u003cscript>"), std::string::npos);
+}
+
 TEST(HtmlReport, LeavesGapsWhereThereIsNoNumber) {
   HtmlReport report("t");
   report.plot(line_plot());

@@ -4,6 +4,7 @@
 
 #include "io/html_report.h"
 #include "io/numbers.h"
+#include "io/shell.h"
 
 namespace brdf::trade {
 namespace {
@@ -40,7 +41,7 @@ io::Plot front_plot(const std::string& question, const std::vector<const LedgerR
                 true};
   plot.caption =
       "Error of " + first.quantity + " over " + first.domain + ". Exact values are drawn at 1e-17.";
-  plot.command = "brdf trade --only \"" + question + "\"";
+  plot.command = "brdf trade --only " + io::shell_word(question);
   io::Series front{"front", {}, {}, io::Series::Style::faint};
   io::Series dominated{"dominated", {}, {}, io::Series::Style::faint_points};
   std::vector<const LedgerRow*> by_cost = rows;

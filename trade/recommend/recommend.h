@@ -69,7 +69,8 @@ const Candidate& shown(const Recommendation& r);
 io::Json to_json(const Recommendation& r);
 std::string to_text(const Recommendation& r);
 // Material file (of what is in the catalogue), both pictures with their difference as PNG, and report.html
-// in the folder.
+// in the folder, which is written last and holds the pictures. Each file is whole; their names first.
+std::vector<std::string> recommendation_files();
 void write_recommendation(const std::filesystem::path& folder, const Recommendation& r);
 
 // Fits of one form under a scene's own weighting and over the whole hemisphere, judged at light and camera

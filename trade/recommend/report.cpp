@@ -109,8 +109,12 @@ std::string to_text(const Recommendation& r) {
   return text;
 }
 
+std::vector<std::string> recommendation_files() {
+  return {"material.json", "model.png", "reference.png", "difference.png", "report.html"};
+}
+
 void write_recommendation(const std::filesystem::path& folder, const Recommendation& r) {
-  std::filesystem::create_directories(folder);
+  io::make_folder(folder);
   const Candidate& candidate = shown(r);
   io::Json fit = {{"made", io::to_json(io::provenance())}, {"image_error", candidate.image_error}};
   if (!candidate.choice().empty()) fit["choice"] = candidate.choice();

@@ -1,0 +1,43 @@
+// The file under another name that an output is written to before it takes its place.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+
+namespace brdf::io {
+
+// Created beside its target, as TARGET.PROCESS.NUMBER.tmp, and locked while it is written; with the permissions and
+// the owner of what it replaces. Removed unless it was renamed, also by a signal (remove_temporaries_on_signals);
+// what a killed process left of the same target is removed first. Throws as cannot_write() and broke_off() of
+// io/output.h; `shown` is what messages call the target.
+class Temporary {
+ public:
+  Temporary(const std::filesystem::path& target, const struct stat* replaced,
+            const std::filesystem::path& shown);
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary();
+
+  int descriptor() const { return descriptor_; }
+  // Makes it the target, whole and on the disk.
+  void rename_to(const std::filesystem::path& target);
+
+ private:
+  void create(const std::filesystem::path& target);
+  void take_over(const struct stat& replaced);
+  void forget();
+
+  std::string path_;
+  std::filesystem::path shown_;
+  int descriptor_ = -1;
+  std::size_t place_;  // in the list of what a signal removes
+};
+
+// From now on signals that end the process remove its temporaries first, then end it as they would have. Signals
+// that the process was told to ignore stay ignored; so does the one for files that grow too large, whose error is
+// reported. For programs, not for libraries: main calls it.
+void remove_temporaries_on_signals();
+
+}  // namespace brdf::io

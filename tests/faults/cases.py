@@ -1,0 +1,116 @@
+"""The commands that faults are tried on, one or more for every verb, and the files that they need."""
+import dataclasses
+import os
+import subprocess
+
+MATERIAL = """{
+  "format": "brdf-material", "version": 1, "form": "ward", "channels": ["r", "g", "b"],
+  "weights": {"kd": [0.9, 0.5, 0.5], "ks": [0.8, 0.8, 0.8]}, "shape": {"alpha_x": 0.2, "alpha_y": 0.2}
+}
+"""
+DIRECTIONS = "theta_i,phi_i,theta_o,phi_o\n30,180,30,0\n0,0,45,0\n"
+SCENE = """{
+  "format": "brdf-scene", "version": 1,
+  "camera": {"position": [0, 0, 4], "target": [0, 0, 0], "width": 16, "height": 16},
+  "lights": [{"type": "directional", "direction": [1, -1, -1], "intensity": 3}],
+  "objects": [{"mesh": "model.obj", "material": "material.json", "textures": {"albedo": "texture.png"}}]
+}
+"""
+MODEL = """v -1 -1 0
+v 1 -1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 0 1
+f 1/1 2/2 3/3
+"""
+
+
+@dataclasses.dataclass
+class Case:
+    name: str
+    words: list
+    outputs: list = dataclasses.field(default_factory=list)
+    inputs: list = dataclasses.field(default_factory=list)
+    short: bool = False   # in the short selection
+    same: bool = True     # the same bytes every time; else an output is whole where it ends as its kind does
+    draws: bool = False   # needs a driver of Vulkan
+    slow: bool = False    # seconds a run: fewer points of memory
+    folder: str = ""      # outputs stand in it; it may hold no others
+
+    @property
+    def verb(self):
+        return self.words[0]
+
+
+CASES = [
+    Case("models", ["models"], short=True),
+    Case("models --json", ["models", "ward", "--json"]),
+    Case("eval", ["eval", "--material", "material.json", "directions.csv", "-o", "values.csv"], ["values.csv"],
+         ["material.json", "directions.csv"], short=True),
+    Case("eval to stdout", ["eval", "--form", "ward", "directions.csv"], [], ["directions.csv"], short=True),
+    Case("albedo", ["albedo", "--material", "material.json", "--theta", "30", "--tolerance", "1e-2", "--json"], [],
+         ["material.json"]),
+    Case("synth", ["synth", "--form", "lambert", "--grid", "in_plane", "--step", "20", "-o", "samples.csv"],
+         ["samples.csv"]),
+    Case("synth --microsurface", ["synth", "--microsurface", "mirror_grooves", "--set", "alpha=0.3", "--theta-i", "30",
+                                  "--surfaces", "8", "--rays", "64", "--threads", "2", "-o", "samples.csv"],
+         ["samples.csv"]),
+    Case("fit", ["fit", "samples.csv", "--form", "lambert", "-o", "fitted.json", "--report", "fit.html", "--json"],
+         ["fitted.json", "fit.html"], ["samples.csv"], short=True),
+    Case("fit a batch", ["fit", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
+         ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
+                                     "more.html", "summary.csv", "summary.html")],
+         ["samples.csv", "more.csv"], folder="out", draws=True, slow=True),
+    Case("validate a table", ["validate", "samples.csv", "-o", "report.html", "--json"], ["report.html"],
+         ["samples.csv"]),
+    Case("validate a material", ["validate", "material.json", "--picture", "texture.png", "-o", "report.html"],
+         ["report.html"], ["material.json", "texture.png"], slow=True),
+    Case("validate to Markdown", ["validate", "samples.csv", "-o", "report.md"], ["report.md"], ["samples.csv"]),
+    Case("validate --gpu", ["validate", "--gpu", "--form", "lambert", "--json"], draws=True, slow=True, same=False),
+    Case("render to PNG", ["render", "--scene", "scene.json", "-o", "picture.png"], ["picture.png"],
+         ["scene.json", "model.obj", "material.json", "texture.png"], draws=True, slow=True, same=False),
+    Case("render to EXR", ["render", "material.json", "--width", "16", "--height", "16", "-o", "picture.exr"],
+         ["picture.exr"], ["material.json"], draws=True, slow=True, same=False),
+    Case("render --lobes", ["render", "material.json", "--lobes", "--width", "64", "-o", "lobes.png"], ["lobes.png"],
+         ["material.json"]),
+    Case("render --maps", ["render", "--maps", "tiles", "--size", "8", "-o", "maps"], ["maps/tiles.png"],
+         folder="maps"),
+    Case("export", ["export", "--material", "material.json", "--to", "glsl", "-o", "material.glsl"],
+         ["material.glsl"], ["material.json"]),
+    Case("convert to CSV", ["convert", "samples.csv", "table.csv"], ["table.csv"], ["samples.csv"], short=True),
+    Case("convert to EXR", ["convert", "samples.csv", "table.exr"], ["table.exr"], ["samples.csv"], short=True),
+    Case("convert to MERL", ["convert", "samples.csv", "table.binary"], ["table.binary"], ["samples.csv"], slow=True),
+    Case("trade --compare", ["trade", "--compare", "ledger.json", "ledger.json"], [], ["ledger.json"]),
+    Case("trade", ["trade", "--quick", "--only", "Fresnel of a conductor", "-o", "ledger2.json", "-o", "ledger2.csv",
+                   "-o", "ledger2.html"],
+         ["ledger2.json", "ledger2.csv", "ledger2.html"], same=False, slow=True),
+    Case("recommend", ["recommend", "--scene", "scene.json", "--reference", "material.json", "--ledger", "ledger.json",
+                       "-o", "out"],
+         ["out/" + name for name in ("material.json", "model.png", "reference.png", "difference.png", "report.html")],
+         ["scene.json", "model.obj", "material.json", "texture.png", "ledger.json"], folder="out", draws=True,
+         slow=True, same=False),
+]
+
+
+def make_inputs(folder, brdf, source):
+    """Writes every input once; cases copy what they read."""
+    def write(name, text):
+        with open(os.path.join(folder, name), "w") as file:
+            file.write(text)
+
+    def run(*words):
+        subprocess.run([brdf, *words], cwd=folder, check=True, capture_output=True)
+    write("material.json", MATERIAL)
+    write("directions.csv", DIRECTIONS)
+    write("scene.json", SCENE)
+    write("model.obj", MODEL)
+    synth = ["synth", "--form", "lambert", "--grid", "in_plane", "--theta-i", "0,30", "--step", "15", "-o"]
+    run(*synth, "samples.csv")
+    run(*synth, "more.csv")
+    run("render", "--maps", "tiles", "--size", "8", "-o", ".")
+    os.rename(os.path.join(folder, "tiles.png"), os.path.join(folder, "texture.png"))
+    with open(os.path.join(source, "data", "ledger.json"), "rb") as file:
+        content = file.read()
+    with open(os.path.join(folder, "ledger.json"), "wb") as file:
+        file.write(content)

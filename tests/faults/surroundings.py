@@ -1,0 +1,145 @@
+"""Places that cannot be written, outputs that nobody takes, and the commands that the program prints."""
+import html
+import json
+import os
+import re
+import resource
+import shlex
+import shutil
+import signal
+import subprocess
+import tempfile
+import types
+
+from trial import OLD, wrong_files
+
+NOBODY = 65534
+
+
+def finish(bench, case, folder, **options):
+    """As Bench.start, without faults, with options of Popen."""
+    stdout = options.pop("stdout", None)
+    with open(os.path.join(folder, "stdout"), "wb") as out:
+        process = subprocess.Popen([bench.brdf, *case.words], cwd=folder, stdin=subprocess.DEVNULL,
+                                   stdout=out if stdout is None else stdout, stderr=subprocess.PIPE, **options)
+    return bench.finish(process, folder)
+
+
+def one_line(outcome, codes, words):
+    """What is wrong with a refusal."""
+    lines = [line for line in outcome.err.splitlines() if line.startswith("brdf: ") or re.match(r"\[\d+/\d+\] ", line)]
+    if outcome.code not in codes or not lines:
+        return [f"exit {outcome.code}: {outcome.err.strip()[-200:]}"]
+    if not any(word in lines[-1] for word in words):
+        return ["does not say what and why: " + lines[-1]]
+    return []
+
+
+def try_places(bench, case, expected, tally):
+    names = [os.path.basename(name) for name in case.outputs]
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1, 1))
+    if case.outputs and not case.draws:  # a driver writes files of its own
+        outcome = finish(bench, case, bench.prepare(case), preexec_fn=limit)
+        tally.add(case, "files may not grow", wrong_files(case, outcome, expected) +
+                  one_line(outcome, (3,), names))
+    if expected.out:
+        with open("/dev/full", "wb") as full:
+            outcome = finish(bench, case, bench.prepare(case), stdout=full)
+        tally.add(case, "full stdout", wrong_files(case, outcome, expected) +
+                  one_line(outcome, (3,), ["standard output: writing broke off: No space left on device"]))
+        outcome = finish(bench, case, bench.prepare(case), preexec_fn=lambda: os.close(1))
+        tally.add(case, "closed stdout", wrong_files(case, outcome, expected) +
+                  one_line(outcome, (3,), ["standard output: writing broke off"]))
+        reading, writing = os.pipe()
+        os.close(reading)
+        outcome = finish(bench, case, bench.prepare(case), stdout=writing)
+        os.close(writing)
+        broken = [] if outcome.code == -signal.SIGPIPE else [f"broken pipe: exit {outcome.code}: {outcome.err[:200]}"]
+        tally.add(case, "broken pipe", wrong_files(case, outcome, expected) + broken)
+    if not case.outputs:
+        return
+    folder = bench.prepare(case)
+    where = os.path.dirname(os.path.join(folder, case.outputs[0]))
+    os.chmod(where, 0o555)
+    user = {"user": NOBODY, "group": NOBODY, "extra_groups": []} if os.getuid() == 0 else {}
+    if user:
+        os.chmod(bench.scratch, 0o755)
+        for root, _, files in os.walk(folder):
+            os.chmod(root, 0o555)
+    outcome = finish(bench, case, folder, **user)
+    tally.add(case, "read-only folder", wrong_files(case, outcome, expected) + one_line(outcome, (2,), ["denied"]))
+    folder = bench.prepare(case)
+    for name in case.outputs:
+        os.chmod(os.path.join(folder, name), 0o444)
+    outcome = finish(bench, case, folder)
+    tally.add(case, "read-only file", wrong_files(case, outcome, expected) + one_line(outcome, (2,), ["is read-only"]))
+    # Two at once: both good, the file one of theirs.
+    folder = bench.prepare(case)
+    both = [subprocess.Popen([bench.brdf, *case.words], cwd=folder, stdin=subprocess.DEVNULL,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) for _ in range(2)]
+    first_code = (both[0].communicate(), both[0].returncode)[1]
+    outcome = bench.finish(both[1], folder)
+    wrong = wrong_files(case, outcome, expected)
+    if {first_code, outcome.code} != {expected.code}:
+        wrong.append(f"exits {first_code} and {outcome.code}: {outcome.err.strip()[-200:]}")
+    wrong += [name + " was not written" for name in case.outputs if outcome.files.get(name) == OLD]
+    tally.add(case, "two at once", wrong)
+
+
+# Names that a shell would take apart, and one that is not UTF-8.
+NAMES = ["m $(touch pwned);touch pwned2; .json", "it's \"quoted\" `touch pwned3`.json", "a\nb|c*.json", "-n.json"]
+
+
+def commands_in(outcome):
+    """Everything that was printed for somebody to run."""
+    texts = [outcome.out.decode(errors="surrogateescape")] + \
+        [content.decode(errors="surrogateescape") for name, content in sorted(outcome.files.items())
+         if name.endswith((".html", ".md"))]
+    found = []
+    for text in texts:
+        found += re.findall(r"^ +\$ (.*)$", text, re.M)
+        found += [html.unescape(command) for command in re.findall(r"<pre>(.*?)</pre>", text, re.S)]
+        found += [command.replace("\\|", "|") for command in re.findall(r"<br>`+ ?(.*?) ?`+ \|$", text, re.M)]
+        found += [json.loads(f'"{command}"') for command in re.findall(r'"command": "(brdf(?:[^"\\]|\\.)*|printf(?:[^"\\]|\\.)*)"', text)
+                  if " -o " not in command]
+    return list(dict.fromkeys(found))
+
+
+def try_printed_commands(bench, tally, short):
+    """Every printed command runs in a folder that holds its inputs alone, and makes nothing but its tables."""
+    case = types.SimpleNamespace(name="printed commands")
+    sources = [(["validate", "--form", "phong_classic" if short else "ward", "-o", "report.html"], None)]
+    for name in NAMES[:2] if short else NAMES:
+        path = "./" + name if name.startswith("-") else name
+        sources.append((["validate", path, "-o", "report.md"], ("material.json", name)))
+        if not short:
+            sources.append((["validate", path, "-o", "report.html"], ("material.json", name)))
+        sources.append((["validate", path, "-o", "report.html", "--json"], ("samples.csv", name)))
+    programs = os.path.join(bench.scratch, "programs")
+    os.makedirs(programs, exist_ok=True)
+    os.symlink(bench.brdf, os.path.join(programs, "brdf"))
+    environment = dict(os.environ, PATH=programs + ":" + os.environ["PATH"])
+    for words, copied in sources:
+        folder = tempfile.mkdtemp(dir=bench.scratch)
+        if copied:
+            shutil.copy(os.path.join(bench.inputs, copied[0]), os.path.join(folder, copied[1]))
+        outcome = finish(bench, types.SimpleNamespace(words=words), folder)
+        printed = commands_in(outcome)
+        if outcome.code not in (0, 1) or not printed:
+            tally.add(case, " ".join(words), [f"exit {outcome.code}, {len(printed)} commands: {outcome.err[:200]}"])
+        for command in printed:
+            empty = tempfile.mkdtemp(dir=bench.scratch)
+            if copied:
+                shutil.copy(os.path.join(bench.inputs, copied[0]), os.path.join(empty, copied[1]))
+            if command.startswith("for x in"):  # a sweep of a width: its first step shows that it runs
+                command = re.sub(r"^(for x in \S+) .*?;", r"\1;", command)
+            shell = subprocess.run(["bash", "-c", command], cwd=empty, env=environment, capture_output=True)
+            made = set(os.listdir(empty)) - {"pair.csv", "pairs.csv", "lobes.csv"} - ({copied[1]} if copied else set())
+            wrong = [f"made {made}"] if made else []
+            if shell.returncode not in (0, 1) or b"brdf: " in shell.stderr:
+                wrong.append(f"exit {shell.returncode}: {shell.stderr.decode(errors='replace')[-200:]}")
+            tally.add(case, shlex.quote(command[:120]), wrong)
+            shutil.rmtree(empty)
+    print(f"{case.name:24} {tally.tried[case.name]:6} points", flush=True)

@@ -1,0 +1,171 @@
+"""One command run once, with or without a fault, and what is judged of it."""
+import bisect
+import collections
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+
+from cases import make_inputs
+
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+OLD = b"the old content\n"
+FILE_KINDS = ["open", "read", "write", "short", "interrupted", "fsync", "close", "rename", "mmap"]
+HARMLESS = {"short", "interrupted"}  # calls that a program must go on after
+TEMPORARY = re.compile(r"^.+\.\d+\.\d+\.tmp$")
+# Code in the program that is not its own: shader compiler and window toolkit are linked statically.
+FOREIGN = re.compile(r"^(?:non-virtual thunk to |guard variable for |typeinfo )?"
+                     r"(?:[\w:<>,*& ]*\b)?(glslang|spvtools|spv|shaderc|shaderc_util|ImGui|HLSL|TIntermediate|TParse\w*"
+                     r"|TScanContext|TShader|TProgram|TType|TSymbol\w*|TPpContext|TInfoSink\w*|TIntermTraverser|Vma\w*|vma\w*)(?:::|\b)")
+
+
+class Outcome:
+    def __init__(self, code, out, err, files):
+        self.code, self.out, self.err, self.files = code, out, err, files
+
+
+class Bench:
+    def __init__(self, arguments, scratch):
+        self.brdf = os.path.abspath(arguments.brdf)
+        self.library = os.path.abspath(arguments.library)
+        self.scratch = scratch
+        self.inputs = os.path.join(scratch, "inputs")
+        os.makedirs(self.inputs)
+        make_inputs(self.inputs, self.brdf, SOURCE)
+        self.foreign = os.path.join(scratch, "foreign")
+        self.symbols = self.list_foreign()
+
+    def list_foreign(self):
+        """Writes where foreign code stands in the program; returns all its functions for stacks."""
+        listed = subprocess.run(["nm", "-C", "--defined-only", "-n", self.brdf], capture_output=True, text=True).stdout
+        functions = []
+        for line in listed.splitlines():
+            parts = line.split(" ", 2)
+            if len(parts) == 3 and parts[1] in "tTwWuV":
+                functions.append((int(parts[0], 16), parts[2]))
+        with open(self.foreign, "w") as file:
+            for (first, name), (last, _) in zip(functions, functions[1:]):
+                match = FOREIGN.match(name)
+                if match and last > first:
+                    file.write(f"{first:x} {last:x} {match.group(1)}\n")
+        return functions
+
+    def name_at(self, address):
+        place = bisect.bisect_right(self.symbols, (address, "\x7f")) - 1
+        return self.symbols[place][1][:90] if place >= 0 else "?"
+
+    def prepare(self, case):
+        folder = tempfile.mkdtemp(dir=self.scratch)
+        for name in case.inputs:
+            shutil.copy(os.path.join(self.inputs, name), folder)
+        for name in case.outputs:
+            os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
+            with open(os.path.join(folder, name), "wb") as file:
+                file.write(OLD)
+        return folder
+
+    def environment(self, folder, kind, at, report):
+        return dict(os.environ, LD_PRELOAD=self.library, FAULTS_KIND=kind, FAULTS_AT=str(at), FAULTS_FOLDER=folder,
+                    FAULTS_REPORT=report, FAULTS_FOREIGN=self.foreign, LC_ALL="C")
+
+    def start(self, case, folder, kind="none", at=0, report=""):
+        with open(os.path.join(folder, "stdout"), "wb") as out:
+            return subprocess.Popen([self.brdf, *case.words], cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
+                                    stderr=subprocess.PIPE, env=self.environment(folder, kind, at, report))
+
+    def finish(self, process, folder, timeout=300):
+        try:
+            err = process.communicate(timeout=timeout)[1].decode(errors="replace")
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            err = "did not end"
+        files = {}
+        for where, _, names in os.walk(folder):
+            for name in names:
+                path = os.path.join(where, name)
+                with open(path, "rb") as file:
+                    files[os.path.relpath(path, folder)] = file.read()
+        out = files.pop("stdout", b"")
+        shutil.rmtree(folder, ignore_errors=True)
+        return Outcome(process.returncode, out, err, files)
+
+    def run(self, case, kind="none", at=0):
+        """Outcome, and what the library reported."""
+        folder = self.prepare(case)
+        report = folder + ".report"
+        outcome = self.finish(self.start(case, folder, kind, at, report), folder)
+        told = collections.defaultdict(list)
+        if os.path.exists(report):
+            for line in open(report):
+                word, _, rest = line.rstrip("\n").partition(" ")
+                told[word].append(rest)
+            os.remove(report)
+        return outcome, told
+
+
+def is_whole(name, content):
+    """Of outputs that differ from run to run: whether one ends as its kind of file does."""
+    ends = {".json": b"}\n", ".csv": b"\n", ".html": b"</html>\n", ".png": b"IEND\xaeB`\x82"}
+    end = ends.get(os.path.splitext(name)[1])
+    return len(content) > len(OLD) and (end is None or content.rstrip(b"\n").endswith(end.rstrip(b"\n")))
+
+
+def wrong_files(case, outcome, expected, may_leave=0):
+    """What is wrong with the files after a fault."""
+    wrong = []
+    left = [name for name in outcome.files if name not in case.inputs and name not in expected.files]
+    temporaries = [name for name in left if TEMPORARY.match(name)]
+    if len(temporaries) > may_leave or len(left) > len(temporaries):
+        wrong.append("left " + ", ".join(left))
+    for name in case.outputs:
+        content = outcome.files.get(name)
+        if content is None:
+            wrong.append(name + " is gone")
+        elif content != OLD and content != expected.files[name] and (case.same or not is_whole(name, content)):
+            wrong.append(f"{name} is neither old nor new ({len(content)} bytes)")
+    for name in case.inputs:
+        if outcome.files.get(name) != expected.files[name]:
+            wrong.append(name + " was changed")
+    return wrong
+
+
+def is_complete(case, outcome, expected):
+    return (outcome.code == expected.code and all(outcome.files.get(n) not in (None, OLD) for n in case.outputs)
+            and (not case.same or outcome.out == expected.out))
+
+
+def judge(case, outcome, expected, kind, what):
+    """What deviates from the rule after the call of this kind failed."""
+    wrong = wrong_files(case, outcome, expected)
+    messages = [line for line in outcome.err.splitlines() if line.startswith("brdf: ")]
+    if is_complete(case, outcome, expected):
+        return wrong
+    if kind in HARMLESS:
+        wrong.append(f"did not go on: exit {outcome.code}: {outcome.err.strip()[:200]}")
+    elif outcome.code != 3:
+        wrong.append(f"exit {outcome.code}: {outcome.err.strip()[-200:]}")
+    else:
+        # A batch says it of the file, beside the progress of the others.
+        lines = messages or [line for line in outcome.err.splitlines() if re.match(r"\[\d+/\d+\] ", line)]
+        if len(messages) > 1 or not lines:
+            wrong.append(f"not one line: {outcome.err.strip()[:200]}")
+        names = ["not enough memory"] if kind == "memory" else [os.path.basename(what), "standard output"]
+        target = re.sub(r"\.\d+\.\d+\.tmp$", "", names[0])
+        if not any(name in line for name in [*names, target] for line in lines):
+            wrong.append(f"does not name {target}: {outcome.err.strip()[:200]}")
+    return wrong
+
+
+class Tally:
+    def __init__(self):
+        self.tried = collections.Counter()
+        self.deviations = []
+        self.foreign = collections.Counter()
+
+    def add(self, case, what, wrong):
+        self.tried[case.name] += 1
+        for text in wrong:
+            self.deviations.append(f"{case.name}: {what}: {text}")
+            print("DEVIATION", self.deviations[-1], flush=True)
