@@ -59,8 +59,9 @@ Finding duplicates(const io::SampleTable& t) {
   for (std::size_t k = 0; k < t.rows(); ++k) {
     const auto [first, fresh] = seen.try_emplace({t.theta_i[k], t.phi_i[k], t.theta_o[k], t.phi_o[k]}, k);
     if (fresh) continue;
-    const bool same = std::all_of(t.values.begin(), t.values.end(),
-                                  [&](const auto& v) { return v[k] == v[first->second]; });
+    const std::size_t earlier = first->second;
+    const bool same =
+        std::all_of(t.values.begin(), t.values.end(), [&](const auto& v) { return v[k] == v[earlier]; });
     if (same)
       copies.push_back(k);
     else

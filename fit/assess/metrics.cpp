@@ -108,7 +108,7 @@ std::optional<double> retro_excess(const FitData& data, const std::vector<std::v
     if (data.wi_z[k] > upright) continue;
     const double cosine =
         data.wi_x[k] * data.wo_x[k] + data.wi_y[k] * data.wo_y[k] + data.wi_z[k] * data.wo_z[k];
-    Nearest& best = nearest.try_emplace(data.incidence[k], within, k).first->second;
+    Nearest& best = nearest.try_emplace(data.incidence[k], Nearest{within, k}).first->second;
     if (cosine > best.cosine) best = {cosine, k};
   }
   std::vector<double> excess;

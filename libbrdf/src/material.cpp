@@ -57,9 +57,9 @@ Material make_material(const Reflectance& form, std::vector<std::string> channel
 
 bool is_anisotropic(const Material& material) {
   return std::any_of(material.terms.begin(), material.terms.end(), [](const Term& term) {
-    const auto [along, across] = info(term.form).axes();
-    return across >= 0 && std::any_of(term.shape.begin(), term.shape.end(), [&](const auto& set) {
-             return set[std::size_t(along)] != set[std::size_t(across)];
+    const auto axes = info(term.form).axes();
+    return axes.across >= 0 && std::any_of(term.shape.begin(), term.shape.end(), [&](const auto& set) {
+             return set[std::size_t(axes.along)] != set[std::size_t(axes.across)];
            });
   });
 }

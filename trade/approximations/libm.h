@@ -24,7 +24,7 @@ struct Libm {
   friend Libm operator/(Libm a, Libm b) { return Libm(a.value / b.value); }
   friend Libm operator-(Libm a) { return Libm(-a.value); }
   friend bool operator<(Libm a, Libm b) { return a.value < b.value; }
-  friend bool operator==(Libm a, Libm b) { return a.value == b.value; }
+  friend constexpr bool operator==(Libm a, Libm b) { return a.value == b.value; }
 
   friend Libm exp(Libm x) { return Libm(std::exp(x.value)); }
   friend Libm log(Libm x) { return Libm(std::log(x.value)); }
