@@ -40,7 +40,9 @@ Mesh make_plane(int cells = 1, int parity = -1);
 // "body", "cabin" or "wheels": that part alone, in its place.
 Mesh make_car(std::string_view part = "");
 // UTF-8 text, outlines of the font tessellated and wrapped round the unit sphere; u runs along the text.
-// Throws InputError when the text holds nothing to draw, EnvironmentError when the font cannot be read.
+// Throws InputError when the text holds nothing to draw or too many letters, EnvironmentError when the font cannot be
+// read.
+inline constexpr std::size_t kMostLetters = 1000;
 Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font = {});
 // Every mesh of the file, joined, node transforms applied. Throws InputError (unreadable, empty, or
 // non-finite vertices). Normals and tangents that the file lacks are made.

@@ -2,6 +2,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "io/error.h"
@@ -33,7 +34,7 @@ Mesh converted(const aiMesh& source, const std::string& name) {
   }
   for (unsigned f = 0; f < source.mNumFaces; ++f) {
     const aiFace& face = source.mFaces[f];
-    if (face.mNumIndices != 3) continue;  // points and lines
+    if (face.mNumIndices != 3) continue;
     mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
   }
   if (!mesh.indices.empty()) clean(mesh, name);
@@ -45,19 +46,34 @@ void collect(const aiScene& scene, const aiNode& node, const glm::mat4& parent, 
              Mesh& out) {
   const glm::mat4 transform = parent * glm::transpose(glm::make_mat4(&node.mTransformation.a1));
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    append(out, converted(*scene.mMeshes[node.mMeshes[m]], name), transform);
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+    // Points and lines have no faces and get no normals.
+    if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) && mesh.HasNormals())
+      append(out, converted(mesh, name), transform);
   }
   for (unsigned c = 0; c < node.mNumChildren; ++c) collect(scene, *node.mChildren[c], transform, name, out);
+}
+
+// Assimp reads on for ever where a PLY's header has no end.
+void require_whole_header(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  if (!line.starts_with("ply") && !line.starts_with("PLY")) return;
+  while (std::getline(in, line))
+    if (line.starts_with("end_header")) return;
+  throw InputError(file.string() + ": the PLY's header has no line end_header");
 }
 
 }  // namespace
 
 Mesh load_model(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such model file");
+  require_whole_header(file);
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                                           aiProcess_GenSmoothNormals | aiProcess_CalcTangentSpace);
+  const aiScene* scene = importer.ReadFile(
+      file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
+                         aiProcess_GenSmoothNormals | aiProcess_CalcTangentSpace);
   if (!scene || !scene->mRootNode) {
     throw InputError(file.string() + ": cannot be read as a model: " + importer.GetErrorString());
   }

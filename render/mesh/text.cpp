@@ -157,6 +157,9 @@ void add_refined(std::array<glm::dvec2, 3> t, Triangles& out) {
 }  // namespace
 
 Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) {
+  if (const std::size_t letters = code_points(text).size(); letters > kMostLetters)
+    throw InputError("text mesh: " + std::to_string(letters) + " letters; at most " +
+                     std::to_string(kMostLetters) + " are drawn");
   auto [contours, width] = text_outlines(text, font.empty() ? Font::kBold : font);
   if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has nothing to draw");
   // Longitude from x: the text goes round once at most; the capital's middle lies on the equator.

@@ -151,8 +151,33 @@ TEST(Mesh, BrokenModelsAreRefusedInOneLine) {
   EXPECT_NE(
       message_of(write("flat.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n")).find("no triangle with an area"),
       std::string::npos);
+  EXPECT_NE(message_of(write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n0\n1\n"))
+                .find("cut.ply: the PLY's header has no line end_header"),
+            std::string::npos);
   EXPECT_NE(message_of(write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).find("not finite"),
             std::string::npos);
+}
+
+TEST(Mesh, PointsAndLinesAreNotDrawn) {
+  constexpr const char* kVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\n";
+  const std::string cloud =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+      "end_header\n0 0 0\n1 0 0\n";
+  for (const auto& [name, text] : {std::pair{"lines.obj", kVertices + std::string("l 1 2\nl 2 3\n")},
+                                   {"points.obj", kVertices + std::string("p 1 2 3\n")},
+                                   {"cloud.ply", cloud}})
+    EXPECT_NE(message_of(write(name, text)).find(std::string(name) + ": no triangle with an area"),
+              std::string::npos)
+        << name << ": " << message_of(write(name, text));
+  const Mesh mixed = load_model(write("mixed.obj", kVertices + std::string("f 1 2 3\nl 1 4\np 4\n")));
+  EXPECT_EQ(mixed.triangles(), 1u);
+  EXPECT_EQ(mixed.vertices.size(), 3u);  // what only a line or a point uses is not kept
+  expect_sound_frames(mixed);
+}
+
+TEST(Mesh, TextsAreLimited) {
+  EXPECT_GT(make_text_sphere(std::string(kMostLetters, '.')).triangles(), kMostLetters);
+  EXPECT_THROW(make_text_sphere(std::string(kMostLetters + 1, '.')), InputError);
 }
 
 TEST(Mesh, TrianglesWithoutAreaAreDropped) {
