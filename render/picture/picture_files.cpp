@@ -11,6 +11,7 @@
 #include "io/output.h"
 #include "io/provenance.h"
 #include "render/picture/picture.h"
+#include "render/scene/texture.h"
 
 namespace brdf::render {
 namespace {
@@ -19,11 +20,11 @@ std::string channel_name(const std::string& layer, char channel) {
   return layer.empty() ? std::string(1, channel) : layer + "." + channel;
 }
 
-// OpenEXR addresses pixels from an origin; rows and pixels are contiguous here.
-Imf::Slice slice(const Picture& picture, int channel) {
-  const auto* base = reinterpret_cast<const char*>(picture.pixels.data()) + channel * int(sizeof(float));
-  return Imf::Slice(Imf::FLOAT, const_cast<char*>(base), sizeof(glm::vec4),
-                    sizeof(glm::vec4) * std::size_t(picture.width));
+// Rows and pixels are contiguous; the window's corner is the first of them.
+Imf::Slice slice(const Picture& picture, int channel, const Imath::Box2i& window) {
+  const float* const first = &picture.pixels[0][channel];
+  return Imf::Slice::Make(Imf::FLOAT, first, window, sizeof(glm::vec4),
+                          sizeof(glm::vec4) * std::size_t(picture.width));
 }
 
 void append_bytes(void* context, void* data, int size) {
@@ -46,7 +47,7 @@ void write_exr(const std::filesystem::path& file, const std::vector<Layer>& laye
     for (int c = 0; c < (layer.alpha ? 4 : 3); ++c) {
       const std::string name = channel_name(layer.name, "RGBA"[c]);
       header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-      buffer.insert(name, slice(*layer.picture, c));
+      buffer.insert(name, slice(*layer.picture, c, header.dataWindow()));
     }
   }
   const io::Provenance made = io::provenance();
@@ -65,7 +66,12 @@ Picture read_exr(const std::filesystem::path& file, const std::string& layer) {
   try {
     Imf::InputFile in(file.c_str());
     const Imath::Box2i window = in.header().dataWindow();
-    Picture picture(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+    const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1,
+                       height = std::int64_t(window.max.y) - window.min.y + 1;
+    if (width > kMostTexels || height > kMostTexels || width * height > kMostTexels)
+      throw InputError(file.string() + ": has " + std::to_string(width) + " x " + std::to_string(height) +
+                       " pixels; at most " + std::to_string(kMostTexels) + " are read");
+    Picture picture{int(width), int(height)};
     Imf::FrameBuffer buffer;
     for (int c = 0; c < 4; ++c) {
       const std::string name = channel_name(layer, "RGBA"[c]);
@@ -73,7 +79,7 @@ Picture read_exr(const std::filesystem::path& file, const std::string& layer) {
         if (c == 3) continue;
         throw InputError(file.string() + ": has no channel " + name);
       }
-      buffer.insert(name, slice(picture, c));
+      buffer.insert(name, slice(picture, c, window));
     }
     in.setFrameBuffer(buffer);
     in.readPixels(window.min.y, window.max.y);

@@ -97,17 +97,32 @@ void update_items(PreparedScene& prepared) {
   prepared.bounds = glm::vec4((low + high) / 2.0f, glm::length(high - low) / 2);
 }
 
+namespace {
+
+[[noreturn]] void refuse(std::size_t object, const std::string& what, std::size_t most) {
+  throw InputError("$.objects[" + std::to_string(object) + "]: with it the scene has more than " +
+                   std::to_string(most) + " " + what);
+}
+
+}  // namespace
+
 PreparedScene prepare(Scene scene) {
   PreparedScene prepared;
-  std::map<std::string, std::shared_ptr<const Mesh>> known;
-  for (const Object& object : scene.objects) {
-    std::shared_ptr<const Mesh>& mesh = known[object.mesh];
+  std::map<std::string, std::shared_ptr<const Mesh>> meshes;
+  std::size_t triangles = 0, texels = 0;
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    const Object& object = scene.objects[k];
+    std::shared_ptr<const Mesh>& mesh = meshes[object.mesh];
     if (!mesh) mesh = std::make_shared<const Mesh>(make_mesh(object.mesh, scene.folder));
+    triangles += mesh->triangles();
+    if (triangles > kMostTriangles) refuse(k, "triangles", kMostTriangles);
     prepared.meshes.push_back(mesh);
     TextureSet textures;
     for (std::size_t slot = 0; slot < 4; ++slot) {
-      if (object.textures[slot])
-        textures[slot] = std::make_shared<const Texture>(load_texture(scene.folder / *object.textures[slot]));
+      if (!object.textures[slot]) continue;
+      textures[slot] = std::make_shared<const Texture>(load_texture(scene.folder / *object.textures[slot]));
+      texels += textures[slot]->texels.size();
+      if (texels > kMostTexelsOfAll) refuse(k, "texels", kMostTexelsOfAll);
     }
     prepared.textures.push_back(std::move(textures));
   }

@@ -37,7 +37,9 @@ struct PreparedScene {
   glm::vec4 bounds{0, 0, 0, 1};                     // sphere round all objects
 };
 
-// Throws InputError on a missing texture, a broken model, a material of other than 1 or 3 channels.
+// Throws InputError on a missing texture, a broken model, a material of other than 1 or 3 channels, and where the
+// objects together have more than this many triangles or texels (512 MiB).
+inline constexpr std::size_t kMostTriangles = 20'000'000, kMostTexelsOfAll = 1 << 27;
 PreparedScene prepare(Scene scene);
 // After a change of materials or transforms alone (the viewer's sliders): meshes and textures are kept.
 void update_items(PreparedScene& prepared);

@@ -3,6 +3,7 @@
 #include <stb_image.h>
 
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <random>
 
@@ -93,16 +94,20 @@ Texture load_texture(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such texture file");
   Texture texture;
   int channels = 0;
+  if (stbi_info(file.c_str(), &texture.width, &texture.height, &channels) &&
+      std::int64_t(texture.width) * texture.height > kMostTexels)
+    throw InputError(file.string() + ": has " + std::to_string(texture.width) + " x " +
+                     std::to_string(texture.height) + " pixels; at most " + std::to_string(kMostTexels) +
+                     " (4096 x 4096) are read");
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load(file.c_str(), &texture.width, &texture.height, &channels, 4), stbi_image_free);
+  if (pixels && texture.width * texture.height == 0) throw InputError(file.string() + ": has no pixels");
   if (!pixels) {
     throw InputError(file.string() + ": cannot be read as PNG, JPEG, BMP or TGA (" + stbi_failure_reason() +
                      ")");
   }
   texture.texels.resize(std::size_t(texture.width) * std::size_t(texture.height));
-  for (std::size_t i = 0; i < texture.texels.size(); ++i) {
-    for (std::size_t c = 0; c < 4; ++c) texture.texels[i][c] = pixels.get()[4 * i + c];
-  }
+  std::memcpy(texture.texels.data(), pixels.get(), 4 * texture.texels.size());
   return texture;
 }
 

@@ -10,6 +10,7 @@
 #include "render/compare/measured.h"
 #include "render/job.h"
 #include "render/proof/parity.h"
+#include "render/scene/prepared.h"
 #include "render/scene/texture.h"
 #include "tests/io/temporary_folder.h"
 
@@ -82,6 +83,42 @@ TEST(Picture, RustyMetalIsSeededTileableAndPartlyRusty) {
   EXPECT_GT(metal, 64u * 64 / 10);
   EXPECT_LT(metal, 64u * 64 * 9 / 10);
   EXPECT_LT(across, 3 * inside + 64 * 4);  // no seam
+}
+
+// An uncompressed TGA that ends after its header: the rest is read as black.
+std::filesystem::path black_tga(int width, int height) {
+  const auto file = temporary("black.tga");
+  const char header[18] = {
+      0,  0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, char(width), char(width >> 8), char(height), char(height >> 8),
+      24, 0};
+  std::ofstream(file, std::ios::binary).write(header, sizeof header);
+  return file;
+}
+
+TEST(Picture, MapsAreLimitedByTheirDecodedSize) {
+  EXPECT_EQ(load_texture(black_tga(4096, 4096)).texels.size(), std::size_t(kMostTexels));
+  EXPECT_THROW(load_texture(black_tga(0, 30)), InputError);
+  try {
+    load_texture(black_tga(4097, 4096));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("black.tga: has 4097 x 4096 pixels; at most 16777216"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Picture, MapsOfAllObjectsTogetherAreLimited) {
+  Scene scene;
+  scene.objects.resize(std::size_t(kMostTexelsOfAll) / std::size_t(kMostTexels) / 4);
+  for (Object& object : scene.objects) {
+    object.mesh = "plane";
+    object.material = make_material(*find_form("lambert"));
+    object.textures.fill(black_tga(4096, 4096));
+  }
+  EXPECT_NO_THROW(prepare(scene));
+  scene.objects.push_back(scene.objects[0]);
+  EXPECT_THROW(prepare(scene), InputError);
 }
 
 TEST(Picture, MissingTexturesAndOutputsAreNamed) {

@@ -99,6 +99,21 @@ TEST(Scene, AMaterialMayComeThroughAPipe) {
   EXPECT_EQ(scene.objects[0].material, parsed(scene_with("")).objects[0].material);
 }
 
+TEST(Scene, TrianglesOfAllObjectsTogetherAreLimited) {
+  // A mesh that is made once and drawn ten times counts ten times.
+  const auto scene_of = [](int spheres) {
+    const std::string object = R"({"mesh":"sphere:2000000","material":)" + kMaterial + "}";
+    std::string objects = object;
+    for (int k = 1; k < spheres; ++k) objects += "," + object;
+    return R"({"format":"brdf-scene","version":1,"objects":[)" + objects + "]}";
+  };
+  const std::size_t each = make_mesh("sphere:2000000", "").triangles();
+  const auto fit = int(kMostTriangles / each);
+  EXPECT_EQ(message_of(scene_of(fit)), "accepted");
+  EXPECT_EQ(message_of(scene_of(fit + 1)),
+            "$.objects[" + std::to_string(fit) + "]: with it the scene has more than 20000000 triangles");
+}
+
 TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "view.json";
