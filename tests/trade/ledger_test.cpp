@@ -68,6 +68,28 @@ TEST(Ledger, ReadsBackWhatItWrote) {
   EXPECT_EQ(back.find("q", "nobody"), nullptr);
 }
 
+TEST(Ledger, CountsAreWholeNumbersInTheirRange) {
+  Ledger ledger;
+  ledger.machine = this_machine();
+  ledger.rows = {row("exact", 1e-9, 0, 0)};
+  const io::Json sound = to_json(ledger);
+  EXPECT_NO_THROW(ledger_from_json(io::JsonPlace(sound, "l.json")));
+  for (const double wrong : {1e300, -1.0, 0.5}) {
+    io::Json rounds = sound, threads = sound;
+    rounds["rows"][0]["rounds"] = wrong;
+    threads["machine"]["threads"] = wrong;
+    for (const auto& [json, place] :
+         {std::pair{rounds, "$.rows[0].rounds"}, {threads, "$.machine.threads"}}) {
+      try {
+        ledger_from_json(io::JsonPlace(json, "l.json"));
+        ADD_FAILURE() << place << " " << wrong << " is accepted";
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find(std::string("l.json: ") + place), 0u) << error.what();
+      }
+    }
+  }
+}
+
 TEST(Ledger, RefusesWhatIsNoLedger) {
   const io::Json json = {{"format", "brdf-material"}};
   EXPECT_THROW(ledger_from_json(io::JsonPlace(json, "m.json")), InputError);
