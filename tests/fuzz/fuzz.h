@@ -1,5 +1,5 @@
 // A fuzz target names a reader and what must hold of everything that it accepts. What it refuses it refuses with an
-// InputError of one line; any other exception is a finding.
+// InputError; any other exception is a finding.
 #pragma once
 
 #include <filesystem>

@@ -15,6 +15,8 @@ const Registered textures("texture", [](std::string_view input) {
           "a map has the texels of its size");
   const glm::vec4 value = map.sample({0.99f, -7.3f});
   for (int c = 0; c < 4; ++c) require(value[c] >= 0 && value[c] <= 1, "texels lie in [0, 1]");
+  constexpr std::size_t kQuick = 10000;  // texels that are written and read again
+  if (map.texels.size() > kQuick) return;
   std::vector<unsigned char> rgb;
   for (const auto& texel : map.texels) rgb.insert(rgb.end(), texel.begin(), texel.begin() + 3);
   const std::string png = io::png_of_pixels(std::size_t(map.width), std::size_t(map.height), rgb);
