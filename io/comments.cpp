@@ -2,17 +2,24 @@
 
 #include <utf8.h>
 
-#include <algorithm>
+#include <cstdint>
+#include <iterator>
 
 #include "io/text.h"
 
 namespace brdf::io {
 namespace {
 
-std::string on_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; }, ' ');
-  return utf8::is_valid(text.begin(), text.end()) ? text : utf8::replace_invalid(text);
+// UTF-8 without control characters.
+std::string on_one_line(const std::string& text) {
+  const std::string valid = utf8::replace_invalid(text);
+  std::string line;
+  for (auto at = valid.begin(); at != valid.end();) {
+    const std::uint32_t c = utf8::next(at, valid.end());
+    const bool is_control = (c < 0x20 && c != '\t') || (c >= 0x7f && c < 0xa0);
+    utf8::append(is_control ? U' ' : static_cast<char32_t>(c), std::back_inserter(line));
+  }
+  return line;
 }
 
 }  // namespace

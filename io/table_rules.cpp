@@ -16,12 +16,11 @@ namespace {
 
 // The rule that a name breaks; empty where it may stand in a header row.
 std::string broken_rule(std::string_view name) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   double number;
   if (name.empty()) return "must not be empty";
   if (name.size() > kLongestName) return "must have at most " + std::to_string(kLongestName) + " bytes";
   if (!utf8::is_valid(name.begin(), name.end())) return "must be UTF-8";
-  if (std::any_of(name.begin(), name.end(), is_control)) return "must not hold control characters";
+  if (printable(name) != name) return "must not hold control characters";
   if (name.find(',') != name.npos) return "must not hold a comma";
   if (trimmed(name) != name) return "must not begin or end with a blank";
   if (parse_number(name, number)) return "must not be a number";
