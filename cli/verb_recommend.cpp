@@ -84,7 +84,8 @@ void add_recommend(CLI::App& app) {
   verb->add_option(
       "--compare-weightings", a->compare,
       "instead: scene-weighted against hemisphere-wide fits for the scenes/ and materials/ of this folder");
-  verb->add_option("-o,--output", a->output, "folder for material, pictures and report");
+  verb->add_option("-o,--output", a->output,
+                   "folder for material, pictures and report, which is written last");
   verb->add_flag("--json", a->json, "JSON on stdout");
   verb->footer(
       "Example: brdf recommend --scene data/scenes/recommend_grazing.json --reference "

@@ -191,13 +191,6 @@ std::string first_finding(const BatchRow& row) {
   return findings.empty() ? "" : findings[0].get<std::string>();
 }
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
-
 }  // namespace
 
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
@@ -257,7 +250,7 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   }
   for (const BatchRow& row : rows) {
     const fs::path picture = folder / (row.name + ".png");
-    if (row.error.empty() && fs::exists(picture)) html.picture(bytes_of(picture), row.name);
+    if (row.error.empty() && fs::exists(picture)) html.picture(io::read_content(picture).bytes, row.name);
   }
   io::write_file_atomically(folder / "summary.csv", csv);
   io::write_file_atomically(folder / "summary.html", html.document(io::provenance()));

@@ -16,15 +16,19 @@
 namespace brdf::io {
 namespace {
 
-// A wrong name or a missing right is the caller's fault; anything else that the system reports is the machine's.
 [[noreturn]] void cannot_be_read(const std::string& name, int error) {
-  constexpr std::array kInput{ENOENT, ENOTDIR, EACCES, EPERM, ELOOP, ENAMETOOLONG, EISDIR, ENXIO, ENODEV};
   const std::string message = name + ": cannot be read: " + std::strerror(error);
-  if (std::find(kInput.begin(), kInput.end(), error) != kInput.end()) throw InputError(message);
+  if (is_of_the_name(error)) throw InputError(message);
   throw EnvironmentError(message);
 }
 
 }  // namespace
+
+bool is_of_the_name(int error) {
+  constexpr std::array kOfTheName{EACCES, EINVAL, EISDIR,  ELOOP, ENAMETOOLONG, ENODEV,
+                                  ENOENT, ENXIO,  ENOTDIR, EPERM, EROFS,        ETXTBSY};
+  return std::find(kOfTheName.begin(), kOfTheName.end(), error) != kOfTheName.end();
+}
 
 Content read_content(const std::filesystem::path& path, std::size_t limit) {
   Content content{path.string(), {}};

@@ -13,6 +13,9 @@ struct Content {
   std::string bytes;
 };
 
+// Whether an error of the system (errno) is of the name or the rights, which is the caller's fault, not the machine's.
+bool is_of_the_name(int error);
+
 // The whole of a file, a pipe or /dev/stdin. Throws InputError where it cannot be opened, is a folder or a device
 // or is larger than `limit`; EnvironmentError where the machine fails.
 Content read_content(const std::filesystem::path& path, std::size_t limit = kLargestFile);

@@ -4,13 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <memory>
 #include <optional>
 #include <system_error>
 #include <tuple>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "io/file_buffer.h"
 #include "io/temporary.h"
@@ -86,10 +86,7 @@ std::optional<Identity> identity(const fs::path& path) {
 
 void cannot_write(const fs::path& path, int error) {
   const std::string message = path.string() + ": cannot be written: " + reason(error);
-  constexpr int kOfThePlace[] = {EACCES, EISDIR, ELOOP,   ENAMETOOLONG, ENOENT, ENOTDIR,
-                                 EPERM,  EROFS,  ETXTBSY, ENXIO,        EINVAL};
-  if (std::find(std::begin(kOfThePlace), std::end(kOfThePlace), error) != std::end(kOfThePlace))
-    throw InputError(message);
+  if (is_of_the_name(error)) throw InputError(message);
   throw EnvironmentError(message);
 }
 

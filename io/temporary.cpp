@@ -1,5 +1,6 @@
 #include "io/temporary.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -10,7 +11,6 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <utility>
 
 #include "io/error.h"
 #include "io/output.h"
@@ -85,19 +85,22 @@ bool is_temporary(std::string_view name, std::string_view begins) {
 
 // Removes the temporaries that no process holds any more.
 void sweep(const fs::path& target) {
-  std::error_code ignored;
   const std::string begins = beginning(target);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
-       entry.increment(ignored)) {
-    if (!is_temporary(entry->path().filename().string(), begins)) continue;
-    const int file = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  // Not directory_iterator: it ends the program where it lacks memory.
+  DIR* const entries = ::opendir(folder.c_str());
+  if (!entries) return;
+  const int at = ::dirfd(entries);
+  while (const dirent* entry = ::readdir(entries)) {
+    if (!is_temporary(entry->d_name, begins)) continue;
+    const int file = ::openat(at, entry->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) continue;
     struct stat status;
     if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && ::flock(file, LOCK_EX | LOCK_NB) == 0)
-      ::unlink(entry->path().c_str());
+      ::unlinkat(at, entry->d_name, 0);
     ::close(file);
   }
+  ::closedir(entries);
 }
 
 }  // namespace
@@ -162,8 +165,7 @@ void Temporary::forget() {
 void Temporary::rename_to(const fs::path& target) {
   // A file system without a disk has nothing to wait for.
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) broke_off(shown_, errno);
-  const int closed = ::close(std::exchange(descriptor_, -1));
-  if (closed != 0 && errno != EINTR) broke_off(shown_, errno);
+  // Not closed before: the lock tells others that the file is not to be swept.
   int error = 0;
   {
     const Undisturbed undisturbed;

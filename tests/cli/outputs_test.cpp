@@ -153,6 +153,15 @@ TEST_F(Outputs, AFitsJsonIsTheSameEveryTime) {
   EXPECT_THAT(run(words + "a.html").out, Not(HasSubstr("seconds")));
 }
 
+TEST_F(Outputs, ASolverThatFailsWritesNothingOfItsOwnToTheTerminal) {
+  std::string table = "theta_i,phi_i,theta_o,phi_o,f\n";
+  for (int theta = 0; theta <= 60; theta += 5) table += "10,180," + std::to_string(theta) + ",0,1e-310\n";
+  write("tiny.csv", table);
+  EXPECT_EQ(run("fit tiny.csv --form ward").err, "");
+  write("huge.csv", "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,0,1e180\n10,0,30,0,2e180\n10,0,40,0,1e300\n");
+  EXPECT_EQ(run("fit huge.csv --form ward --metric cosine_l2").err, "");
+}
+
 TEST_F(Outputs, AnInterruptedFitKeepsTheMaterialThatIsThere) {
   write("old.json", "old");
   ASSERT_EQ(run("synth --form ward --set alpha=0.1 --grid hemisphere --noise 0.1 -o big.csv").exit_code, 0);

@@ -35,8 +35,7 @@ class Case:
     short: bool = False   # in the short selection
     same: bool = True     # the same bytes every time; else an output is whole where it ends as its kind does
     draws: bool = False   # needs a driver of Vulkan
-    slow: bool = False    # seconds a run: fewer points of memory
-    folder: str = ""      # outputs stand in it; it may hold no others
+    parts: bool = False   # what failed for one output shows in others (a summary), which are whole all the same
 
     @property
     def verb(self):
@@ -61,35 +60,34 @@ CASES = [
     Case("fit a batch", ["fit", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
          ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
                                      "more.html", "summary.csv", "summary.html")],
-         ["samples.csv", "more.csv"], folder="out", draws=True, slow=True),
+         ["samples.csv", "more.csv"], parts=True, draws=True),
     Case("validate a table", ["validate", "samples.csv", "-o", "report.html", "--json"], ["report.html"],
          ["samples.csv"]),
     Case("validate a material", ["validate", "material.json", "--picture", "texture.png", "-o", "report.html"],
-         ["report.html"], ["material.json", "texture.png"], slow=True),
+         ["report.html"], ["material.json", "texture.png"]),
     Case("validate to Markdown", ["validate", "samples.csv", "-o", "report.md"], ["report.md"], ["samples.csv"]),
-    Case("validate --gpu", ["validate", "--gpu", "--form", "lambert", "--json"], draws=True, slow=True, same=False),
+    Case("validate --gpu", ["validate", "--gpu", "--form", "lambert", "--json"], draws=True, same=False),
     Case("render to PNG", ["render", "--scene", "scene.json", "-o", "picture.png"], ["picture.png"],
-         ["scene.json", "model.obj", "material.json", "texture.png"], draws=True, slow=True, same=False),
+         ["scene.json", "model.obj", "material.json", "texture.png"], draws=True, same=False),
     Case("render to EXR", ["render", "material.json", "--width", "16", "--height", "16", "-o", "picture.exr"],
-         ["picture.exr"], ["material.json"], draws=True, slow=True, same=False),
+         ["picture.exr"], ["material.json"], draws=True, same=False),
     Case("render --lobes", ["render", "material.json", "--lobes", "--width", "64", "-o", "lobes.png"], ["lobes.png"],
          ["material.json"]),
-    Case("render --maps", ["render", "--maps", "tiles", "--size", "8", "-o", "maps"], ["maps/tiles.png"],
-         folder="maps"),
+    Case("render --maps", ["render", "--maps", "tiles", "--size", "8", "-o", "maps"], ["maps/tiles.png"]),
     Case("export", ["export", "--material", "material.json", "--to", "glsl", "-o", "material.glsl"],
          ["material.glsl"], ["material.json"]),
     Case("convert to CSV", ["convert", "samples.csv", "table.csv"], ["table.csv"], ["samples.csv"], short=True),
     Case("convert to EXR", ["convert", "samples.csv", "table.exr"], ["table.exr"], ["samples.csv"], short=True),
-    Case("convert to MERL", ["convert", "samples.csv", "table.binary"], ["table.binary"], ["samples.csv"], slow=True),
+    Case("convert to MERL", ["convert", "samples.csv", "table.binary"], ["table.binary"], ["samples.csv"]),
     Case("trade --compare", ["trade", "--compare", "ledger.json", "ledger.json"], [], ["ledger.json"]),
     Case("trade", ["trade", "--quick", "--only", "Fresnel of a conductor", "-o", "ledger2.json", "-o", "ledger2.csv",
                    "-o", "ledger2.html"],
-         ["ledger2.json", "ledger2.csv", "ledger2.html"], same=False, slow=True),
+         ["ledger2.json", "ledger2.csv", "ledger2.html"], same=False),
     Case("recommend", ["recommend", "--scene", "scene.json", "--reference", "material.json", "--ledger", "ledger.json",
                        "-o", "out"],
          ["out/" + name for name in ("material.json", "model.png", "reference.png", "difference.png", "report.html")],
-         ["scene.json", "model.obj", "material.json", "texture.png", "ledger.json"], folder="out", draws=True,
-         slow=True, same=False),
+         ["scene.json", "model.obj", "material.json", "texture.png", "ledger.json"], draws=True,
+         same=False),
 ]
 
 

@@ -1,9 +1,11 @@
 // Preloaded before a program: makes the n-th call of one kind fail while main() runs, or counts the calls.
 //
 //   FAULTS_KIND    open, write, short, interrupted, fsync, rename, mmap, close (of files in FAULTS_FOLDER), or memory
+//                  slow: none fails, writing takes its time
 //   FAULTS_AT      which call fails, from 1; 0: none
 //   FAULTS_FOLDER  absolute path
-//   FAULTS_FOREIGN names of functions in the program that are not its own: lines "FIRST LAST NAME", addresses in hex
+//   FAULTS_FOREIGN names of functions in the program that are not its own: lines "FIRST LAST NAME", addresses in hex;
+//                  the name "-" is the C++ library's, which is whose use it is
 //   FAULTS_REPORT  file that is written: "calls N" at the end, "failed WHAT" or "foreign NAME" when it is due
 //
 // "memory" are the allocations of the program itself: those that its own code asks for, also through the C++ library.
@@ -128,8 +130,12 @@ const char* who_asks() {
   for (int k = 0; k < count; ++k) {
     if (self.holds(frames[k]) || standard_library.holds(frames[k]) || c_library.holds(frames[k])) continue;
     if (program.holds(frames[k])) {
-      if (const char* its = foreign_name(frames[k])) return its;
-      own = true;  // perhaps a template of the C++ library that foreign code uses: the next frames decide
+      const char* its = foreign_name(frames[k]);
+      if (its && std::strcmp(its, "-") != 0) {
+        if (!own) return its;
+        continue;  // it calls us back
+      }
+      own = own || !its;  // a template of the C++ library belongs to who uses it: the next frames decide
       continue;
     }
     if (own) continue;  // a library that calls us back
@@ -192,6 +198,12 @@ bool fails(const char* name, const char* path) {
 bool fails(const char* name, int file) {
   char path[PATH_MAX];
   return wanted(name) && is_watched(file, path) && is_due(path);
+}
+
+// Makes the moment long in which a signal meets a file half written.
+void wait_with(int file, unsigned milliseconds) {
+  char path[PATH_MAX];
+  if (wanted("slow") && is_watched(file, path)) usleep(1000 * milliseconds);
 }
 
 void* allocate(std::size_t size, std::size_t alignment, const void* caller) {
@@ -332,6 +344,7 @@ FOPEN(fopen64)
 
 ssize_t write(int file, const void* data, std::size_t size) {
   static const auto real = next<decltype(&write)>("write");
+  wait_with(file, 1);
   if (fails("write", file)) return errno = ENOSPC, -1;
   if (fails("interrupted", file)) return errno = EINTR, -1;
   if (fails("short", file)) return real(file, data, (size + 1) / 2);
@@ -354,6 +367,7 @@ ssize_t read(int file, void* data, std::size_t size) {
 
 int fsync(int file) {
   static const auto real = next<decltype(&fsync)>("fsync");
+  wait_with(file, 10);
   if (fails("fsync", file)) return errno = EIO, -1;
   return real(file);
 }

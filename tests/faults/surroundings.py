@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import types
 
-from trial import OLD, wrong_files
+from trial import OLD, is_complete, wrong_files
 
 NOBODY = 65534
 
@@ -33,6 +33,28 @@ def one_line(outcome, codes, words):
     if not any(word in lines[-1] for word in words):
         return ["does not say what and why: " + lines[-1]]
     return []
+
+
+def try_small_disk(bench, case, expected, tally):
+    """A disk that holds the old files and a page more. Only the superuser can make one."""
+    folder = bench.prepare(case)
+    size = sum(-(-os.path.getsize(os.path.join(where, name)) // 4096) * 4096
+               for where, _, names in os.walk(folder) for name in names)
+    disk = tempfile.mkdtemp(dir=bench.scratch)
+    made = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size + 2 * 4096}", "tmpfs", disk], capture_output=True)
+    if made.returncode != 0:
+        tally.left_out.add("full disks: none can be made here")
+        return
+    try:
+        on_disk = shutil.copytree(folder, os.path.join(disk, "folder"))
+        outcome = finish(bench, case, on_disk)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+        shutil.rmtree(folder)
+    wrong = wrong_files(case, outcome, expected)
+    if not is_complete(case, outcome, expected):
+        wrong += one_line(outcome, (3,), ["No space left on device"])
+    tally.add(case, "full disk", wrong)
 
 
 def try_places(bench, case, expected, tally):
@@ -60,6 +82,8 @@ def try_places(bench, case, expected, tally):
         tally.add(case, "broken pipe", wrong_files(case, outcome, expected) + broken)
     if not case.outputs:
         return
+    if not case.draws:
+        try_small_disk(bench, case, expected, tally)
     folder = bench.prepare(case)
     where = os.path.dirname(os.path.join(folder, case.outputs[0]))
     os.chmod(where, 0o555)

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
 #include "io/html_report.h"
+#include "io/content.h"
 #include "io/material_json.h"
 #include "io/numbers.h"
 #include "io/output.h"
@@ -34,13 +33,6 @@ std::vector<std::string> sentences_of(const Recommendation& r) {
   sentences.insert(sentences.end(), r.warnings.begin(), r.warnings.end());
   if (!r.measured_now.empty()) sentences.push_back(r.measured_now);
   return sentences;
-}
-
-std::string png_bytes(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
 }
 
 // Stops that bring all but the brightest hundredth of the lit pixels below white; never brighter than it is.
@@ -133,9 +125,9 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   if (!material) report.paragraph(candidate.label() + " is not in the catalogue: there is no material.json.");
   report.heading("Pictures");
   const std::string exposed = ", exposure " + number(double(exposure)) + " stops";
-  report.picture(png_bytes(folder / "model.png"), candidate.label() + exposed);
-  report.picture(png_bytes(folder / "reference.png"), "The reference" + exposed);
-  report.picture(png_bytes(folder / "difference.png"), "Relative difference: blue 1e-6 to red 1");
+  report.picture(io::read_content(folder / "model.png").bytes, candidate.label() + exposed);
+  report.picture(io::read_content(folder / "reference.png").bytes, "The reference" + exposed);
+  report.picture(io::read_content(folder / "difference.png").bytes, "Relative difference: blue 1e-6 to red 1");
   report.heading("Candidates, cheapest first");
   std::vector<std::vector<io::Cell>> rows;
   io::Plot plot{
