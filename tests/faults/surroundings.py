@@ -126,8 +126,8 @@ def commands_in(outcome):
         found += re.findall(r"^ +\$ (.*)$", text, re.M)
         found += [html.unescape(command) for command in re.findall(r"<pre>(.*?)</pre>", text, re.S)]
         found += [command.replace("\\|", "|") for command in re.findall(r"<br>`+ ?(.*?) ?`+ \|$", text, re.M)]
-        found += [json.loads(f'"{command}"') for command in re.findall(r'"command": "(brdf(?:[^"\\]|\\.)*|printf(?:[^"\\]|\\.)*)"', text)
-                  if " -o " not in command]
+        in_json = re.findall(r'"command": ("(?:[^"\\]|\\.)*")', text)
+        found += [command for command in map(json.loads, in_json) if command.startswith(("brdf ", "printf "))]
     return list(dict.fromkeys(found))
 
 
@@ -145,6 +145,22 @@ def try_printed_commands(bench, tally, short):
     os.makedirs(programs, exist_ok=True)
     os.symlink(bench.brdf, os.path.join(programs, "brdf"))
     environment = dict(os.environ, PATH=programs + ":" + os.environ["PATH"])
+    # What a table says of its making makes the same bytes again.
+    for words, copied in ((["synth", "--form", "ward", "--set", "alpha=0.2", "--grid", "d $(touch pwned).csv", "--noise",
+                            "0.1", "-oa.csv"], "d $(touch pwned).csv"),
+                          (["eval", "--form", "ward", "it's d.csv", "-o=a.csv"], "it's d.csv")):
+        folder = tempfile.mkdtemp(dir=bench.scratch)
+        shutil.copy(os.path.join(bench.inputs, "directions.csv"), os.path.join(folder, copied))
+        made = finish(bench, types.SimpleNamespace(words=words), folder).files
+        table = made.get("a.csv") or made.get("=a.csv") or b""
+        command = re.search(rb"^# command: (.*)$", table, re.M)
+        empty = tempfile.mkdtemp(dir=bench.scratch)
+        shutil.copy(os.path.join(bench.inputs, "directions.csv"), os.path.join(empty, copied))
+        subprocess.run(["bash", "-c", (command[1].decode() if command else "false") + " -o again.csv"], cwd=empty,
+                       env=environment, capture_output=True)
+        files = {name: open(os.path.join(empty, name), "rb").read() for name in os.listdir(empty)}
+        same = table and files.get("again.csv") == table and set(files) == {copied, "again.csv"}
+        tally.add(case, shlex.join(words), [] if same else [f"its command makes {sorted(files)}, not the same"])
     for words, copied in sources:
         folder = tempfile.mkdtemp(dir=bench.scratch)
         if copied:
