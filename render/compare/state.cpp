@@ -126,6 +126,7 @@ ViewState with_document(ViewState state, const Json& json, const std::filesystem
 }  // namespace
 
 void open_file(ViewState& state, const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
   // The state keeps the name of samples and models: they are read again when they are drawn.
   if (!std::filesystem::is_regular_file(file))
     throw InputError(file.string() + ": is no file that can be read again");

@@ -147,6 +147,13 @@ TEST_F(ReadingCli, GridsBeyondTheLimitAreRefusedBeforeTheyAreMade) {
                  "directions, more than 4000000");
 }
 
+TEST_F(ReadingCli, SettingsForMoreChannelsThanAMaterialHasAreRefused) {
+  std::string values = "0.5";
+  for (int k = 0; k < 4096; ++k) values += ",0.5";
+  expect_refused("albedo --form lambert --theta 0 --set rho=" + values,
+                 "--set: 4097 values are more than the 4096");
+}
+
 // A name in Latin-1, in the table and of the file: what was fitted is written.
 TEST_F(ReadingCli, NamesThatAreNotUtf8DoNotCostTheWork) {
   write("gr\xfcn.csv", replaced(text("s.csv"), "phi_o,f", "phi_o,gr\xfcn"));
