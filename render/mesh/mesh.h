@@ -42,7 +42,7 @@ Mesh make_car(std::string_view part = "");
 // UTF-8 text, outlines of the font tessellated and wrapped round the unit sphere; u runs along the text.
 // Throws InputError when the text holds nothing to draw or too many letters, EnvironmentError when the font cannot be
 // read.
-inline constexpr std::size_t kMostLetters = 1000;
+inline constexpr std::size_t kMostLetters = 200;
 Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font = {});
 // Every mesh of the file, joined, node transforms applied. Throws InputError (unreadable, empty, or
 // non-finite vertices). Normals and tangents that the file lacks are made.

@@ -61,7 +61,7 @@ void require_whole_header(const std::filesystem::path& file) {
   std::getline(in, line);
   if (!line.starts_with("ply") && !line.starts_with("PLY")) return;
   while (std::getline(in, line))
-    if (line.starts_with("end_header")) return;
+    if (line == "end_header" || line == "end_header\r") return;
   throw InputError(file.string() + ": the PLY's header has no line end_header");
 }
 

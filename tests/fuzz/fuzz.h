@@ -29,7 +29,7 @@ std::filesystem::path as_file(std::string_view bytes, const std::string& suffix 
 std::filesystem::path output();
 
 // Columns of one length, angles in their ranges, finite values, and a text that reads back to the same table.
-void check_table(const io::SampleTable& table, bool directions_only = false);
+void check_samples(io::SampleTable table, bool directions_only = false);
 // Finite values, and a text that reads back to the same text.
 void check_material(const Material& material);
 

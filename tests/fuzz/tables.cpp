@@ -4,15 +4,19 @@
 namespace brdf::fuzz {
 namespace {
 
+io::Content content_of(std::string_view input) {
+  return {"input", std::string(input)};
+}
+
 void read_table(std::string_view input) {
-  check_table(io::read_samples(as_file(input)));
+  check_samples(io::read_samples(content_of(input)));
 }
 
 const Registered csv("csv", read_table), astm("astm", read_table), lens("lens", read_table),
     tensor("tensor", read_table);
 
 const Registered directions("directions", [](std::string_view input) {
-  check_table(io::read_directions(as_file(input)), true);
+  check_samples(io::read_directions(content_of(input)), true);
 });
 
 }  // namespace
