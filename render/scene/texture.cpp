@@ -94,8 +94,9 @@ Texture load_texture(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such texture file");
   Texture texture;
   int channels = 0;
+  // A BMP's height is negative where its first row is on top.
   if (stbi_info(file.c_str(), &texture.width, &texture.height, &channels) &&
-      std::int64_t(texture.width) * texture.height > kMostTexels)
+      std::int64_t(texture.width) * std::abs(std::int64_t(texture.height)) > kMostTexels)
     throw InputError(file.string() + ": has " + std::to_string(texture.width) + " x " +
                      std::to_string(texture.height) + " pixels; at most " + std::to_string(kMostTexels) +
                      " (4096 x 4096) are read");

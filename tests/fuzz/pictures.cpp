@@ -1,5 +1,6 @@
 #include <stb_image.h>
 
+#include <cstdlib>
 #include <cstring>
 
 #include "io/html_report.h"
@@ -16,7 +17,7 @@ const Registered textures("texture", [](std::string_view input) {
   int width = 0, height = 0, channels = 0;
   const bool known = stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(input.data()), int(input.size()),
                                            &width, &height, &channels);
-  const std::int64_t texels = std::int64_t(width) * height;
+  const std::int64_t texels = std::int64_t(width) * std::abs(std::int64_t(height));
   if (known && texels > kLarge && texels <= render::kMostTexels) return;
   const render::Texture map = render::load_texture(as_file(input));
   require(map.width > 0 && map.height > 0 &&

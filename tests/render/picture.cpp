@@ -108,6 +108,20 @@ TEST(Picture, MapsAreLimitedByTheirDecodedSize) {
   }
 }
 
+TEST(Picture, ABmpWithItsFirstRowOnTopIsLimitedToo) {
+  const auto file = temporary("on_top.bmp");
+  std::string header("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0", 18);
+  for (const std::int32_t size : {4097, -4096})
+    for (int k = 0; k < 4; ++k) header += char(std::uint32_t(size) >> (8 * k));
+  header += std::string("\1\0\x18\0", 4) + std::string(24, '\0');
+  std::ofstream(file, std::ios::binary) << header;
+  EXPECT_THROW(load_texture(file), InputError);
+  header[18] = 1;  // 1 by 4096: what is left out is black
+  header[19] = 0;
+  std::ofstream(file, std::ios::binary) << header;
+  EXPECT_EQ(load_texture(file).texels.size(), 4096u);
+}
+
 TEST(Picture, MapsOfAllObjectsTogetherAreLimited) {
   Scene scene;
   scene.objects.resize(std::size_t(kMostTexelsOfAll) / std::size_t(kMostTexels) / 4);
