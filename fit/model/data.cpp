@@ -106,9 +106,15 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
         incidences.try_emplace({table.theta_i[k], table.phi_i[k]}, std::uint32_t(incidences.size()));
     data.incidence.push_back(it->second);
   }
-  if (data.rows() == 0)
+  if (data.rows() == 0 && data.outside_domain == 0)
     throw InputError(table.source + ": no row has both polar angles within --max-theta " +
                      io::to_text(options.max_theta) + " degrees");
+  // Every model fits such a table, by reflecting nothing.
+  const auto reflects = [](const std::vector<double>& column) {
+    return std::any_of(column.begin(), column.end(), [](double value) { return value > 0; });
+  };
+  if (std::none_of(data.values.begin(), data.values.end(), reflects))
+    throw InputError(table.source + ": no value to fit is above 0: nothing was measured");
   return data;
 }
 

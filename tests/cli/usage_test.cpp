@@ -105,6 +105,27 @@ TEST_F(Cli, AFullDiskIsTheEnvironmentsFault) {
   EXPECT_THAT(outcome.err, HasSubstr("/dev/full: writing broke off"));
 }
 
+TEST_F(Cli, AMeasurementWithoutLightIsNotFitted) {
+  for (const char* value : {"0", "-0.5"}) {
+    std::string rows = "theta_i,phi_i,theta_o,phi_o,f\n";
+    for (int theta = 0; theta < 80; theta += 10)
+      rows += "30,180," + std::to_string(theta) + ",0," + value + "\n";
+    write("dark.csv", rows);
+    expect_refused("fit dark.csv -o m.json", "dark.csv: no value to fit is above 0: nothing was measured");
+  }
+}
+
+TEST_F(Cli, AFitWithoutASolutionWritesNoMaterial) {
+  std::string rows = "theta_i,phi_i,theta_o,phi_o,f\n";
+  for (int theta = 0; theta < 80; theta += 10) rows += "30,180," + std::to_string(theta) + ",0,1e180\n";
+  write("big.csv", rows);
+  const Outcome outcome = run("fit big.csv --form all --metric cosine_l2 -o m.json");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "brdf fit: no form could be fitted: m.json is not written\n");
+  EXPECT_THAT(outcome.out, HasSubstr("diverged"));
+  EXPECT_FALSE(exists("m.json"));
+}
+
 TEST_F(Cli, EvalWritesTheInputsColumnsThenTheValues) {
   write("d.csv", "# sample: x\ntheta_i,phi_i,theta_o,phi_o,fr\n30,180,30,0,7\n0,0,95e-1,0,8\n");
   write("m.json", kMaterial);

@@ -73,11 +73,27 @@ TEST(Verdict, AFaintHighlightBackToTheLightIsNotAMisfit) {
   EXPECT_TRUE(usable(fit_one(table, {"cook_torrance"}).verdict));
 }
 
-TEST(Verdict, AllZerosFitWithZeroAndNameWhatIsUnknown) {
-  const FormFit lambert = fit_one(constant_table(0), {"lambert"});
-  EXPECT_EQ(lambert.material.terms[0].weights[0][0], 0);
-  EXPECT_EQ(lambert.verdict, Verdict::at_bound);
-  EXPECT_EQ(fit_one(constant_table(0), {"ward"}).verdict, Verdict::not_identifiable);
+TEST(Verdict, AMeasurementWithoutLightIsRefused) {
+  for (const Metric metric : {Metric::log, Metric::cosine_l2, Metric::log_relative, Metric::cube_root})
+    for (const double value : {0.0, -1e-5, -0.5}) {
+      FitOptions options;
+      options.metric = metric;
+      try {
+        fit(constant_table(value), canonical_models(), options);
+        ADD_FAILURE() << name_of(metric) << " fits " << value;
+      } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("no value to fit is above 0"), std::string::npos)
+            << error.what();
+      }
+    }
+}
+
+TEST(Verdict, AChannelWithoutLightHasNoWeightBesideOthers) {
+  Material truth = make_material(*find_form("lambert"), {"r", "g", "b"});
+  truth.terms[0].weights[2] = {0};
+  const FormFit f = fit_one(measured(truth), {"lambert"});
+  EXPECT_EQ(f.material.terms[0].weights[2][0], 0);
+  EXPECT_EQ(f.verdict, Verdict::at_bound);
 }
 
 TEST(Verdict, FiveRowsAreTooFewForThreeParameters) {
