@@ -41,6 +41,16 @@ Geometry<T> geometry(const Vec3<T>& wi, const Vec3<T>& wo, double min_cosine = k
   return g;
 }
 
+// s = x_i x_o + y_i y_o: the cosine of the azimuth between times both sines. Where both directions graze a
+// quarter turn apart the products cancel, and s is divided by cosines as small. There (x_o, y_o) is nearly
+// (x_i, y_i) turned to that side, of which s holds nothing: the rests are multiplied instead.
+template <class T>
+T tangential_product(const Geometry<T>& g) {
+  const T side = select(g.wi.x * g.wo.y < g.wi.y * g.wo.x, T(-1), T(1));
+  const T xi = side * g.wi.x, yi = side * g.wi.y, xo = side * g.wo.x, yo = side * g.wo.y;
+  return T(0.5) * ((g.wi.x + yo) * (g.wo.x + yi) + (g.wi.y - xo) * (g.wo.y - xi));
+}
+
 // The directions as seen from a frame whose tangent is turned by the angle with this cosine and sine.
 template <class T>
 Vec3<T> turn(const Vec3<T>& w, const T& cos_phi, const T& sin_phi) {

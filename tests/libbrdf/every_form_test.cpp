@@ -74,6 +74,22 @@ TYPED_TEST(EveryForm, IsFiniteAtTheExtremesInDouble) {
   expect_finite_at_the_extremes<TypeParam, double>();
 }
 
+TYPED_TEST(EveryForm, IsFiniteAndNotNegativeUpToTheLargestWeights) {
+  const ReflectanceInfo& form = info(TypeParam{});
+  for (const double share : {0.003, 0.01, 0.3, 1.0}) {
+    std::vector<double> weights;
+    for (const ParameterInfo& p : form.weights) weights.push_back(std::max(p.min, share * p.max));
+    for_each_corner(form.shape, [&](const std::vector<double>& shape) {
+      for (const auto& wi : extreme_directions<double>())
+        for (const auto& wo : extreme_directions<double>()) {
+          const double f = value<TypeParam, double>(wi, wo, shape, weights);
+          ASSERT_TRUE(std::isfinite(f) && (f >= 0 || form.violates("non_negative")))
+              << f << " at " << share << " of the weights' ranges";
+        }
+    });
+  }
+}
+
 TYPED_TEST(EveryForm, IsZeroBelowTheHorizonAndNotAbove) {
   const Material m = make_material(TypeParam{}, {"y"});
   const Vec3<double> up = direction(radians(0.4), radians(0.2)), down{up.x, up.y, -1e-9}, level{1, 0, 0};

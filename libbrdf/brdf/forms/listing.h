@@ -30,14 +30,21 @@ struct Metallic {
 // F0 = lerp(0.03, albedo, metallic)
 template <class S>
 S f0_as_coded(const Albedo<S>& w, const S& metallic) {
-  return S(0.03) + metallic * (w.albedo - S(0.03));
+  return S(0.03) * (S(1) - metallic) + metallic * w.albedo;
+}
+
+// 1 - F0, without the difference
+template <class S>
+S f0_rest_as_coded(const Albedo<S>& w, const S& metallic) {
+  return S(0.97) * (S(1) - metallic) + metallic * (S(1) - w.albedo);
 }
 
 // Schlick's Fresnel of that F0 at h.v
 template <class S, class G>
 S schlick_as_coded(const Albedo<S>& w, const S& metallic, const Geometry<G>& g) {
-  const S f0 = f0_as_coded(w, metallic);
-  return f0 + (S(1) - f0) * schlick(g);
+  const Vec3<G> d = g.wo - g.wi;
+  const G x = G(0.25) * dot(d, d) / (G(1) + g.cos_d);  // 1 - cos_d: where F0 is 0 nothing else is left
+  return f0_as_coded(w, metallic) + f0_rest_as_coded(w, metallic) * (square(square(x)) * x);
 }
 
 // kD = (1 - F)(1 - metallic), assigned to a scalar in the listing: the red component is used for all
@@ -47,7 +54,7 @@ S diffuse_share_as_coded(const Albedo<S>& first, const S& metallic, const Geomet
   const G c = at_most(g.cos_d, G(1));
   const G y = G(1) - c;
   const G left = c * (G(1) + y * (G(1) + y * (G(1) + y * (G(1) + y))));
-  return (S(1) - f0_as_coded(first, metallic)) * (S(1) - metallic) * left;
+  return f0_rest_as_coded(first, metallic) * (S(1) - metallic) * left;
 }
 
 }  // namespace brdf
