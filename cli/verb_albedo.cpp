@@ -112,7 +112,8 @@ void add_albedo(CLI::App& app) {
   verb->add_option("--rule", options->rule, "automatic, pole, slope or adaptive")->capture_default_str();
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(
-      "Exit code 1 where an integral did not converge.\n"
+      "Exit code 1 where an integral did not converge. At 90 degrees the value is that at a cosine of\n"
+      "1e-12: of a form that grows without limit towards grazing that cosine alone decides it.\n"
       "Example: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "
       "0,60");
   on_run(*verb, [options] { return run(*options); });

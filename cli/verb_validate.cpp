@@ -173,7 +173,8 @@ Exit run(const Options& o) {
   if (o.numerics) {
     const auto quiet = [](int, int) {};  // the table itself grows as forms are measured
     const bool good = validate::report_numerics(
-        forms_of(o), o.json, std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
+        forms_of(o), {.evaluations = o.effort == "full" ? 1'000'000u : 10'000u, .seed = o.seed}, o.json,
+        std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
     return good ? Exit::good : Exit::failed;
   }
   if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
@@ -218,9 +219,11 @@ void add_validate(CLI::App& app) {
   verb->add_flag(
       "--microsurface", o->microsurface,
       "compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
-  verb->add_flag("--numerics", o->numerics,
-                 "measure the forms (--form or --all) in float and double against 50 digits: largest errors, "
-                 "NaN, infinite and negative values; exit 1 over budget (--all: some seconds)");
+  verb->add_flag(
+      "--numerics", o->numerics,
+      "search for the largest errors of the forms (--form or --all) in float and double against 50 "
+      "digits, and for NaN, infinite and negative values; exit 1 where one is larger than stated "
+      "(--all: half a minute; --effort full, a million evaluations each: half an hour)");
   verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit");
   verb->footer("Example: brdf validate material.json --require energy,reciprocity -o report.html");
   on_run(*verb, [o] { return run(*o); });

@@ -13,7 +13,6 @@
 #include "brdf/material.h"
 #include "brdf/trace.h"
 #include "io/numbers.h"
-#include "validate/numerics.h"
 
 namespace {
 
@@ -117,11 +116,14 @@ std::string accuracy_text(const Forms& forms) {
   std::string text =
       "| form | double: body | faint | tail | float: body | faint | tail |\n|---|---|---|---|---|---|---|\n";
   for (const Reflectance& form : forms) {
-    const auto rows = validate::measure_numerics(form);
     text += "| `" + std::string(info(form).name) + "`";
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row)  // double first
-      for (double error : {row->max_error, row->faint_error, row->tail_error})
-        text += error == 0 ? " | 0" : " | " + formatted("%.1e", error);
+    const Accuracy* stated = info(form).accuracy;
+    for (const Accuracy::Errors Accuracy::*scalar : {&Accuracy::in_double, &Accuracy::in_float})
+      for (double Accuracy::Errors::*band :
+           {&Accuracy::Errors::body, &Accuracy::Errors::faint, &Accuracy::Errors::tail})
+        text += !stated                      ? " | not measured"
+                : stated->*scalar.*band == 0 ? " | 0"
+                                             : " | " + formatted("%.1e", stated->*scalar.*band);
     text += " |\n";
   }
   return text;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brdf/low_discrepancy.h"
+#include "brdf/random.h"
 
 namespace brdf::validate {
 namespace {
@@ -116,6 +117,38 @@ Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& o
   keep_best(1, 0);
   points.front().calls = calls;
   return points.front();
+}
+
+Best maximise_rough(const Objective& f, std::size_t dimensions, std::size_t evaluations, std::uint64_t seed) {
+  constexpr std::size_t kKept = 24;
+  Random random(seed);
+  std::vector<Best> kept;
+  const auto better = [](const Best& a, const Best& b) { return a.value > b.value; };
+  for (std::size_t k = 0; k < std::max<std::size_t>(evaluations / 4, 1); ++k) {
+    std::vector<double> point = cover_point(k, dimensions, seed);
+    const double value = safe(f(point));
+    if (kept.size() == kKept && !(value > kept.back().value)) continue;
+    if (kept.size() == kKept) kept.pop_back();
+    Best one{std::move(point), value, 0};
+    kept.insert(std::upper_bound(kept.begin(), kept.end(), one, better), std::move(one));
+  }
+  for (std::size_t k = evaluations / 4; k < evaluations; ++k) {
+    std::size_t rank = std::size_t(double(kept.size()) * square(random.uniform()));
+    std::vector<double> point = kept[rank].point;
+    const std::size_t always = std::size_t(double(dimensions) * random.uniform());
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      if (d != always && random.uniform() > 0.25) continue;
+      const double step = random.log_uniform(1e-8, 0.5), sign = random.uniform() < 0.5 ? -1 : 1;
+      point[d] =
+          random.uniform() < 0.05 ? std::round(point[d]) : std::clamp(point[d] + sign * step, 0.0, 1.0);
+    }
+    const double value = safe(f(point));
+    if (!(value > kept[rank].value)) continue;
+    kept[rank] = {std::move(point), value, 0};
+    for (; rank > 0 && better(kept[rank], kept[rank - 1]); --rank) std::swap(kept[rank], kept[rank - 1]);
+  }
+  kept.front().calls = long(evaluations);
+  return kept.front();
 }
 
 }  // namespace brdf::validate

@@ -39,4 +39,8 @@ std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint
 Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
               const std::vector<std::vector<double>>& extra = {}, const Objective& exact = {});
 
+// The same for a function that is rough at every scale, as rounding errors are: a quarter of the evaluations
+// cover the cube, the others move its best points at random, by steps of every size.
+Best maximise_rough(const Objective& f, std::size_t dimensions, std::size_t evaluations, std::uint64_t seed);
+
 }  // namespace brdf::validate

@@ -1,5 +1,5 @@
 // The accuracy contract: largest error of every form in float and double against 50 digits, over the grid of
-// validate/extremes.h, asserted on both sides.
+// validate/extremes.h and a search, asserted on both sides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,41 +9,47 @@
 #include "brdf/forms.h"
 #include "brdf/material.h"
 #include "brdf/microfacet.h"
+#include "brdf/random.h"
 #include "validate/exact.h"
 #include "validate/extremes.h"
 #include "validate/numerics.h"
+#include "validate/rounding.h"
+#include "validate/search.h"
 
 namespace brdf::validate {
 namespace {
 
-void expect_close_below(double error, double bound, const NumericsRow& row) {
-  EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << " at " << row.where.parameters;
-  EXPECT_GE(error, bound / 2) << row.form << ' ' << row.scalar << " is better than stated";
+// A short search finds a third of the bound, or in the bands that few values fall into an eighth, if any.
+void expect_close_below(double error, double bound, bool body, const NumericsRow& row) {
+  EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << ", the body worst at " << row.where.parameters;
+  if (!body && error == 0) return;
+  EXPECT_GE(error, bound / (body ? 3 : 8)) << row.form << ' ' << row.scalar << " is better than stated";
 }
 
-class Accuracy : public ::testing::TestWithParam<Reflectance> {};
+class StatedAccuracy : public ::testing::TestWithParam<Reflectance> {};
 
-// What the form's header states (about 15 % above what was measured); what it does not state is bounded by
-// the budget of all forms alone.
-TEST_P(Accuracy, IsWhatTheHeaderStates) {
+// What the form's header states (about a third above what longer searches find); what it does
+// not state is bounded by the budget of all forms alone.
+TEST_P(StatedAccuracy, IsWhatTheHeaderStates) {
   const ReflectanceInfo& form = info(GetParam());
   if (!form.accuracy) std::cout << "no accuracy stated: " << form.name << '\n';
   for (const NumericsRow& row : measure_numerics(GetParam())) {
-    if (form.accuracy) {
-      const auto& bounds = row.scalar == "float" ? form.accuracy->in_float : form.accuracy->in_double;
-      expect_close_below(row.max_error, bounds.body, row);
-      expect_close_below(row.faint_error, bounds.faint, row);
-      expect_close_below(row.tail_error, bounds.tail, row);
+    if (row.stated) {
+      expect_close_below(row.errors.body, row.stated->body, true, row);
+      expect_close_below(row.errors.faint, row.stated->faint, false, row);
+      expect_close_below(row.errors.tail, row.stated->tail, false, row);
     }
     EXPECT_TRUE(meets_budget(row)) << row.form << ' ' << row.scalar;
     EXPECT_EQ(row.nan, 0u);
     EXPECT_EQ(row.inf, 0u);
     EXPECT_EQ(row.negative > 0, form.violates("non_negative"));
-    EXPECT_LT(double(row.as_stored), 0.07 * double(row.count)) << "the grid's directions are unit vectors";
+    EXPECT_GT(row.count, 20000u) << "f and f cos of the search alone";
+    EXPECT_LT(double(row.as_stored), 0.25 * double(row.count)) << "the directions are unit vectors";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryForm, Accuracy, ::testing::ValuesIn(catalogue().begin(), catalogue().end()),
+INSTANTIATE_TEST_SUITE_P(EveryForm, StatedAccuracy,
+                         ::testing::ValuesIn(catalogue().begin(), catalogue().end()),
                          [](const auto& param) { return std::string(param.param.info().name); });
 
 // volatile: g++ 12 at -O2 drops the rounding of a pair that goes to float and back.
@@ -124,6 +130,74 @@ TEST(ExtremeDirections, AreUnitVectorsToAHundredthOfAnUlp) {
     EXPECT_LT(double(Exact(abs(dot(v, v) - 1))), 1.2e-9);
     EXPECT_NEAR(w.x, wi.x, 1.3e-4 * std::abs(wi.x) + 1e-30);
   }
+}
+
+// s over the larger cosine, both directions grazing, azimuths a quarter turn apart but for the cosine's size.
+template <class T>
+std::pair<double, double> quarter_turn_errors() {
+  double ours = 0, products = 0;
+  Random random(3);
+  for (int k = 0; k < 4000; ++k) {
+    const auto grazing = [&](double phi) {
+      const double z = random.log_uniform(2 * kMinCosine<T>, 1e-2), s = std::sqrt(1 - z * z);
+      return Vec3<T>{T(s * std::cos(phi)), T(s * std::sin(phi)), T(z)};
+    };
+    const double phi = random.uniform(0, 2 * kPi);
+    const Vec3<T> wi = grazing(phi);
+    const Vec3<T> wo = grazing(phi + (k % 2 ? 1 : -1) * (kPi / 2 + double(wi.z) * random.uniform(-1, 1)));
+    const Geometry<T> g = geometry(wi, wo);
+    const T cosine = larger(g.cos_i, g.cos_o);
+    const Exact truth = (Exact(wi.x) * Exact(wo.x) + Exact(wi.y) * Exact(wo.y)) / Exact(cosine);
+    const auto error = [&](T s) { return double(Exact(abs(Exact(s / cosine) - truth))); };
+    ours = std::max(ours, error(tangential_product(g)));
+    products = std::max(products, error(g.wi.x * g.wo.x + g.wi.y * g.wo.y));
+  }
+  return {ours, products};
+}
+
+TEST(TangentialProduct, LosesNothingAtDoubleGrazingAQuarterTurnApart) {
+  const auto [in_float, products_float] = quarter_turn_errors<float>();
+  EXPECT_LT(in_float, 3e-7);
+  EXPECT_GT(products_float, 1e-3);
+  const auto [in_double, products_double] = quarter_turn_errors<double>();
+  EXPECT_LT(in_double, 6e-16);
+  EXPECT_GT(products_double, 1e-6);
+}
+
+// 1 + s/c of the smaller tangent, s by its products: float against double.
+double error_of_products(const Vec3<double>& light, const Vec3<double>& view) {
+  const auto value = []<class T>(const Vec3<T>& wi, const Vec3<T>& wo) {
+    const Geometry<T> g = geometry(wi, wo, kMinCosine<float>);
+    return T(1) + larger(g.wi.x * g.wo.x + g.wi.y * g.wo.y, T(0)) / larger(g.cos_i, g.cos_o);
+  };
+  const Vec3<float> wi = nearly_unit<float>(light), wo = nearly_unit<float>(view);
+  const double truth = value(exact_direction<double>(wi), exact_direction<double>(wo));
+  return std::abs(value(wi, wo) / truth - 1);
+}
+
+// What the search is for: the grid misses by orders what those products lose at double grazing.
+TEST(NumericsSearch, FindsACancellationThatTheGridMisses) {
+  double on_grid = 0;
+  for (const Vec3<double>& wi : extreme_lights())
+    for (const Vec3<double>& wo : extreme_views(wi, 0.3, 0.3))
+      on_grid = std::max(on_grid, error_of_products(wi, wo));
+  EXPECT_LT(on_grid, 5e-7);
+  const ReflectanceInfo& form = info(*find_form("lambert"));
+  const auto error = [&](std::span<const double> point) {
+    const RoundingCase c = rounding_case(form, point, kMinCosine<float> / 2);
+    return error_of_products(c.wi, c.wo);
+  };
+  EXPECT_GT(maximise_rough(error, rounding_dimensions(form), 10'000, 1).value, 1e-3);
+}
+
+TEST(NumericsSearch, AStatementIsBrokenByOneBandAlone) {
+  NumericsRow row;
+  row.errors = {9e-7, 0, 1e-6};
+  EXPECT_TRUE(meets_statement(row)) << "nothing is stated";
+  row.stated = Accuracy::Errors{1e-6, 1e-6, 1e-6};
+  EXPECT_TRUE(meets_statement(row));
+  row.errors.tail = 1.1e-6;
+  EXPECT_FALSE(meets_statement(row));
 }
 
 // |h|/2 keeps the half-angle's cosine near grazing, for directions as they are stored; wi.h/|h| does not,

@@ -189,7 +189,7 @@ TEST(Outside, ExtremesCoverEveryParameterOfAnyTable) {
 
 TEST(Outside, NumericsNameWhatTheyCannotMeasure) {
   std::ostringstream text;
-  EXPECT_TRUE(report_numerics({velvet{}}, false, text, [](int, int) {}));
+  EXPECT_TRUE(report_numerics({velvet{}}, {}, false, text, [](int, int) {}));
   EXPECT_NE(text.str().find("velvet: not applicable"), std::string::npos) << text.str();
 }
 
