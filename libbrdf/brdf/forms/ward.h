@@ -110,7 +110,7 @@ struct ward_as_coded : Takes<Albedo, MetallicWard> {
   static constexpr std::string_view name = "ward_as_coded";
   static constexpr std::string_view family = "ward";
   static constexpr Accuracy accuracy{.in_float = {3.8e-6, 3.9e-6, 8.8e-6},
-                                     .in_double = {7.3e-15, 6.4e-15, 1.5e-14}};
+                                     .in_double = {7.3e-15, 1e-14, 1.5e-14}};
   static constexpr Kink kink = Kink::none;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
