@@ -1,11 +1,17 @@
 #include "io/provenance.h"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "io/shell.h"
 
 namespace brdf::io {
 namespace {
+
+// Where to write and how many at a time: no value depends on it.
+constexpr std::array<std::string_view, 5> kOfNoConsequence{"-o", "--output", "--report", "--jobs",
+                                                           "--threads"};
 
 std::string& recorded_command() {
   static std::string command;
@@ -18,11 +24,12 @@ void record_command_line(int argc, const char* const* argv) {
   std::string command = "brdf";
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    if (word == "-o" || word == "--output" || word == "--report") {
-      ++k;
+    const std::string_view option = word.substr(0, word.find('='));
+    if (std::find(kOfNoConsequence.begin(), kOfNoConsequence.end(), option) != kOfNoConsequence.end()) {
+      if (option == word) ++k;
       continue;
     }
-    if (word.starts_with("-o") || word.starts_with("--output=") || word.starts_with("--report=")) continue;
+    if (word.starts_with("-o")) continue;
     command += ' ' + shell_word(word);
   }
   recorded_command() = command;

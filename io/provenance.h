@@ -12,7 +12,7 @@ namespace brdf::io {
 // same bytes wherever they are written.
 struct Provenance {
   std::string version;
-  std::string command;  // as given, quoted for a shell, without -o and --report
+  std::string command;  // as given, quoted for a shell, without where to write and how many at a time
   std::optional<std::uint64_t> seed;
 };
 

@@ -264,10 +264,11 @@ TEST(Shell, TakesEveryWordAsItWas) {
   EXPECT_EQ(shell_file("-n.json"), "./-n.json");
 }
 
-TEST(Provenance, HoldsTheOptionsButNotTheOutputPath) {
-  const char* const argv[] = {"/usr/bin/brdf", "synth",      "--set",    "a=1",        "-o",
-                              "x.csv",         "-oy.csv",    "-o=z.csv", "--output=a", "--report",
-                              "b.html",        "--report=c", "--output", "d",          "it's"};
+TEST(Provenance, HoldsTheOptionsThatDecideValues) {
+  const char* const argv[] = {
+      "/usr/bin/brdf", "synth",    "--set",      "a=1",      "-o",          "x.csv",
+      "-oy.csv",       "-o=z.csv", "--output=a", "--report", "b.html",      "--report=c",
+      "--output",      "d",        "--jobs",     "3",        "--threads=2", "it's"};
   record_command_line(int(std::size(argv)), argv);
   const auto fields = provenance_fields(provenance(3));
   ASSERT_EQ(fields.size(), 3u);

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/html_report.h"
 #include "io/content.h"
+#include "io/html_report.h"
 #include "io/material_json.h"
 #include "io/numbers.h"
 #include "io/output.h"
@@ -127,7 +127,8 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   const std::string exposed = ", exposure " + number(double(exposure)) + " stops";
   report.picture(io::read_content(folder / "model.png").bytes, candidate.label() + exposed);
   report.picture(io::read_content(folder / "reference.png").bytes, "The reference" + exposed);
-  report.picture(io::read_content(folder / "difference.png").bytes, "Relative difference: blue 1e-6 to red 1");
+  report.picture(io::read_content(folder / "difference.png").bytes,
+                 "Relative difference: blue 1e-6 to red 1");
   report.heading("Candidates, cheapest first");
   std::vector<std::vector<io::Cell>> rows;
   io::Plot plot{
