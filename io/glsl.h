@@ -8,9 +8,10 @@
 namespace brdf::io {
 
 struct GlslContent {
-  bool material =
-      true;           // brdf_material(wi, wo) with the parameters as constants, beside the forms' functions
-  bool whole = true;  // a shader that compiles as it is: #version and an empty main()
+  // brdf_material(wi, wo) with the parameters as constants, beside the forms' functions.
+  bool material = true;
+  // A shader that compiles as it is: #version and an empty main().
+  bool whole = true;
 };
 
 // Throws InputError where a reflectance has no GLSL, and for a material function of other than 1 or 3 channels or with

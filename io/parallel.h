@@ -3,22 +3,34 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "io/error.h"
+
 namespace brdf::io {
 
 // As many as BRDF_THREADS says, else as there are processors; at most eight.
+// Throws InputError where that is no number.
 inline unsigned all_processors() {
-  const char* wanted = std::getenv("BRDF_THREADS");
-  const int number = wanted ? std::atoi(wanted) : 0;
-  return std::clamp(number > 0 ? unsigned(number) : std::thread::hardware_concurrency(), 1u, 8u);
+  constexpr unsigned kMost = 8;
+  const char* const wanted = std::getenv("BRDF_THREADS");
+  if (!wanted) return std::clamp(std::thread::hardware_concurrency(), 1u, kMost);
+  unsigned number = 0;
+  const std::string_view text = wanted;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || stop != text.data() + text.size() || number == 0)
+    throw InputError("BRDF_THREADS: '" + std::string(text) + "' must be a whole number above 0");
+  return std::min(number, kMost);
 }
 
 // Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to places of

@@ -1,14 +1,11 @@
 #include "io/shell.h"
 
+#include <utf8.h>
+
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace brdf::io {
 namespace {
-
-bool is_utf8(std::string_view text) {
-  return nlohmann::json::accept("\"" + std::string(text) + "\"");
-}
 
 std::string with_escapes(std::string_view word, bool ascii_only) {
   std::string result = "$'";
@@ -32,11 +29,8 @@ std::string shell_word(std::string_view word) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  std::string high;  // JSON has rules of its own for the others
-  std::copy_if(word.begin(), word.end(), std::back_inserter(high),
-               [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  const bool utf8 = is_utf8(high);
-  if (!utf8 || std::any_of(word.begin(), word.end(), is_control)) return with_escapes(word, !utf8);
+  const bool is_utf8 = utf8::is_valid(word.begin(), word.end());
+  if (!is_utf8 || std::any_of(word.begin(), word.end(), is_control)) return with_escapes(word, !is_utf8);
   std::string result = "'";
   for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";

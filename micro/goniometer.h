@@ -34,7 +34,7 @@ struct Simulation {
   std::int64_t rays = 65536;  // per surface and direction of incidence (or view)
   int max_bounces = 64;
   std::uint64_t seed = 1;
-  int threads = 2;
+  int threads = int(io::all_processors());
 };
 
 // The surface with that index among the simulation's independent surfaces.

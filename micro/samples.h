@@ -29,7 +29,7 @@ struct SampleSettings {
       0;           // per surface and direction; 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12
   int size = 512;  // cells along each side of a height field's period
   std::uint64_t seed = 1;
-  int threads = 2;
+  int threads = int(io::all_processors());
 };
 
 // Traces the surface. Light comes from phi 180 before the sample is turned, as in the other grids. Each

@@ -34,7 +34,7 @@ TheoryRow theory_row(std::string surface, std::string quantity, const Estimate& 
 
 struct TheoryOptions {
   std::uint64_t seed = 1;
-  int threads = 2;
+  int threads = int(io::all_processors());
   // Multiplies the number of independent surfaces; 1 takes about half a minute on two cores.
   int effort = 1;
 };

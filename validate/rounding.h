@@ -52,8 +52,8 @@ class Rounding {
   int diffuse_ = info_.weight_index(Role::diffuse), f0_ = info_.weight_index(Role::f0);
   bool signed_ = info_.violates("non_negative");
   std::vector<std::vector<T>> weights_;
-  std::vector<std::vector<Truth>>
-      truth_weights_;  // those sets; where there is an f0, then the same at f0 = 1
+  // Those sets; where there is an f0, then the same at f0 = 1.
+  std::vector<std::vector<Truth>> truth_weights_;
   std::vector<T> shape_;
   std::vector<Truth> truth_shape_;
   NumericsRow row_;

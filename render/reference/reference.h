@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "io/parallel.h"
 #include "render/picture/picture.h"
 #include "render/scene/prepared.h"
 
@@ -14,7 +15,7 @@ namespace brdf::render {
 using Measured = std::function<glm::vec3(const glm::vec3& wi, const glm::vec3& wo)>;
 
 struct ReferenceOptions {
-  unsigned threads = 2;
+  unsigned threads = io::all_processors();
   const Measured* measured = nullptr;  // shades every object where set (ambient then has nothing to act on)
 };
 

@@ -1,6 +1,5 @@
 #include "tests/fuzz/fuzz.h"
 
-#include <stdlib.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -11,32 +10,14 @@
 
 #include "io/error.h"
 #include "io/material_json.h"
+#include "tests/io/temporary_folder.h"
 
 namespace brdf::fuzz {
 namespace {
 
 // Links with every suffix that was asked for, to the one file in memory.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "brdf_fuzz_XXXXXX").string();
-    require(mkdtemp(name.data()), "a temporary folder can be made");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 const std::filesystem::path& folder() {
-  static const Folder folder;
+  static const TemporaryFolder folder;
   return folder.path();
 }
 

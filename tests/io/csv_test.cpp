@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "io/samples.h"
+#include "tests/io/reading.h"
 #include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
@@ -52,14 +53,7 @@ TEST_F(Csv, RoundTripsExactly) {
   }
   write_samples(folder_.path() / "t.csv", table);
   const SampleTable back = read_samples(folder_.path() / "t.csv");
-  EXPECT_EQ(back.theta_i, table.theta_i);
-  EXPECT_EQ(back.phi_i, table.phi_i);
-  EXPECT_EQ(back.theta_o, table.theta_o);
-  EXPECT_EQ(back.phi_o, table.phi_o);
-  EXPECT_EQ(back.values, table.values);
-  EXPECT_EQ(back.sigma, table.sigma);
-  EXPECT_EQ(back.metadata, table.metadata);
-  EXPECT_EQ(back.channels, table.channels);
+  expect_same(back, table);
 }
 
 TEST_F(Csv, AcceptsCommentsBlankLinesCarriageReturnsSpacesAndAnyColumnOrder) {

@@ -19,6 +19,7 @@
 #include "io/provenance.h"
 #include "io/shell.h"
 #include "io/temporary.h"
+#include "tests/io/reading.h"
 #include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
@@ -70,15 +71,6 @@ TEST(Output, AMissingFolderIsBadInputAndAFullDeviceAnEnvironmentError) {
   EXPECT_THROW(write_file_atomically(folder.path() / "no" / "a.txt", "x"), InputError);
   EXPECT_THROW(write_file_atomically("/dev/full", "x"), EnvironmentError);
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
-}
-
-std::string message_of(const std::function<void()>& refused) {
-  try {
-    refused();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "was not refused";
 }
 
 // Runs `child` in a process of its own; how that ended.

@@ -186,5 +186,12 @@ TEST(ExrTable, CommentsNamedAsOpenExrsOwnKeepAPrefix) {
     EXPECT_THAT(bytes, HasSubstr(std::string(name) + '\0' + "string")) << name;
 }
 
+// What the device refuses is no fault of the input, whichever format is written.
+TEST(ExrTable, AFullDeviceIsTheEnvironmentsFault) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "t.exr");
+  EXPECT_THROW(write_exr_table(folder.path() / "t.exr", read(kHeader + std::string(kRow))), EnvironmentError);
+}
+
 }  // namespace
 }  // namespace brdf::io

@@ -157,10 +157,12 @@ std::pair<double, double> quarter_turn_errors() {
 
 TEST(TangentialProduct, LosesNothingAtDoubleGrazingAQuarterTurnApart) {
   const auto [in_float, products_float] = quarter_turn_errors<float>();
-  EXPECT_LT(in_float, 3e-7);
+  EXPECT_LT(in_float, 2e-7);
+  EXPECT_GT(in_float, 1e-7);
   EXPECT_GT(products_float, 1e-3);
   const auto [in_double, products_double] = quarter_turn_errors<double>();
-  EXPECT_LT(in_double, 6e-16);
+  EXPECT_LT(in_double, 3.6e-16);
+  EXPECT_GT(in_double, 1.8e-16);
   EXPECT_GT(products_double, 1e-6);
 }
 

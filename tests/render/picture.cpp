@@ -35,6 +35,13 @@ TEST(Picture, ExrLayersReadBackExactly) {
   EXPECT_THROW(read_exr(file, "absent"), InputError);
 }
 
+TEST(Picture, AFullDeviceIsTheEnvironmentsFault) {
+  const Picture picture(4, 4);
+  const auto file = temporary("full.exr");
+  std::filesystem::create_symlink("/dev/full", file);
+  EXPECT_THROW(write_exr(file, {{"", &picture, true}}), EnvironmentError);
+}
+
 TEST(Picture, PngReadsBackToTheSameBytes) {
   BytePicture picture(4, 2);
   for (std::size_t k = 0; k < picture.pixels.size(); ++k)
