@@ -74,6 +74,11 @@ void check_outputs(const std::vector<std::string>& files, const std::vector<std:
   io::check_folder_target({"-o", folder}, outputs, {files.begin(), files.end()});
 }
 
+std::string recommended_in(const Json& report) {
+  const Json& form = report.at("recommended");
+  return form.is_null() ? "" : form.get<std::string>();
+}
+
 class Batch {
  public:
   Batch(const std::vector<std::string>& files, const std::vector<std::vector<Reflectance>>& models,
@@ -135,7 +140,7 @@ class Batch {
     Json j = to_json(result, table, options_);
     j["batch_key"] = key;
     row.best = j["ranking"][0];
-    row.recommended = j["recommended"].get<std::string>();
+    row.recommended = recommended_in(j);
     io::write_file_atomically(report, io::to_text(j));  // last: it says that the others are there
   }
 
@@ -145,7 +150,7 @@ class Batch {
       const Json j = io::read_json(report);
       if (j.value("batch_key", "") != key) return false;
       row.best = j.at("ranking").at(0);
-      row.recommended = j.at("recommended").get<std::string>();
+      row.recommended = recommended_in(j);
       return row.reused = true;
     } catch (const InputError&) {
       return false;  // not ours, or from elsewhere: it is written again

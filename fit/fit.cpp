@@ -4,38 +4,20 @@
 #include <cmath>
 
 #include "fit/assess/assess.h"
+#include "fit/assess/errors.h"
+#include "fit/assess/highlight.h"
+#include "fit/assess/lack_of_fit.h"
+#include "fit/assess/left_out.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/select.h"
 #include "fit/solve/minima.h"
-#include "io/error.h"
 
 namespace brdf::fit {
 namespace {
 
 constexpr std::size_t kListedMinima = 10;
+constexpr double kRounding = 1e-18;   // of a squared residual, as a share of that of a black surface
 constexpr double kNegligible = 1e-7;  // share of a lobe in the model below which it is absent
-
-Residual residual_of(const FitData& data, const FitOptions& options) {
-  Residual r;
-  r.metric = options.metric;
-  if (options.metric == Metric::cube_root) {
-    if (options.loss != Loss::none)
-      throw InputError("--robust does not go with --metric cube_root, which is robust by itself");
-    // The cube root of a square has an infinite slope at 0: it is rounded off below a thousandth of the data.
-    double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < data.values.size(); ++c)
-      for (std::size_t k = 0; k < data.rows(); ++k, ++count)
-        sum += std::pow(data.values[c][k] * data.wi_z[k] / (data.sigma.empty() ? 1 : data.sigma[c][k]), 2);
-    r.loss.kind = LossFunction::Kind::cube_root;
-    r.loss.scale = std::max(1e-3 * std::sqrt(sum / double(count)), 1e-12);
-    return r;
-  }
-  if (options.loss == Loss::huber) r.loss.kind = LossFunction::Kind::huber;
-  if (options.loss == Loss::cauchy) r.loss.kind = LossFunction::Kind::cauchy;
-  r.loss.scale = options.loss_scale;
-  return r;
-}
 
 // Linear unknowns whose lobe adds next to nothing are exactly 0 and held there.
 void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
@@ -61,10 +43,9 @@ Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertain
     return std::any_of(u.estimates.begin(), u.estimates.end(),
                        [&](const Estimate& e) { return e.status == s; });
   };
-  // What the directions cannot tell is said first; how uncertain a wrong model's parameters are, last.
-  if (u.singular) return Verdict::not_identifiable;
+  // Of a form that does something else than the surface, no direction would tell the parameters.
   if (misfit.misfit) return Verdict::misfit;
-  if (any(Status::unidentified)) return Verdict::not_identifiable;
+  if (u.singular || any(Status::unidentified)) return Verdict::not_identifiable;
   if (any(Status::at_bound)) return Verdict::at_bound;
   return Verdict::converged;
 }
@@ -76,12 +57,21 @@ double information_criterion(const SampleStream& stream, const Minimum& m) {
   return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
 }
 
-FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
-                  std::optional<double> noise) {
-  const Model model(forms, data.channels, options);
-  Residual residual = residual_of(data, options);
+// A form's fit and what leaving rows out needs of it.
+struct Solved {
+  FormFit fit;
+  Model model;
+  Residual residual;
+  std::vector<double> p;
+};
+
+Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
+                 std::optional<double> noise) {
+  Solved solved{{}, Model(forms, data.channels, options), chosen_residual(data, options), {}};
+  const Model& model = solved.model;
+  Residual& residual = solved.residual;
   SearchResult search = find_minima(data, model, residual, options);
-  FormFit out;
+  FormFit& out = solved.fit;
   out.form = model.name();
   out.starts = search.starts;
   out.iterations = search.iterations;
@@ -91,7 +81,7 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
     out.material = model.material(model.initial());
     out.verdict = search.interrupted ? Verdict::interrupted : Verdict::diverged;
     out.findings.push_back("no start gave a finite cost");
-    return out;
+    return solved;
   }
   residual.loss.scale = out.loss_scale = search.loss_scale;
   const SampleStream stream(data, model, residual, options.aperture);
@@ -99,17 +89,18 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   drop_negligible_lobes(stream, best);
   const std::vector<std::vector<double>> values = stream.values(best.p);
   out.metrics = measure(data, values);
-  out.median_relative_error = median_relative_error(data, values);
+  out.errors = relative_errors(data, values, {0, data.rows()});
+  out.median_relative_error = out.errors.median;
   const Uncertainty u = uncertainty(stream, best);
-  const Misfit misfit = judge_misfit(data, values, noise);
+  Misfit misfit = judge_misfit(data, values, noise);
+  if (!misfit.misfit) misfit = judge_highlight(data, values, noise);
   out.verdict = verdict_of(best, search, u, misfit);
+  out.lack_of_fit = lack_of_fit(stream, values, noise);
   out.solver_message = best.message;
   if (out.verdict == Verdict::interrupted) out.findings.push_back("interrupted: the best parameters so far");
   if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + best.message);
   if (misfit.misfit) out.findings.push_back(misfit.finding);
-  out.findings.insert(
-      misfit.misfit && out.verdict == Verdict::not_identifiable ? out.findings.begin() : out.findings.end(),
-      u.findings.begin(), u.findings.end());
+  out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
   if (search.minima.size() > 1 && search.minima[1].cost <= (1 + kSameCost) * search.minima[0].cost)
     out.findings.push_back("another minimum has the same cost: " +
                            shape_text(model.material(search.minima[1].p)));
@@ -120,12 +111,28 @@ FormFit fit_model(const FitData& data, const std::vector<Reflectance>& forms, co
   out.bic = information_criterion(stream, best);
   for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)
     out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
-  if (options.cross_validation && !options.stop() && out.verdict != Verdict::diverged) {
-    const CrossValidation cv = cross_validate(data, model, residual, best.p, options);
-    out.cross_validated_error = cv.error;
-    out.cross_validated_standard_error = cv.standard_error;
+  solved.p = best.p;
+  return solved;
+}
+
+// Every form's left-out values. A robust loss estimates its scale form by form: to be compared they are judged by
+// one, that of the form with the least.
+void leave_out_all(const FitData& data, const FitOptions& options, std::vector<Solved>& all,
+                   FitResult& result) {
+  double scale = std::numeric_limits<double>::infinity();
+  const Solved* tightest = nullptr;
+  for (const Solved& s : all)
+    if (s.fit.solved() && s.residual.loss.scale < scale) scale = (tightest = &s)->residual.loss.scale;
+  if (!tightest) return;
+  result.left_out_rounding = kRounding * black_loss(data, tightest->model, tightest->residual);
+  for (Solved& s : all) {
+    if (!s.fit.solved()) continue;
+    const SampleStream stream(data, s.model, s.residual, options.aperture);
+    s.fit.left_out = leave_out(stream, s.p, scale, options);
+    if (s.fit.left_out)
+      add_movement(s.model, s.p, s.fit.left_out->solutions, under_other_metrics(stream, s.p, options),
+                   s.fit.estimates);
   }
-  return out;
 }
 
 }  // namespace
@@ -139,10 +146,14 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   result.outside_domain = data.outside_domain;
   result.channels = data.channels;
   result.noise_floor = noise_floor(data);
+  result.groups = data.groups;
+  std::vector<Solved> all;
   for (const auto& forms : models) {
-    if (options.stop() && !result.ranking.empty()) break;
-    result.ranking.push_back(fit_model(data, forms, options, result.noise_floor));
+    if (options.stop() && !all.empty()) break;
+    all.push_back(fit_model(data, forms, options, result.noise_floor));
   }
+  if (options.cross_validation) leave_out_all(data, options, all, result);
+  for (Solved& s : all) result.ranking.push_back(std::move(s.fit));
   result.interrupted = options.stop();
   rank(result);
   return result;

@@ -10,9 +10,8 @@
 
 namespace brdf::fit {
 
-// The four metrics and the median relative error over positive values, of the model's values [channel][row].
+// The four metrics of the model's values [channel][row].
 Metrics measure(const FitData& data, const std::vector<std::vector<double>>& model);
-double median_relative_error(const FitData& data, const std::vector<std::vector<double>>& model);
 
 // How far values scatter about their neighbours of the same incidence, relative; none where rows have too few
 // neighbours. An upper bound of the noise: what structure neighbours do not share counts as well.

@@ -43,15 +43,6 @@ Metrics measure(const FitData& data, const std::vector<std::vector<double>>& mod
   return {std::sqrt(log.value()), std::sqrt(l2.value()), std::sqrt(relative.value()), cube.value()};
 }
 
-double median_relative_error(const FitData& data, const std::vector<std::vector<double>>& model) {
-  std::vector<double> errors;
-  for (std::size_t c = 0; c < model.size(); ++c)
-    for (std::size_t k = 0; k < data.rows(); ++k)
-      if (data.values[c][k] > 0)
-        errors.push_back(std::abs(model[c][k] - data.values[c][k]) / data.values[c][k]);
-  return errors.empty() ? 0 : io::median(std::move(errors));
-}
-
 std::optional<double> noise_floor(const FitData& data) {
   constexpr std::size_t kMostIncidences = 64, kMostRows = 1024, kNeighbours = 4;
   if (data.grouped) return std::nullopt;

@@ -92,6 +92,14 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
   return out;
 }
 
+Extent extent_of(const Reported& r, const Model& model, std::span<const double> p, double half_width) {
+  if (r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape) {
+    const Slot& slot = model.slots()[r.slot];
+    return {slot.to_natural(p[r.slot] - half_width), slot.to_natural(p[r.slot] + half_width)};
+  }
+  return {std::max(r.estimate.value - half_width, r.min), std::min(r.estimate.value + half_width, r.max)};
+}
+
 std::string label(const Estimate& e) {
   return e.channel.empty() ? e.name : e.name + "[" + e.channel + "]";
 }

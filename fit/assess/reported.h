@@ -28,6 +28,10 @@ struct Reported {
 // weight of every channel, at the solver's parameters p.
 std::vector<Reported> reported_parameters(const Model& model, std::span<const double> p);
 
+// The values so far to either side of the one at p: on the solver's scale for a shape parameter (log alpha), within its
+// range for the others.
+Extent extent_of(const Reported& r, const Model& model, std::span<const double> p, double half_width);
+
 // "ks[r]".
 std::string label(const Estimate& e);
 // "sigma 0.3, alpha_x 0.1, alpha_y 0.1": of the first channel.

@@ -10,6 +10,8 @@
 #include "brdf/material.h"
 #include "brdf/names.h"
 #include "fit/algebra/matrix.h"
+#include "fit/assess/half_angles.h"
+#include "fit/model/row_groups.h"
 
 namespace brdf::fit {
 
@@ -36,6 +38,12 @@ inline bool usable(Verdict verdict) {
   return verdict == Verdict::converged || verdict == Verdict::at_bound;
 }
 
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Extent {
+  double low = kUnknown, high = kUnknown;
+};
+
 // How one reported parameter is known.
 struct Estimate {
   Status status = Status::free;
@@ -43,15 +51,47 @@ struct Estimate {
   std::string channel;  // empty: shared by all channels
   double value = 0;     // tangent_phi in degrees
   double standard_error = 0;
-  double low = 0, high = 0;  // 95 %
+  double low = 0, high = 0;  // 95 %: of the values' scatter, the model taken as right
+  // The others are of free parameters. 95 %, whatever the model's lack of fit: from how far the parameter moves
+  // as folds of incidences are left out; never inside the first.
+  Extent with_lack_of_fit;
+  Extent left_out, other_metrics;  // where it is without each fold, and under each of the other metrics
 };
-
-inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // Root mean square of the four residuals in use, each over the values it is defined for.
 struct Metrics {
   double log = kUnknown, cosine_l2 = kUnknown, log_relative = kUnknown;
   double cube_root = kUnknown;  // mean of (((f - g) c_i)^2)^(1/3)
+};
+
+// Relative, over the measured values above 0.
+struct RelativeErrors {
+  double median = kUnknown, ninth_decile = kUnknown;  // of |model - value|/value
+  double off_by_two = kUnknown;  // share of the light that is off by more than a factor of two
+};
+
+// What a form predicts of rows that it was not fitted to.
+struct LeftOut {
+  double value = kUnknown;       // mean of the loss that was minimised, rho(r^2), over the values left out
+  std::vector<double> by_group;  // the same for every group of rows
+  RelativeErrors errors;
+  double median_standard_error = 0;            // of errors.median, over the folds
+  std::vector<std::vector<double>> solutions;  // [fold] the solver's parameters, without that fold's rows
+};
+
+// Where the residual is largest: a cell of half angles.
+struct WorstRegion {
+  HalfAngleRange range;
+  std::size_t rows = 0;
+  double ratio = 1;  // measured over modelled, in the middle
+  double share = 0;  // of what was minimised
+};
+
+struct LackOfFit {
+  std::optional<double>
+      residual_over_scatter;  // normalised median deviation of ln(measured/model) over the noise
+  std::optional<WorstRegion> worst;
+  bool beyond_scatter = false;  // the residual is 1.3 times the scatter, or some cell is off beyond it
 };
 
 struct MinimumReport {
@@ -71,10 +111,11 @@ struct FormFit {
   std::vector<std::string> findings;  // sentences, the verdict's reason first
   Material material;
   double median_relative_error = kUnknown;
+  RelativeErrors errors;
+  LackOfFit lack_of_fit;
   Metrics metrics;
-  std::optional<double> cross_validated_error;           // median relative error of rows left out
-  std::optional<double> cross_validated_standard_error;  // over the folds
-  double bic = kUnknown;                                 // of the chosen residual: n ln(mean r^2) + p ln n
+  std::optional<LeftOut> left_out;  // none: not asked for, interrupted, or a single direction
+  double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
   Correlations correlations;
@@ -92,8 +133,10 @@ struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
   std::optional<double> noise_floor;  // relative, from neighbouring rows
-  std::vector<FormFit> ranking;       // best first: by cross-validated (else median) error
-  std::size_t recommended = 0;        // the simplest usable one within the noise of the best
+  RowGroups groups;                   // what was left out together
+  double left_out_rounding = 0;       // left-out values below are 0 but for rounding
+  std::vector<FormFit> ranking;       // best first: by the left-out value (else the median error)
+  std::size_t recommended = 0;  // the simplest usable one that is not worse than the best; else the best
   bool interrupted = false;
 };
 

@@ -1,11 +1,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 
 #include "fit/assess/assess.h"
 #include "fit/assess/reported.h"
+#include "fit/assess/student.h"
 #include "io/numbers.h"
 #include "io/text.h"
 
@@ -24,12 +24,6 @@ constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeight
 
 // Above this many rows no value has a leverage worth a second pass.
 constexpr std::size_t kManyRows = 100000;
-
-// 97.5 % quantile of Student's t.
-double t_quantile(double freedom) {
-  if (freedom < 1) return std::numeric_limits<double>::infinity();
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
-}
 
 // Covariance of the solver's free parameters, and the directions without effect.
 struct Covariance {
@@ -141,21 +135,6 @@ bool no_information(const Reported& r, const Model& model, double error, double 
   return error > kRangeError * (r.max - r.min);
 }
 
-// Intervals are symmetric on the solver's scale: alpha's on the logarithmic one.
-void set_interval(Reported& r, const Model& model, const Minimum& m, double error, double solver_error,
-                  double t) {
-  Estimate& e = r.estimate;
-  e.standard_error = error;
-  if (r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape) {
-    const Slot& slot = model.slots()[r.slot];
-    e.low = slot.to_natural(m.p[r.slot] - t * solver_error);
-    e.high = slot.to_natural(m.p[r.slot] + t * solver_error);
-  } else {
-    e.low = std::max(e.value - t * error, r.min);
-    e.high = std::min(e.value + t * error, r.max);
-  }
-}
-
 }  // namespace
 
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
@@ -211,7 +190,12 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
     } else if (no_information(r, model, error, solver_error)) {
       e.status = Status::unidentified;
     } else {
-      set_interval(r, model, m, error, solver_error, t_quantile(std::min(freedom, own_freedom[k])));
+      const bool shape = r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape;
+      const double t = t_quantile(std::min(freedom, own_freedom[k]));
+      const Extent interval = extent_of(r, model, m.p, t * (shape ? solver_error : error));
+      e.standard_error = error;
+      e.low = interval.low;
+      e.high = interval.high;
       certain.push_back(k);
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "io/error.h"
 #include "io/text.h"
@@ -53,6 +54,46 @@ Weighting chosen_weighting(const io::SampleTable& table, const FitOptions& optio
   return sigma ? Weighting::sigma : Weighting::uniform;
 }
 
+// Groups, then directions, then values: rows that are equal in all of them are the same measurement.
+void sort_rows(FitData& data) {
+  data.groups = group_rows(data.directions(0, data.rows()), data.rows());
+  std::vector<const std::vector<double>*> keys{&data.wi_z, &data.wi_x, &data.wi_y,
+                                               &data.wo_z, &data.wo_x, &data.wo_y};
+  for (const auto* columns : {&data.values, &data.sigma})
+    for (const auto& column : *columns) keys.push_back(&column);
+  std::vector<std::uint32_t> order(data.rows());
+  std::iota(order.begin(), order.end(), 0u);
+  const std::vector<std::uint32_t>& group = data.groups.group_of;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (group[a] != group[b]) return group[a] < group[b];
+    for (const auto* key : keys)
+      if ((*key)[a] != (*key)[b]) return (*key)[a] < (*key)[b];
+    return a < b;
+  });
+  const auto arrange = [&order](auto& column) {
+    if (column.empty()) return;
+    auto sorted = column;
+    for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = column[order[k]];
+    column = std::move(sorted);
+  };
+  for (auto* column : {&data.wi_x, &data.wi_y, &data.wi_z, &data.wo_x, &data.wo_y, &data.wo_z, &data.weight})
+    arrange(*column);
+  for (auto* columns : {&data.values, &data.sigma})
+    for (auto& column : *columns) arrange(column);
+  arrange(data.row);
+  arrange(data.groups.group_of);
+}
+
+void number_incidences(const io::SampleTable& table, FitData& data) {
+  std::map<std::pair<double, double>, std::uint32_t> incidences;
+  for (const std::uint32_t k : data.row) {
+    const auto next = std::uint32_t(incidences.size());
+    data.incidence.push_back(
+        data.grouped ? std::uint32_t(table.theta_i[k])
+                     : incidences.try_emplace({table.theta_i[k], table.phi_i[k]}, next).first->second);
+  }
+}
+
 }  // namespace
 
 Directions<double> FitData::directions(std::size_t first, std::size_t rows) const {
@@ -77,7 +118,6 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
   data.values.resize(channels);
   data.grouped = table.rows() > kManyIncidences;
   if (weighting == Weighting::sigma) data.sigma.resize(channels);
-  std::map<std::pair<double, double>, std::uint32_t> incidences;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (table.theta_i[k] > options.max_theta || table.theta_o[k] > options.max_theta) {
       ++data.beyond_max_theta;
@@ -98,13 +138,6 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
     if (weighting == Weighting::solid_angle)
       data.weight.push_back(std::hypot(wi.x, wi.y) * std::hypot(wo.x, wo.y));
     data.row.push_back(std::uint32_t(k));
-    if (data.grouped) {
-      data.incidence.push_back(std::uint32_t(table.theta_i[k]));
-      continue;
-    }
-    const auto [it, added] =
-        incidences.try_emplace({table.theta_i[k], table.phi_i[k]}, std::uint32_t(incidences.size()));
-    data.incidence.push_back(it->second);
   }
   if (data.rows() == 0 && data.outside_domain == 0)
     throw InputError(table.source + ": no row has both polar angles within --max-theta " +
@@ -115,6 +148,8 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
   };
   if (std::none_of(data.values.begin(), data.values.end(), reflects))
     throw InputError(table.source + ": no value to fit is above 0: nothing was measured");
+  sort_rows(data);
+  number_incidences(table, data);
   return data;
 }
 
@@ -123,6 +158,15 @@ FitData subset(const FitData& data, const std::vector<bool>& keep) {
   for (std::size_t k = 0; k < data.rows(); ++k)
     if (keep[k]) append_row(data, k, out);
   return out;
+}
+
+FitData within_domain(const FitData& data, Metric metric) {
+  std::vector<bool> keep(data.rows(), true);
+  bool all = true;
+  for (const auto& channel : data.values)
+    for (std::size_t k = 0; k < data.rows(); ++k)
+      if (!in_domain(metric, channel[k], data.wi_z[k], data.wo_z[k])) all = keep[k] = false;
+  return all ? empty_like(data) : subset(data, keep);
 }
 
 FitData thinned(const FitData& data, std::size_t rows) {

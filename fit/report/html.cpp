@@ -22,11 +22,15 @@ Mark mark_of(Verdict v) {
 }
 
 std::string in_words(const FormFit& f) {
+  const std::string how =
+      f.lack_of_fit.beyond_scatter
+          ? " is off by " + io::percent(f.median_relative_error) + " in the middle, beyond the scatter"
+          : std::string(" describes the samples");
   switch (f.verdict) {
     case Verdict::converged:
-      return f.form + " describes the samples: the solver converged and every parameter is identified.";
+      return f.form + how + ": the solver converged and every parameter is identified.";
     case Verdict::at_bound:
-      return f.form + " describes the samples with a parameter at the end of its range: see below.";
+      return f.form + how + ", with a parameter at the end of its range: see below.";
     case Verdict::not_identifiable:
       return f.form + " cannot be determined from these samples: see below what is missing.";
     case Verdict::misfit:
@@ -158,6 +162,10 @@ void add_residual_map(io::HtmlReport& report, const std::vector<double>& cells) 
               .colours = io::Colours::diverging});
 }
 
+std::string extent_text(const Extent& e) {
+  return std::isfinite(e.low) ? io::short_number(e.low) + " to " + io::short_number(e.high) : "-";
+}
+
 void add_parameters(io::HtmlReport& report, const FormFit& f) {
   report.heading("Parameters");
   std::vector<std::vector<Cell>> rows;
@@ -166,7 +174,10 @@ void add_parameters(io::HtmlReport& report, const FormFit& f) {
     if (e.status == Status::free)
       rows.push_back({{name, Mark::none, true},
                       {io::short_number(e.value)},
-                      {io::short_number(e.low) + " to " + io::short_number(e.high)},
+                      {extent_text({e.low, e.high})},
+                      {extent_text(e.with_lack_of_fit)},
+                      {extent_text(e.left_out)},
+                      {extent_text(e.other_metrics)},
                       {io::short_number(e.standard_error, 2)},
                       {"free", Mark::good}});
     else
@@ -175,9 +186,14 @@ void add_parameters(io::HtmlReport& report, const FormFit& f) {
            {e.status == Status::unidentified ? "-" : io::short_number(e.value)},
            {"-"},
            {"-"},
+           {"-"},
+           {"-"},
+           {"-"},
            {std::string(name_of(e.status)), e.status == Status::unidentified ? Mark::bad : Mark::warn}});
   }
-  report.table({"parameter", "value", "95 % interval", "standard error", "status"}, rows);
+  report.table({"parameter", "value", "95 % (statistical)", "95 % with lack of fit", "folds left out",
+                "other metrics", "standard error", "status"},
+               rows);
 }
 
 void add_correlations(io::HtmlReport& report, const Correlations& c) {
@@ -215,19 +231,27 @@ void add_minima(io::HtmlReport& report, const FormFit& f) {
 void add_ranking(io::HtmlReport& report, const FitResult& result) {
   report.heading("Forms");
   std::vector<std::vector<Cell>> rows;
-  for (const FormFit& f : result.ranking)
+  for (const FormFit& f : result.ranking) {
+    const RelativeErrors& errors = f.left_out ? f.left_out->errors : f.errors;
+    const auto& over = f.lack_of_fit.residual_over_scatter;
     rows.push_back({{f.form, Mark::none, true},
                     {std::string(name_of(f.verdict)), mark_of(f.verdict)},
-                    {f.solved() ? io::percent(f.median_relative_error) : "-"},
-                    {f.cross_validated_error ? io::percent(*f.cross_validated_error) : "-"},
+                    {f.left_out ? io::short_number(f.left_out->value, 3) : "-"},
+                    {f.solved() ? io::percent(errors.median) : "-"},
+                    {f.solved() ? io::percent(errors.ninth_decile) : "-"},
+                    {f.solved() ? io::percent(errors.off_by_two) : "-"},
+                    {over ? io::short_number(*over, 2) : "-"},
+                    {f.lack_of_fit.worst ? to_text(f.lack_of_fit.worst->range) : "-"},
+                    {f.lack_of_fit.worst ? io::short_number(f.lack_of_fit.worst->ratio, 3) : "-"},
                     {io::short_number(f.bic, 6)},
                     {std::to_string(f.parameters)},
                     {io::short_number(f.metrics.log, 3)},
                     {io::short_number(f.metrics.cosine_l2, 3)},
                     {io::short_number(f.metrics.cube_root, 3)},
                     {io::short_number(f.metrics.log_relative, 3)}});
-  report.table({"form", "verdict", "median error", "left out", "BIC", "parameters", "log", "cosine L2",
-                "cube root", "log-relative"},
+  }
+  report.table({"form", "verdict", "left out", "median", "90 %", "off by 2", "x scatter", "worst at",
+                "ratio there", "BIC", "parameters", "log", "cosine L2", "cube root", "log-relative"},
                rows);
 }
 
@@ -238,6 +262,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   const FormFit& best = result.ranking.front();
   report.verdict(mark_of(best.verdict), in_words(best));
   for (const std::string& finding : best.findings) report.paragraph(finding + ".");
+  if (best.solved()) report.paragraph("Lack of fit: " + in_words(best.lack_of_fit) + ".");
   std::string about = std::to_string(result.rows) + " rows of " + std::to_string(table.rows()) +
                       " fitted, both polar angles at most " + io::short_number(options.max_theta) +
                       " degrees; residual " + std::string(name_of(options.metric));
@@ -245,8 +270,10 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   if (result.noise_floor)
     about += "; the values scatter about their neighbours by " + io::percent(*result.noise_floor);
   report.paragraph(about + ".");
-  if (const FormFit& simple = result.ranking[result.recommended]; &simple != &best)
-    report.paragraph("Recommended: " + simple.form + ", which is simpler and as good within the noise.");
+  if (std::string text = recommendation(result); !text.empty()) {
+    text[0] = 'R';
+    report.paragraph(text + ".");
+  }
   add_ranking(report, result);
   if (!best.solved()) return report.document(io::provenance(options.seed));
   add_parameters(report, best);

@@ -19,6 +19,10 @@ Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
+Json extent_json(const Extent& e) {
+  return {{"low", number(e.low)}, {"high", number(e.high)}};
+}
+
 Json estimate_json(const Estimate& e) {
   Json j{{"status", name_of(e.status)}};
   // An unidentified value is no value: the material needs one, a reader must not.
@@ -27,6 +31,9 @@ Json estimate_json(const Estimate& e) {
     j["low"] = number(e.low);
     j["high"] = number(e.high);
     j["standard_error"] = number(e.standard_error);
+    j["with_lack_of_fit"] = extent_json(e.with_lack_of_fit);
+    j["left_out"] = extent_json(e.left_out);
+    j["other_metrics"] = extent_json(e.other_metrics);
   }
   return j;
 }
@@ -59,14 +66,52 @@ Json metrics_json(const Metrics& m) {
           {"log_relative", number(m.log_relative)}};
 }
 
+Json errors_json(const RelativeErrors& e) {
+  return {{"median", number(e.median)},
+          {"ninth_decile", number(e.ninth_decile)},
+          {"light_off_by_two", number(e.off_by_two)}};
+}
+
+// The same groups for every form.
+Json left_out_json(const RowGroups& groups, const std::vector<double>& values) {
+  Json j = Json::array();
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    const RowGroup& group = groups.groups[g];
+    const std::string side = groups.by_viewer ? "_o" : "_i";
+    j.push_back({{"theta" + side, group.theta},
+                 {"phi" + side, group.phi},
+                 {"rows", group.range.rows},
+                 {"fold", group.fold},
+                 {"value", number(values[g])}});
+  }
+  return j;
+}
+
+Json lack_of_fit_json(const LackOfFit& lack) {
+  Json j{{"residual_over_scatter", number(lack.residual_over_scatter.value_or(kUnknown))},
+         {"beyond_scatter", lack.beyond_scatter}};
+  j["worst"] = nullptr;
+  if (const auto& w = lack.worst)
+    j["worst"] = {{"theta_h", {w->range.low.theta_h, w->range.high.theta_h}},
+                  {"theta_d", {w->range.low.theta_d, w->range.high.theta_d}},
+                  {"rows", w->rows},
+                  {"measured_over_model", number(w->ratio)},
+                  {"share_of_residual", number(w->share)}};
+  return j;
+}
+
 Json statistics_json(const FormFit& fit) {
   Json j{{"form", fit.form},
          {"verdict", name_of(fit.verdict)},
          {"findings", fit.findings},
-         {"median_relative_error", number(fit.median_relative_error)}};
-  if (fit.cross_validated_error) {
-    j["cross_validated_error"] = number(*fit.cross_validated_error);
-    j["cross_validated_standard_error"] = number(*fit.cross_validated_standard_error);
+         {"median_relative_error", number(fit.median_relative_error)},
+         {"errors", errors_json(fit.errors)},
+         {"lack_of_fit", lack_of_fit_json(fit.lack_of_fit)}};
+  if (fit.left_out) {
+    j["left_out"] = number(fit.left_out->value);
+    j["left_out_errors"] = errors_json(fit.left_out->errors);
+    j["cross_validated_error"] = number(fit.left_out->errors.median);
+    j["cross_validated_standard_error"] = number(fit.left_out->median_standard_error);
   }
   j["bic"] = number(fit.bic);
   j["parameters"] = fit.parameters;
@@ -93,8 +138,12 @@ std::string error_text(double error) {
   return std::isfinite(error) ? io::percent(error) : "-";
 }
 
-// The value with as many digits as its interval supports.
-std::string estimate_text(const Estimate& e) {
+std::string extent_text(double low, double high) {
+  return io::short_number(low) + " to " + io::short_number(high);
+}
+
+// The value with its interval; where the model is wrong, also with what that adds.
+std::string estimate_text(const Estimate& e, bool wrong) {
   const std::string name = label(e);
   switch (e.status) {
     case Status::unidentified:
@@ -104,17 +153,73 @@ std::string estimate_text(const Estimate& e) {
     case Status::at_bound:
       return name + " " + io::short_number(e.value) + " (at its bound)";
     default:
-      return name + " " + io::short_number(e.value) + "  (" + io::short_number(e.low) + " to " +
-             io::short_number(e.high) + ")";
+      break;
+  }
+  std::string text = name + " " + io::short_number(e.value) + "  (" + extent_text(e.low, e.high);
+  if (wrong && std::isfinite(e.with_lack_of_fit.low))
+    text +=
+        " statistical, " + extent_text(e.with_lack_of_fit.low, e.with_lack_of_fit.high) + " with lack of fit";
+  if (wrong && std::isfinite(e.other_metrics.low))
+    text += "; by other metrics " + extent_text(e.other_metrics.low, e.other_metrics.high);
+  return text + ")";
+}
+
+void print_ranking(std::ostream& out, const FitResult& result) {
+  const auto row = [&out](std::initializer_list<std::pair<int, std::string>> cells) {
+    out << "  " << std::left;
+    for (const auto& [width, text] : cells) out << std::setw(width) << text;
+    out << '\n';
+  };
+  row({{28, "form"},
+       {18, "verdict"},
+       {11, "left out"},
+       {9, "median"},
+       {9, "90 %"},
+       {10, "off by 2"},
+       {11, "x scatter"},
+       {0, "parameters"}});
+  for (const FormFit& fit : result.ranking) {
+    const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
+    const double value = fit.left_out ? fit.left_out->value : kUnknown,
+                 over = fit.lack_of_fit.residual_over_scatter.value_or(kUnknown);
+    row({{28, fit.form},
+         {18, std::string(name_of(fit.verdict))},
+         {11, std::isfinite(value) ? io::short_number(value, 3) : "-"},
+         {9, error_text(e.median)},
+         {9, error_text(e.ninth_decile)},
+         {10, error_text(e.off_by_two)},
+         {11, std::isfinite(over) ? io::short_number(over, 2) : "-"},
+         {0, std::to_string(fit.parameters)}});
   }
 }
 
 }  // namespace
 
+std::string in_words(const LackOfFit& lack) {
+  std::string text =
+      lack.residual_over_scatter
+          ? "residual " + io::short_number(*lack.residual_over_scatter, 2) + " times the scatter"
+          : std::string("the scatter is not known");
+  if (!lack.beyond_scatter) return text + ": no lack of fit beyond it";
+  if (const auto& w = lack.worst)
+    text += "; worst at " + to_text(w->range) + " (" + std::to_string(w->rows) + " rows, " +
+            io::percent(w->share, 2) + " of what was minimised): the values are in the middle " +
+            io::short_number(w->ratio, 3) + " times the model's";
+  return text;
+}
+
+std::string recommendation(const FitResult& result) {
+  const FormFit &best = result.ranking.front(), &chosen = result.ranking[result.recommended];
+  if (&chosen == &best) return "";
+  return "recommended: " + chosen.form + ", which is " + (usable(best.verdict) ? "simpler" : "usable") +
+         " and no worse on the rows left out";
+}
+
 Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
   Json ranking = Json::array();
   for (const FormFit& fit : result.ranking) {
     Json j = statistics_json(fit);
+    if (fit.left_out) j["left_out_by_incidence"] = left_out_json(result.groups, fit.left_out->by_group);
     j["material"] = fit.solved() ? io::to_json(fit.material) : Json(nullptr);
     Json minima = Json::array();
     for (const MinimumReport& m : fit.minima)
@@ -134,7 +239,8 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
   j["metric"] = name_of(options.metric);
   j["samples"] = samples_json(result, table, options);
   j["interrupted"] = result.interrupted;
-  j["recommended"] = result.ranking.empty() ? Json(nullptr) : Json(result.ranking[result.recommended].form);
+  const bool any = !result.ranking.empty() && usable(result.ranking[result.recommended].verdict);
+  j["recommended"] = any ? Json(result.ranking[result.recommended].form) : Json(nullptr);
   j["ranking"] = std::move(ranking);
   return j;
 }
@@ -160,22 +266,15 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   if (result.noise_floor)
     out << "  values scatter about their neighbours by " << io::percent(*result.noise_floor) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
-  out << "  " << std::left << std::setw(28) << "form" << std::setw(18) << "verdict" << std::setw(14)
-      << "median error" << std::setw(14) << "left out"
-      << "parameters\n";
-  for (const FormFit& fit : result.ranking)
-    out << "  " << std::setw(28) << fit.form << std::setw(18) << name_of(fit.verdict) << std::setw(14)
-        << error_text(fit.median_relative_error) << std::setw(14)
-        << (fit.cross_validated_error ? io::percent(*fit.cross_validated_error) : "-") << fit.parameters
-        << '\n';
+  print_ranking(out, result);
   if (result.ranking.empty()) return;
   const FormFit& best = result.ranking.front();
   out << best.form << ", " << name_of(best.verdict) << '\n';
   for (const std::string& finding : best.findings) out << "  " << finding << '\n';
-  for (const Estimate& e : best.estimates) out << "  " << estimate_text(e) << '\n';
-  const FormFit& simple = result.ranking[result.recommended];
-  if (&simple != &best)
-    out << "recommended: " << simple.form << ", which is simpler and as good within the noise\n";
+  if (best.solved()) out << "  " << in_words(best.lack_of_fit) << '\n';
+  for (const Estimate& e : best.estimates)
+    out << "  " << estimate_text(e, best.lack_of_fit.beyond_scatter) << '\n';
+  if (const std::string text = recommendation(result); !text.empty()) out << text << '\n';
 }
 
 }  // namespace brdf::fit

@@ -10,6 +10,12 @@
 
 namespace brdf::fit {
 
+// "residual 7.4 times the scatter; worst at theta_h 0 to 2, ...".
+std::string in_words(const LackOfFit& lack);
+
+// "recommended: ward, which is simpler and no worse on the rows left out"; empty where that is the first form.
+std::string recommendation(const FitResult& result);
+
 // The shape of `brdf fit --json`.
 io::Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options);
 // The `fit` block of a material file: provenance and statistics of this one fit.

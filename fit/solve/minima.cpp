@@ -6,6 +6,7 @@
 #include "fit/solve/equivalence.h"
 #include "fit/solve/starts.h"
 #include "fit/solve/varpro.h"
+#include "io/error.h"
 #include "io/numbers.h"
 
 namespace brdf::fit {
@@ -29,15 +30,6 @@ void add_minimum(const SampleStream& stream, Minimum m, std::vector<Minimum>& mi
 
 void sort_minima(std::vector<Minimum>& minima) {
   std::sort(minima.begin(), minima.end(), [](const Minimum& a, const Minimum& b) { return a.cost < b.cost; });
-}
-
-// Tuning constants of 95 % efficiency at the normal distribution.
-double robust_scale(const SampleStream& stream, const LossFunction& loss, std::span<const double> p) {
-  std::vector<double> size;
-  for (const auto& channel : stream.residual_values(p))
-    for (double r : channel) size.push_back(std::abs(r));
-  const double deviation = 1.4826 * io::median(std::move(size));
-  return deviation * (loss.kind == LossFunction::Kind::huber ? 1.345 : 2.385);
 }
 
 Minimum to_minimum(const Model& model, Solution s) {
@@ -203,6 +195,37 @@ class Search {
 };
 
 }  // namespace
+
+Residual chosen_residual(const FitData& data, const FitOptions& options) {
+  Residual r;
+  r.metric = options.metric;
+  if (options.metric == Metric::cube_root) {
+    if (options.loss != Loss::none)
+      throw InputError("--robust does not go with --metric cube_root, which is robust by itself");
+    // The cube root of a square has an infinite slope at 0: it is rounded off below a thousandth of the data.
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < data.values.size(); ++c)
+      for (std::size_t k = 0; k < data.rows(); ++k, ++count)
+        sum += std::pow(data.values[c][k] * data.wi_z[k] / (data.sigma.empty() ? 1 : data.sigma[c][k]), 2);
+    r.loss.kind = LossFunction::Kind::cube_root;
+    r.loss.scale = std::max(1e-3 * std::sqrt(sum / double(count)), 1e-12);
+    return r;
+  }
+  if (options.loss == Loss::huber) r.loss.kind = LossFunction::Kind::huber;
+  if (options.loss == Loss::cauchy) r.loss.kind = LossFunction::Kind::cauchy;
+  r.loss.scale = options.loss_scale;
+  return r;
+}
+
+// Tuning constants of 95 % efficiency at the normal distribution.
+double robust_scale(const SampleStream& stream, const LossFunction& loss, std::span<const double> p) {
+  std::vector<double> size;
+  for (const auto& channel : stream.residual_values(p))
+    for (double r : channel) size.push_back(std::abs(r));
+  const double deviation = 1.4826 * io::median(std::move(size));
+  return deviation * (loss.kind == LossFunction::Kind::huber ? 1.345 : 2.385);
+}
 
 Solution refine(const SampleStream& stream, std::span<const double> start, const SolveOptions& options) {
   const Model& model = stream.model();

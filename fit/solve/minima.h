@@ -31,6 +31,12 @@ struct SearchResult {
 SearchResult find_minima(const FitData& data, const Model& model, const Residual& residual,
                          const FitOptions& options);
 
+// The residual that the options ask for. Throws InputError where a loss does not go with the metric.
+Residual chosen_residual(const FitData& data, const FitOptions& options);
+
+// A robust loss's scale by the residuals' normalised median deviation.
+double robust_scale(const SampleStream& stream, const LossFunction& loss, std::span<const double> p);
+
 // Solves from one point on all rows: for refits.
 Solution refine(const SampleStream& stream, std::span<const double> start, const SolveOptions& options);
 

@@ -56,8 +56,12 @@ ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::si
 }
 
 SampleStream::SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture)
-    : data_(data), model_(model), residual_(residual) {
+    : data_(data), model_(model), residual_(residual), part_{{0, data.rows()}} {
   if (aperture > 0) detector_ = aperture_nodes(degrees(aperture), kFitRings);
+}
+
+SampleStream::SampleStream(const SampleStream& all, std::vector<RowRange> part) : SampleStream(all) {
+  part_ = std::move(part);
 }
 
 SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t group,
@@ -118,8 +122,9 @@ void SampleStream::fill_jacobian(const double* weights, Workspace& w) const {
 // visit(first, rows) for every block.
 template <class Visit>
 void SampleStream::for_each_block(Visit&& visit) const {
-  for (std::size_t first = 0; first < data_.rows(); first += kBlockRows)
-    visit(first, std::min(kBlockRows, data_.rows() - first));
+  for (const RowRange& range : part_)
+    for (std::size_t done = 0; done < range.rows; done += kBlockRows)
+      visit(range.first + done, std::min(kBlockRows, range.rows - done));
 }
 
 NormalEquations SampleStream::accumulate(std::span<const double> p, const Residual& residual,
@@ -235,33 +240,40 @@ LobeGram SampleStream::lobe_gram(std::span<const double> p, std::size_t group) c
 }
 
 std::vector<std::vector<double>> SampleStream::values(std::span<const double> p) const {
-  const std::size_t channels = data_.channels.size();
-  std::vector out(channels, std::vector<double>(data_.rows()));
+  std::vector out(data_.channels.size(), std::vector<double>(data_.rows()));
+  values(p, out);
+  return out;
+}
+
+void SampleStream::values(std::span<const double> p, std::vector<std::vector<double>>& out) const {
   Workspace w(model_);
   std::vector<double> weights(model_.lobes());
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, false));
   for_each_block([&](std::size_t first, std::size_t rows) {
-    for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t c = 0; c < out.size(); ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
       model_.lobe_weights(p, c, weights);
       mix(model_.lobes(), w.lobes.data(), weights.data(), w.f);
       std::copy(w.f, w.f + rows, out[c].begin() + std::ptrdiff_t(first));
     }
   });
-  return out;
 }
 
 std::vector<std::vector<double>> SampleStream::residual_values(std::span<const double> p) const {
-  std::vector<std::vector<double>> out = values(p);
+  return residuals_of(values(p));
+}
+
+std::vector<std::vector<double>> SampleStream::residuals_of(std::vector<std::vector<double>> values) const {
   std::vector<double> r(kBlockRows), slope(kBlockRows);
   for_each_block([&](std::size_t first, std::size_t rows) {
-    for (std::size_t c = 0; c < out.size(); ++c) {
-      residuals(residual_, residual_inputs(data_, c, first, rows, &out[c][first]), r.data(), slope.data());
-      std::copy(r.begin(), r.begin() + std::ptrdiff_t(rows), out[c].begin() + std::ptrdiff_t(first));
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      double* column = &values[c][first];
+      residuals(residual_, residual_inputs(data_, c, first, rows, column), r.data(), slope.data());
+      std::copy(r.begin(), r.begin() + std::ptrdiff_t(rows), column);
     }
   });
-  return out;
+  return values;
 }
 
 }  // namespace brdf::fit

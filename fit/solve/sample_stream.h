@@ -37,8 +37,10 @@ struct LobeGram {
 
 class SampleStream {
  public:
-  // `aperture`: full width of the detector's field in degrees, 0 for none.
+  // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows.
   SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture);
+  // Over some rows only; `scores` and `freedom` are of all rows still.
+  SampleStream(const SampleStream& all, std::vector<RowRange> part);
 
   const FitData& data() const { return data_; }
   const Model& model() const { return model_; }
@@ -54,10 +56,12 @@ class SampleStream {
   // of the values' influences a, noise taken as proportional to the value (Bell and McCaffrey 2002).
   std::vector<double> freedom(std::span<const double> p, const std::vector<std::vector<double>>& v) const;
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
-  // [channel][row]: the model's values.
+  // [channel][row]: the model's values. The second writes only the rows that are summed over.
   std::vector<std::vector<double>> values(std::span<const double> p) const;
-  // [channel][row]: the residuals, before the loss.
+  void values(std::span<const double> p, std::vector<std::vector<double>>& out) const;
+  // [channel][row]: the residuals, before the loss; of the model's values.
   std::vector<std::vector<double>> residual_values(std::span<const double> p) const;
+  std::vector<std::vector<double>> residuals_of(std::vector<std::vector<double>> values) const;
 
  private:
   struct Shapes;
@@ -73,6 +77,7 @@ class SampleStream {
   const Model& model_;
   Residual residual_;
   std::vector<ApertureNode> detector_;  // empty: readings are of one direction
+  std::vector<RowRange> part_;
 };
 
 }  // namespace brdf::fit

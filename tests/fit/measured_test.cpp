@@ -38,8 +38,10 @@ TEST_F(Measured, WhitePaperIsCookTorranceWithinItsNoise) {
   EXPECT_GT(fits["cook_torrance"].median_relative_error, 0.020);
   EXPECT_NEAR(fits["lambert"].median_relative_error, 0.041, 0.002);
   EXPECT_EQ(fits["cook_torrance"].verdict, Verdict::converged);
-  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::at_bound);
   EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::at_bound);
+  // Towards grazing ten rows of each channel are above twice a matt form's values, up to 4.5 times.
+  EXPECT_EQ(fits["lambert"].verdict, Verdict::misfit);
+  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::misfit);
   EXPECT_EQ(result_.ranking.front().form, "cook_torrance");
 }
 
@@ -61,9 +63,9 @@ TEST_F(Measured, BlackCoating) {
 
 TEST_F(Measured, InPlaneAluminiumCannotTellSigmaFromReflectance) {
   auto fits = fit_all("jsss_aluminium_sandblasted");
-  EXPECT_LT(result_.ranking.front().median_relative_error, 0.17);
+  EXPECT_LT(result_.ranking.front().median_relative_error, 0.175);
   EXPECT_GT(result_.ranking.front().median_relative_error, 0.12);
-  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::not_identifiable);
+  EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::misfit);
   EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::unidentified);
 }
 

@@ -1,0 +1,169 @@
+#include "fit/assess/lack_of_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fit/assess/reported.h"
+#include "fit/assess/student.h"
+#include "fit/solve/minima.h"
+#include "io/numbers.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kThetaH[] = {0, 2, 5, 10, 20, 30, 45, 60, 90}, kThetaD[] = {0, 15, 30, 45, 60, 75, 90};
+constexpr std::size_t kFewestRows = 3;
+constexpr double kNormal = 1.4826;  // standard deviation over median deviation of the normal distribution
+constexpr double kBeyond =
+    1.3;  // the residual over a scatter that is itself known to a factor of 1.5 at best
+
+template <std::size_t n>
+std::size_t cell(const double (&edges)[n], double angle) {
+  return std::size_t(std::clamp(std::upper_bound(edges, edges + n, angle) - edges, std::ptrdiff_t(1),
+                                std::ptrdiff_t(n - 1))) -
+         1;
+}
+
+struct Cell {
+  std::size_t rows = 0;
+  double loss = 0;
+  std::vector<double> excess;  // ln(measured/model)
+};
+
+// Whether the middle of a cell is away from 1 by more than five of its standard errors.
+bool is_off(const std::vector<double>& excess, double noise) {
+  const double middle = io::median(excess);
+  std::vector<double> sizes;
+  for (double x : excess) sizes.push_back(std::abs(x - middle));
+  const double scatter = std::max(noise, kNormal * io::median(std::move(sizes)));
+  return std::abs(middle) > 5 * 1.2533 * scatter / std::sqrt(double(excess.size()));
+}
+
+LackOfFit of_cells(const SampleStream& stream, const std::vector<std::vector<double>>& model, double noise) {
+  const FitData& data = stream.data();
+  const auto residuals = stream.residuals_of(model);
+  std::map<std::pair<std::size_t, std::size_t>, Cell> cells;
+  double all = 0;
+  for (std::size_t k = 0; k < data.rows(); ++k) {
+    const HalfAngles angles = half_angles(data, k);
+    Cell& c = cells[{cell(kThetaH, angles.theta_h), cell(kThetaD, angles.theta_d)}];
+    ++c.rows;
+    for (std::size_t channel = 0; channel < model.size(); ++channel) {
+      double rho = 0, root = 0, curvature = 0;
+      apply_loss(stream.residual().loss, 1, &residuals[channel][k], &rho, &root, &curvature);
+      c.loss += rho;
+      all += rho;
+      const double f = model[channel][k], g = data.values[channel][k];
+      if (f > 0 && g > 0) c.excess.push_back(std::log(g / f));
+    }
+  }
+  LackOfFit out;
+  double largest = 0;
+  for (auto& [at, c] : cells) {
+    const double mean = c.loss / double(c.rows);
+    if (c.rows < kFewestRows || c.excess.empty()) continue;
+    out.beyond_scatter = out.beyond_scatter || is_off(c.excess, noise);
+    if (!(mean > largest)) continue;
+    largest = mean;
+    out.worst = {{{kThetaH[at.first], kThetaD[at.second]}, {kThetaH[at.first + 1], kThetaD[at.second + 1]}},
+                 c.rows,
+                 std::exp(io::median(std::move(c.excess))),
+                 c.loss / all};
+  }
+  return out;
+}
+
+Extent extent(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {*low, *high};
+}
+
+// One reported parameter at each of these points, on the scale that its intervals are symmetric on.
+std::vector<double> on_interval_scale(const Reported& r, const std::vector<double>& natural,
+                                      const Model& model) {
+  if (r.slot == kNoSlot || model.slots()[r.slot].kind != Slot::Kind::shape) return natural;
+  std::vector<double> out;
+  for (double v : natural) out.push_back(model.slots()[r.slot].to_solver(v));
+  return out;
+}
+
+double jackknife_error(const std::vector<double>& values) {
+  const double n = double(values.size());
+  double mean = 0, square = 0;
+  for (double v : values) mean += v / n;
+  for (double v : values) square += (v - mean) * (v - mean);
+  return std::sqrt(square * (n - 1) / n);
+}
+
+}  // namespace
+
+LackOfFit lack_of_fit(const SampleStream& stream, const std::vector<std::vector<double>>& model,
+                      std::optional<double> noise) {
+  LackOfFit out = of_cells(stream, model, noise.value_or(0));
+  std::vector<double> sizes;
+  for (std::size_t c = 0; c < model.size(); ++c)
+    for (std::size_t k = 0; k < stream.data().rows(); ++k)
+      if (const double f = model[c][k], g = stream.data().values[c][k]; f > 0 && g > 0)
+        sizes.push_back(std::abs(std::log(g / f)));
+  if (noise && *noise > 0 && !sizes.empty())
+    out.residual_over_scatter = kNormal * io::median(std::move(sizes)) / *noise;
+  out.beyond_scatter = out.beyond_scatter || out.residual_over_scatter.value_or(0) > kBeyond;
+  return out;
+}
+
+std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
+                                                     std::span<const double> solution,
+                                                     const FitOptions& options) {
+  constexpr int kPasses = 20;
+  std::vector<std::vector<double>> out;
+  for (std::size_t m = 0; m < kNames<Metric>.size(); ++m) {
+    FitOptions other = options;
+    other.metric = Metric(m);
+    other.loss_scale = 0;
+    if (other.metric == options.metric || options.stop()) continue;
+    if (other.metric == Metric::cube_root) other.loss = Loss::none;
+    const FitData& data = stream.data();
+    const FitData part = within_domain(data, other.metric);
+    const FitData& defined = part.rows() > 0 ? part : data;
+    Residual residual = chosen_residual(defined, other);
+    if (other.loss != Loss::none)
+      residual.loss.scale = robust_scale(SampleStream(defined, stream.model(), residual, options.aperture),
+                                         residual.loss, solution);
+    SolveOptions solver;
+    solver.tolerance = 1e-7;
+    solver.max_iterations = kPasses;
+    solver.interrupted = options.interrupted;
+    const Solution s =
+        refine(SampleStream(defined, stream.model(), residual, options.aperture), solution, solver);
+    if (std::isfinite(s.cost)) out.push_back(s.p);
+  }
+  return out;
+}
+
+void add_movement(const Model& model, std::span<const double> solution,
+                  const std::vector<std::vector<double>>& folds,
+                  const std::vector<std::vector<double>>& metrics, std::vector<Estimate>& estimates) {
+  const std::vector<Reported> all = reported_parameters(model, solution);
+  const auto values = [&](const std::vector<std::vector<double>>& points) {
+    std::vector<std::vector<double>> out(all.size());
+    for (const auto& p : points) {
+      const std::vector<Reported> there = reported_parameters(model, p);
+      for (std::size_t k = 0; k < all.size(); ++k) out[k].push_back(there[k].estimate.value);
+    }
+    return out;
+  };
+  const auto by_fold = values(folds), by_metric = values(metrics);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Estimate& e = estimates[k];
+    if (e.status != Status::free) continue;
+    if (!metrics.empty()) e.other_metrics = extent(by_metric[k]);
+    if (folds.size() < 2) continue;
+    e.left_out = extent(by_fold[k]);
+    const double error = jackknife_error(on_interval_scale(all[k], by_fold[k], model));
+    const Extent moved = extent_of(all[k], model, solution, t_quantile(double(folds.size()) - 1) * error);
+    e.with_lack_of_fit = {std::min(moved.low, e.low), std::max(moved.high, e.high)};
+  }
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,122 @@
+#include "fit/model/row_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace brdf::fit {
+namespace {
+
+constexpr std::size_t kFewest = 5, kMost = 1000;
+constexpr double kSame = 1e-3;             // degrees: directions closer are one
+constexpr double kCell = 1, kSector = 30;  // degrees
+
+// Whole numbers for steps below 1, so that 30 degrees are 30.
+double degrees_of(std::int32_t count, double step) {
+  return step < 1 ? count / std::round(1 / step) : count * step;
+}
+
+// A direction in steps of theta and phi.
+struct Key {
+  std::int32_t theta = 0, phi = 0;
+  friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+struct PairKey {
+  Key first, second;
+  friend auto operator<=>(const PairKey&, const PairKey&) = default;
+};
+
+struct Hash {
+  std::size_t operator()(const PairKey& k) const {
+    std::uint64_t h = 0;
+    for (std::int32_t v : {k.first.theta, k.first.phi, k.second.theta, k.second.phi})
+      h = (h ^ std::uint32_t(v)) * 0x9e3779b97f4a7c15, h ^= h >> 29;
+    return std::size_t(h);
+  }
+};
+
+// Along the normal the azimuth says nothing.
+Key key_of(const Vec3<double>& v, double theta_step, double phi_step) {
+  const double theta = radians(std::atan2(std::hypot(v.x, v.y), v.z)).degrees();
+  const double phi = radians(std::atan2(v.y, v.x)).degrees();
+  const auto turn = std::int32_t(std::lround(360 / phi_step));
+  Key key{std::int32_t(std::lround(theta / theta_step)), 0};
+  if (key.theta != 0) key.phi = (std::int32_t(std::lround(phi / phi_step)) + turn) % turn;
+  return key;
+}
+
+enum class Side { light, viewer, pair };
+
+class Numbering {
+ public:
+  // Gives up beyond `most` distinct directions.
+  Numbering(const Directions<double>& d, std::size_t rows, Side of, double theta_step, double phi_step,
+            std::size_t most)
+      : side(of), theta_step_(theta_step), phi_step_(phi_step) {
+    std::unordered_map<PairKey, std::uint32_t, Hash> number;
+    group_of.reserve(rows);
+    for (std::size_t k = 0; k < rows && keys.size() <= most; ++k) {
+      PairKey key{key_of(side == Side::viewer ? d.wo(k) : d.wi(k), theta_step, phi_step), {}};
+      if (side == Side::pair) key.second = key_of(d.wo(k), theta_step, phi_step);
+      const auto [it, added] = number.try_emplace(key, std::uint32_t(keys.size()));
+      if (added) keys.push_back(key);
+      group_of.push_back(it->second);
+    }
+  }
+
+  bool many() const { return keys.size() > kMost; }
+  bool enough() const { return keys.size() >= kFewest; }
+
+  RowGroups sorted() && {
+    std::vector<std::uint32_t> order(keys.size()), place(keys.size());
+    for (std::uint32_t g = 0; g < order.size(); ++g) order[g] = g;
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+    const std::size_t folds = std::min(keys.size(), kMostFolds);
+    std::vector<std::size_t> fold(keys.size());
+    std::vector<std::uint32_t> dealt = order;
+    if (keys.size() > folds)
+      std::stable_sort(dealt.begin(), dealt.end(),
+                       [&](auto a, auto b) { return Hash()(keys[a]) < Hash()(keys[b]); });
+    for (std::size_t k = 0; k < dealt.size(); ++k) fold[dealt[k]] = k % folds;
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return fold[a] < fold[b]; });
+    RowGroups out{side == Side::viewer, side == Side::pair, {}, std::move(group_of), folds};
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+      place[order[k]] = k;
+      const Key& key = keys[order[k]].first;
+      out.groups.push_back(
+          {degrees_of(key.theta, theta_step_), degrees_of(key.phi, phi_step_), {}, fold[order[k]]});
+    }
+    for (std::uint32_t& g : out.group_of) ++out.groups[g = place[g]].range.rows;
+    for (std::size_t g = 1; g < out.groups.size(); ++g)
+      out.groups[g].range.first = out.groups[g - 1].range.first + out.groups[g - 1].range.rows;
+    return out;
+  }
+
+  Side side;
+  std::vector<PairKey> keys;
+  std::vector<std::uint32_t> group_of;
+
+ private:
+  double theta_step_, phi_step_;
+};
+
+}  // namespace
+
+RowGroups group_rows(const Directions<double>& d, std::size_t rows) {
+  Numbering light(d, rows, Side::light, kSame, kSame, kMost);
+  Numbering viewer(d, rows, Side::viewer, kSame, kSame, kMost);
+  const bool light_will_do = light.enough() && !light.many(),
+             viewer_will_do = viewer.enough() && !viewer.many();
+  if (viewer_will_do && !(light_will_do && light.keys.size() <= viewer.keys.size()))
+    return std::move(viewer).sorted();
+  if (light_will_do) return std::move(light).sorted();
+  for (const Numbering* many : {&light, &viewer}) {
+    if (!many->many()) continue;
+    Numbering cells(d, rows, many->side, kCell, kSector, rows);
+    if (cells.enough()) return std::move(cells).sorted();
+  }
+  return Numbering(d, rows, Side::pair, kSame, kSame, rows).sorted();
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "brdf/geometry.h"
+#include "fit/report/html.h"
+#include "fit/report/report.h"
+#include "samples.h"
+
+namespace brdf::fit {
+namespace {
+
+Material cook_torrance(double kd, double ks, double f0, double alpha) {
+  Material m = make_material(*find_form("cook_torrance"), {"f"});
+  m.terms[0].shape[0] = {alpha, alpha};
+  m.terms[0].weights[0] = {kd, ks, f0};
+  return m;
+}
+
+io::SampleTable hemisphere(const Material& m, double noise) {
+  synth::Instrument instrument;
+  instrument.noise = noise;
+  return synth::measure(m, instrument);
+}
+
+FitOptions with(Metric metric) {
+  FitOptions options;
+  options.metric = metric;
+  return options;
+}
+
+TEST(Highlight, GlossIsNoMattForm) {
+  for (const double alpha : {0.03, 0.1, 0.3, 1.0}) {
+    const io::SampleTable table = hemisphere(cook_torrance(0.8, 1, 0.04, alpha), 0.03);
+    // At alpha 1 the lobe adds less than a fifth to the diffuse light: that is no gloss.
+    const bool gloss = alpha < 0.2;
+    for (const Metric metric : {Metric::log, Metric::cosine_l2, Metric::cube_root, Metric::log_relative})
+      for (const char* form : {"lambert", "oren_nayar"}) {
+        const FormFit f = fit_one(table, {form}, with(metric));
+        EXPECT_EQ(f.verdict == Verdict::misfit, gloss) << form << ' ' << alpha << ' ' << name_of(metric);
+        if (gloss) {
+          EXPECT_NE(f.findings[0].find("theta_h 0 to"), std::string::npos) << f.findings[0];
+        }
+      }
+  }
+}
+
+TEST(Highlight, RowsThatStandOutAtRandomAreNone) {
+  io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.03);
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 25; ++k) table.values[0][random() % table.rows()] *= 3;
+  EXPECT_EQ(fit_one(table, {"lambert"}).verdict, Verdict::converged);
+}
+
+TEST(Highlight, AFormWithALobeIsNotJudgedByIt) {
+  const io::SampleTable table = hemisphere(cook_torrance(0.3, 1, 0.04, 0.15), 0.03);
+  for (const FormFit& f : fit(table, canonical_models(), {}).ranking)
+    EXPECT_EQ(f.verdict == Verdict::misfit, f.form == "lambert" || f.form == "oren_nayar") << f.form;
+}
+
+TEST(LackOfFit, OfTheRightFormIsNoneBeyondTheScatter) {
+  for (const double alpha : {0.1, 0.3}) {
+    const io::SampleTable table = hemisphere(cook_torrance(0.3, 0.6, 0.5, alpha), 0.03);
+    const FormFit f = fit_one(table, {"cook_torrance"});
+    EXPECT_FALSE(f.lack_of_fit.beyond_scatter);
+    EXPECT_GT(*f.lack_of_fit.residual_over_scatter, 0.6);
+    EXPECT_LT(*f.lack_of_fit.residual_over_scatter, 1.3);
+  }
+}
+
+// A lambertian surface, but three times as bright where theta_h is below 5 and theta_d from 30 to 45 degrees.
+TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
+  io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
+  const FitResult before = fit(table, {forms({"lambert"})}, {});
+  EXPECT_FALSE(before.ranking[0].lack_of_fit.beyond_scatter);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const Geometry<double> g = geometry(arrays.view().wi(k), arrays.view().wo(k));
+    const double theta_h = radians(std::acos(std::min(g.h.z, 1.0))).degrees(),
+                 theta_d = radians(std::acos(std::min(g.cos_d, 1.0))).degrees();
+    if (theta_h > 2 && theta_h < 5 && theta_d > 30 && theta_d < 45) table.values[0][k] *= 3;
+  }
+  const FitResult result = fit(table, {forms({"lambert"})}, {});
+  const LackOfFit& lack = result.ranking[0].lack_of_fit;
+  EXPECT_TRUE(lack.beyond_scatter);
+  ASSERT_TRUE(lack.worst);
+  EXPECT_EQ(lack.worst->range.low.theta_h, 2);
+  EXPECT_EQ(lack.worst->range.high.theta_h, 5);
+  EXPECT_EQ(lack.worst->range.low.theta_d, 30);
+  EXPECT_EQ(lack.worst->range.high.theta_d, 45);
+  EXPECT_NEAR(lack.worst->ratio, 3, 0.1);
+  EXPECT_GT(lack.worst->share, 0.5);
+  std::ostringstream text;
+  print(text, result, table, {});
+  EXPECT_NE(text.str().find("worst at theta_h 2 to 5, theta_d 30 to 45 degrees"), std::string::npos)
+      << text.str();
+  EXPECT_NE(html_report(result, table, {}).find("Lack of fit: residual"), std::string::npos);
+}
+
+TEST(LackOfFit, IntervalsSayWhichIsWhich) {
+  Material truth = cook_torrance(0.2, 0.3, 0.5, 0.1);
+  truth.terms.push_back(truth.terms[0]);
+  truth.terms[1].shape[0] = {0.35, 0.35};
+  truth.terms[1].weights[0][0] = 0;
+  const io::SampleTable table = hemisphere(truth, 0.03);
+  const FitResult result = fit(table, {forms({"ward"})}, {});
+  const FormFit& f = result.ranking[0];
+  ASSERT_TRUE(f.lack_of_fit.beyond_scatter);
+  int wider = 0;
+  for (const Estimate& e : f.estimates) {
+    ASSERT_EQ(e.status, Status::free) << e.name;
+    EXPECT_LE(e.with_lack_of_fit.low, e.low);
+    EXPECT_GE(e.with_lack_of_fit.high, e.high);
+    EXPECT_LE(e.with_lack_of_fit.low, e.left_out.low);
+    EXPECT_GE(e.with_lack_of_fit.high, e.left_out.high);
+    EXPECT_LT(e.other_metrics.low, e.other_metrics.high);
+    wider += e.with_lack_of_fit.high - e.with_lack_of_fit.low > 1.5 * (e.high - e.low);
+  }
+  EXPECT_GT(wider, 1);
+  std::ostringstream text;
+  print(text, result, table, {});
+  EXPECT_NE(text.str().find("statistical, "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("with lack of fit; by other metrics "), std::string::npos) << text.str();
+  const io::Json alpha = to_json(result, table, {})["ranking"][0]["intervals"]["alpha_x"];
+  for (const char* key : {"with_lack_of_fit", "left_out", "other_metrics"})
+    EXPECT_LT(alpha[key]["low"].get<double>(), alpha[key]["high"].get<double>()) << key;
+}
+
+}  // namespace
+}  // namespace brdf::fit
