@@ -31,7 +31,7 @@ std::atomic<bool> interrupted = false;
 struct Options {
   std::vector<std::string> samples, fix, start, bounds;
   std::string form = "all", robust, output, report;
-  bool json = false;
+  bool json = false, physical = false;
   unsigned jobs = 1;
   fit::FitOptions fit;
 };
@@ -77,6 +77,7 @@ fit::FitOptions fit_options(Options& o) {
   for (const Setting& s : parse_settings(o.fix, "--fix")) f.fix.push_back({s.name, s.values});
   for (const Setting& s : parse_settings(o.start, "--start")) f.start.push_back({s.name, s.values});
   for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
+  if (o.physical) f.physical = fit::Physical::either;
   f.interrupted = &interrupted;
   return f;
 }
@@ -140,12 +141,13 @@ std::string settings_of(const Options& o) {
   std::string text = io::joined({io::provenance().version, o.form, std::string(name_of(o.fit.metric)),
                                  o.robust, std::string(name_of(o.fit.weighting))},
                                 " ");
-  for (const auto* list : {&o.fix, &o.start, &o.bounds}) {
+  for (const auto* list : {&o.fix, &o.start, &o.bounds, &o.fit.tie}) {
     text += " |";
     for (const std::string& item : *list) text += " " + item;
   }
-  for (const double x : {o.fit.max_theta, o.fit.aperture, double(o.fit.anisotropic),
-                         double(o.fit.per_channel), double(o.fit.random_starts), double(o.fit.seed)})
+  for (const double x :
+       {o.fit.max_theta, o.fit.aperture, double(o.fit.anisotropic), double(o.fit.per_channel),
+        double(o.physical), double(o.fit.random_starts), double(o.fit.seed)})
     text += " " + std::to_string(x);
   return text;
 }
@@ -205,6 +207,9 @@ void add_fit(CLI::App& app) {
   add_repeated_option(*verb, "--fix", o.fix, "Hold a parameter: name=value (or one value per channel)");
   add_repeated_option(*verb, "--start", o.start, "One more start: name=value");
   add_repeated_option(*verb, "--bounds", o.bounds, "Restrict a parameter: name=low:high");
+  add_repeated_option(*verb, "--tie", o.fit.tie,
+                      "One value for all channels: the name of a weight, f0 or shape");
+  verb->add_flag("--physical", o.physical, "Weights that keep energy: a channel's add up to at most 1");
   verb->add_option("--robust", o.robust, "huber or cauchy, with :SCALE to give its scale");
   add_named_option(*verb, "--weights", o.fit.weighting,
                    "Weights of the residuals (auto: sigma columns where there are any)");

@@ -11,6 +11,7 @@
 #include "fit/assess/reported.h"
 #include "fit/assess/select.h"
 #include "fit/solve/minima.h"
+#include "io/numbers.h"
 
 namespace brdf::fit {
 namespace {
@@ -28,7 +29,8 @@ void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
     if (slot.low != 0 || m.p[k] == 0) continue;
     double all = 0;
     for (std::size_t i = model.shape_slots(); i < model.size(); ++i)
-      if (model.slots()[i].group == slot.group) all += m.p[i] * m.p[i] * n.hessian(i, i);
+      if (model.slots()[i].group == slot.group || slot.group == kEveryGroup)
+        all += m.p[i] * m.p[i] * n.hessian(i, i);
     if (m.p[k] * m.p[k] * n.hessian(k, k) <= kNegligible * kNegligible * all) {
       m.p[k] = 0;
       m.at_bound[k] = -1;
@@ -46,7 +48,7 @@ Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertain
   // Of a form that does something else than the surface, no direction would tell the parameters.
   if (misfit.misfit) return Verdict::misfit;
   if (u.singular || any(Status::unidentified)) return Verdict::not_identifiable;
-  if (any(Status::at_bound)) return Verdict::at_bound;
+  if (any(Status::at_bound) || u.sum_at_bound) return Verdict::at_bound;
   return Verdict::converged;
 }
 
@@ -135,6 +137,32 @@ void leave_out_all(const FitData& data, const FitOptions& options, std::vector<S
   }
 }
 
+// The weights of a dielectric where the samples do not speak against them, else those whose sum is bounded.
+Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& given,
+                    std::optional<double> noise) {
+  FitOptions options = given;
+  const Constraints constraints = resolve(forms, data.channels.size(), options);
+  if (!can_be_dielectric(forms, constraints)) {
+    options.physical = Physical::bounded;
+    return fit_model(data, forms, options, noise);
+  }
+  options.physical = Physical::dielectric;
+  Solved dielectric = fit_model(data, forms, options, noise);
+  if (must_be_dielectric(forms, constraints)) return dielectric;
+  options.physical = Physical::bounded;
+  Solved bounded = fit_model(data, forms, options, noise);
+  const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic);
+  const std::string difference = io::short_number(std::abs(bounded.fit.bic - dielectric.fit.bic));
+  Solved chosen = std::move(keeps ? dielectric : bounded);
+  chosen.fit.findings.push_back(
+      "--physical: " +
+      (keeps ? "taken for a dielectric, whose specular weight is 1; with weights that add up "
+               "to at most 1 instead BIC is higher by " +
+                   difference
+             : "no dielectric, whose specular weight would be 1: BIC would be higher by " + difference));
+  return chosen;
+}
+
 }  // namespace
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
@@ -150,7 +178,8 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   std::vector<Solved> all;
   for (const auto& forms : models) {
     if (options.stop() && !all.empty()) break;
-    all.push_back(fit_model(data, forms, options, result.noise_floor));
+    const auto fitted = options.physical == Physical::either ? fit_physical : fit_model;
+    all.push_back(fitted(data, forms, options, result.noise_floor));
   }
   if (options.cross_validation) leave_out_all(data, options, all, result);
   for (Solved& s : all) result.ranking.push_back(std::move(s.fit));

@@ -22,6 +22,7 @@ struct Uncertainty {
   Correlations correlations;
   double condition = 1;
   bool singular = false;              // some parameter has no effect, or only together with others
+  bool sum_at_bound = false;          // what --physical bounds together
   std::vector<std::string> findings;  // about bounds and identifiability
 };
 

@@ -9,25 +9,36 @@
 namespace brdf::fit {
 namespace {
 
+// The slot that sets one shape parameter of a term in a group.
+std::size_t shape_slot(const Model& model, std::size_t term, std::size_t parameter, std::size_t group) {
+  for (std::size_t s = 0; s < model.shape_slots(); ++s) {
+    const Slot& slot = model.slots()[s];
+    if (slot.kind == Slot::Kind::shape && slot.term == term && slot.in_group(group) &&
+        std::find(slot.members.begin(), slot.members.end(), parameter) != slot.members.end())
+      return s;
+  }
+  return kNoSlot;
+}
+
 void add_shape(const Model& model, std::span<const double> p, std::size_t t, std::vector<Reported>& out) {
   const TermModel& term = model.terms()[t];
   for (std::size_t g = 0; g < model.groups(); ++g) {
     const std::vector<double> shape = model.shape(p, t, g);
     for (std::size_t k = 0; k < shape.size(); ++k) {
+      const std::size_t s = shape_slot(model, t, k, g);
+      const bool shared = model.groups() == 1 || (s != kNoSlot && model.slots()[s].group == kEveryGroup);
+      if (shared && g > 0) continue;
       Reported r;
       r.estimate.name = model.prefixed(t, term.info->shape[k].name);
       r.info = &term.info->shape[k];
-      if (model.groups() > 1) r.estimate.channel = model.channels()[g];
+      if (!shared) r.estimate.channel = model.channels()[g];
       r.estimate.value = shape[k];
-      for (std::size_t s = 0; s < model.shape_slots(); ++s) {
+      if (s != kNoSlot) {
         const Slot& slot = model.slots()[s];
-        if (slot.kind == Slot::Kind::shape && slot.term == t && slot.group == g &&
-            std::find(slot.members.begin(), slot.members.end(), k) != slot.members.end()) {
-          r.slot = s;
-          r.gradient = {{s, slot.slope(p[s])}};
-          r.min = slot.min;
-          r.max = slot.max;
-        }
+        r.slot = s;
+        r.gradient = {{s, slot.slope(p[s])}};
+        r.min = slot.min;
+        r.max = slot.max;
       }
       out.push_back(std::move(r));
     }
@@ -36,36 +47,32 @@ void add_shape(const Model& model, std::span<const double> p, std::size_t t, std
 
 void add_weights(const Model& model, std::span<const double> p, std::size_t t, std::vector<Reported>& out) {
   const TermModel& term = model.terms()[t];
+  const int divided = weight_of_f0(term.info->lobes);
   std::vector<double> lobes(model.lobes());
+  bool any_lobe = false;  // that f0 divides, in any channel
+  for (std::size_t c = 0; c < model.channels().size() && divided >= 0; ++c)
+    any_lobe = any_lobe || model.table_weights(p, t, c)[std::size_t(divided)].value > 0;
   for (std::size_t c = 0; c < model.channels().size(); ++c) {
     model.lobe_weights(p, c, lobes);
     double total = 0;
     for (double w : lobes) total += w;
-    const WeightMap& map = term.weights[c];
-    const auto table = term.form->weights_of(std::span(lobes).subspan(term.first_lobe, term.lobes));
-    const int divided = weight_of_f0(term.info->lobes);
+    const std::vector<TableWeight> table = model.table_weights(p, t, c);
     for (std::size_t k = 0; k < table.size(); ++k) {
+      if (table[k].shared && c > 0) continue;
       const ParameterInfo& info = term.info->weights[k];
       Reported r;
       r.estimate.name = model.prefixed(t, info.name);
-      r.estimate.channel = model.channels()[c];
+      if (!table[k].shared) r.estimate.channel = model.channels()[c];
       r.estimate.value = table[k].value;
       r.info = &info;
-      for (std::size_t u = 0; u < map.unknowns; ++u) {
-        double slope = 0, size = 0;
-        for (std::size_t l = 0; l < map.lobes; ++l) {
-          slope += table[k].by_lobe[l] * map.a[l * map.unknowns + u];
-          size += std::abs(table[k].by_lobe[l] * map.a[l * map.unknowns + u]);
-        }
-        if (std::abs(slope) > 1e-12 * size) r.gradient.push_back({map.first_slot + u, slope});
-      }
-      r.min = info.min;
-      r.max = info.max;
+      r.gradient = table[k].gradient;
+      r.min = table[k].min;
+      r.max = table[k].max;
       r.weight = true;
       r.weight_scale = total;
       if (info.role == Role::f0) {
         r.divided = &term.info->weights[std::size_t(divided)];
-        r.without_lobe = !(table[std::size_t(divided)].value > 0);
+        r.without_lobe = table[k].shared ? !any_lobe : !(table[std::size_t(divided)].value > 0);
       }
       out.push_back(std::move(r));
     }

@@ -135,6 +135,16 @@ bool no_information(const Reported& r, const Model& model, double error, double 
   return error > kRangeError * (r.max - r.min);
 }
 
+// The unknowns that one channel's values depend on: its own, and those that it shares.
+std::size_t parameters_of_a_channel(const Model& model) {
+  std::size_t count = 0;
+  for (const Slot& slot : model.slots()) {
+    const bool shape = slot.kind == Slot::Kind::shape;
+    count += slot.kind == Slot::Kind::tangent || slot.in_group(shape ? model.group_of(0) : 0);
+  }
+  return count;
+}
+
 }  // namespace
 
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
@@ -157,8 +167,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
   const std::vector<double> own_freedom =
       many ? std::vector<double>(all.size(), freedom) : stream.freedom(m.p, influence);
   // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
-  const std::size_t per_channel =
-      (model.size() - model.shape_slots()) / model.channels().size() + model.shape_slots() / model.groups();
+  const std::size_t per_channel = parameters_of_a_channel(model);
   const bool few = stream.data().rows() < 3 * per_channel;
   if (few) {
     out.singular = true;
@@ -224,6 +233,13 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
   for (const auto& [text, list] : bounds) {
     const bool some = !list[0].empty() && list.size() < channels;
     out.findings.push_back(text + (some ? " in " + io::joined(list) : ""));
+  }
+  if (const NaturalWeights::Sum sum = model.bounded_sum(m.p); !sum.at_bound.empty()) {
+    out.sum_at_bound = true;
+    std::vector<std::string> where;
+    for (const std::size_t channel : sum.at_bound) where.push_back(model.channels()[channel]);
+    out.findings.push_back(sum.name + " is at its bound 1" +
+                           (where.size() < channels ? " in " + io::joined(where) : "") + " (--physical)");
   }
   for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
   return out;

@@ -21,6 +21,9 @@ struct Given {
   }
 };
 
+// What is said of a parameter that is to have one value for all channels.
+struct Tied {};
+
 // A parameter that a name stands for.
 struct Target {
   Constraint* constraint;
@@ -47,6 +50,8 @@ class Resolver {
     for (const NamedValues& fix : options_.fix) apply({"--fix", fix.name}, fix);
     said_.clear();
     keep_one_diffuse_part();
+    for (const std::string& name : options_.tie) apply({"--tie", name}, Tied{});
+    said_.clear();
     for (const NamedRange& bounds : options_.bounds) apply({"--bounds", bounds.name}, bounds);
     said_.clear();
     for (const NamedValues& start : options_.start) apply({"--start", start.name}, start);
@@ -56,8 +61,8 @@ class Resolver {
  private:
   void add_term(const ReflectanceInfo& info) {
     TermConstraints term;
-    for (const ParameterInfo& p : info.shape) term.shape.push_back({{}, {}, p.min, p.max, {}});
-    for (const ParameterInfo& p : info.weights) term.weights.push_back({{}, {}, p.min, p.max, {}});
+    for (const ParameterInfo& p : info.shape) term.shape.push_back({{}, {}, p.min, p.max, false, {}});
+    for (const ParameterInfo& p : info.weights) term.weights.push_back({{}, {}, p.min, p.max, false, {}});
     if (info.anisotropic() && !options_.anisotropic)
       term.shape[std::size_t(info.axes().across)].idle =
           "has an effect only with --anisotropic: without it, it equals " +
@@ -129,6 +134,7 @@ class Resolver {
                        ? "takes one value"
                        : "a value for every channel has an effect only with --per-channel");
     Constraint& c = *target.constraint;
+    if (said.values.size() > 1 && c.tied) given.refuse("takes one value with --tie");
     for (const double value : said.values) given.check_range(value, c.low, c.high);
     if (given.option == "--start") {
       c.start = said.values;
@@ -145,6 +151,14 @@ class Resolver {
     given.check_range(said.high, said.low, c.high);
     c.low = said.low;
     c.high = said.high;
+  }
+
+  void set(const Given& given, const Target& target, Tied) {
+    if (channels_ == 1) given.refuse("has no effect: the samples have one channel");
+    if (!target.per_channel)
+      given.refuse(target.constraint == &out_.tangent ? "has one value for all channels anyway"
+                                                      : "has an effect only with --per-channel");
+    target.constraint->tied = true;
   }
 
   std::string names() const {

@@ -19,9 +19,12 @@ inline constexpr ParameterInfo kTangentInfo{"tangent_phi", -180,      180,   0,
 struct Constraint {
   std::vector<double> fixed, start;  // one value, or one per channel; empty: none given
   double low = 0, high = 0;          // the table's range, or as bounded
+  bool tied = false;                 // one value for all channels
   std::string idle;                  // why what is said of it has no effect; empty: it has
 
-  bool same_limits(const Constraint& c) const { return fixed == c.fixed && low == c.low && high == c.high; }
+  bool same_limits(const Constraint& c) const {
+    return fixed == c.fixed && low == c.low && high == c.high && tied == c.tied;
+  }
   bool is_fixed() const { return !fixed.empty(); }
   double fixed_in(std::size_t channel) const { return fixed[fixed.size() == 1 ? 0 : channel]; }
   double start_in(std::size_t channel) const { return start[start.size() == 1 ? 0 : channel]; }

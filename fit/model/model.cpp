@@ -14,7 +14,36 @@ Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, 
   for (const Reflectance& form : forms) add_term(form);
   constraints_ = resolve(forms, channels_.size(), options);
   add_shape_slots(options.anisotropic);
-  add_linear_slots();
+  if (NaturalWeights::asked_for(constraints_, options.physical))
+    add_natural_slots(forms, options.physical);
+  else
+    add_linear_slots();
+}
+
+double WeightMap::lobe(std::span<const double> p, std::size_t k) const {
+  double w = b[k];
+  for (std::size_t u = 0; u < unknowns; ++u) w += a[k * unknowns + u] * p[first_slot + u];
+  return w;
+}
+
+Gradient WeightMap::gradient(std::size_t k) const {
+  Gradient out;
+  for (std::size_t u = 0; u < unknowns; ++u)
+    if (const double slope = a[k * unknowns + u]; slope != 0) out.push_back({first_slot + u, slope});
+  return out;
+}
+
+Gradient WeightMap::gradient(std::span<const double> by_lobe) const {
+  Gradient out;
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    double slope = 0, size = 0;
+    for (std::size_t l = 0; l < lobes; ++l) {
+      slope += by_lobe[l] * a[l * unknowns + u];
+      size += std::abs(by_lobe[l] * a[l * unknowns + u]);
+    }
+    if (std::abs(slope) > 1e-12 * size) out.push_back({first_slot + u, slope});
+  }
+  return out;
 }
 
 void Model::add_term(const Reflectance& form) {
@@ -36,7 +65,7 @@ std::vector<double> Model::shape(std::span<const double> p, std::size_t term, st
   std::vector<double> shape = terms_[term].fixed_shape[group];
   for (std::size_t s = 0; s < shape_slots_; ++s) {
     const Slot& slot = slots_[s];
-    if (slot.kind == Slot::Kind::shape && slot.term == term && slot.group == group)
+    if (slot.kind == Slot::Kind::shape && slot.term == term && slot.in_group(group))
       for (std::size_t m : slot.members) shape[m] = slot.to_natural(p[s]);
   }
   return shape;
@@ -47,23 +76,60 @@ Angle Model::tangent_phi(std::span<const double> p) const {
 }
 
 void Model::lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const {
-  for (const TermModel& term : terms_) {
-    const WeightMap& map = term.weights[channel];
-    for (std::size_t k = 0; k < map.lobes; ++k) {
-      double w = map.b[k];
-      for (std::size_t u = 0; u < map.unknowns; ++u) w += map.a[k * map.unknowns + u] * p[map.first_slot + u];
-      out[term.first_lobe + k] = w;
-    }
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    const TermModel& term = terms_[t];
+    for (std::size_t k = 0; k < term.lobes; ++k)
+      out[term.first_lobe + k] =
+          natural_ ? natural_->lobe(t, channel, k).value(p) : term.weights[channel].lobe(p, k);
   }
 }
 
-// The weights in the order of a term's table, from the weights of all lobes.
-std::vector<double> Model::table_weights(std::span<const double> lobes, std::size_t term) const {
-  const TermModel& t = terms_[term];
-  std::vector<double> values;
-  for (const auto& weight : t.form->weights_of(lobes.subspan(t.first_lobe, t.lobes)))
-    values.push_back(weight.value);
-  return values;
+std::vector<WeightSlope> Model::weight_slopes(std::span<const double> p, std::size_t channel) const {
+  std::vector<WeightSlope> out;
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    const TermModel& term = terms_[t];
+    for (std::size_t k = 0; k < term.lobes; ++k)
+      for (const auto& [slot, slope] :
+           natural_ ? natural_->lobe(t, channel, k).gradient(p) : term.weights[channel].gradient(k))
+        out.push_back({term.first_lobe + k, slot, slope});
+  }
+  return out;
+}
+
+std::vector<TableWeight> Model::table_weights(std::span<const double> p, std::size_t t,
+                                              std::size_t channel) const {
+  const TermModel& term = terms_[t];
+  std::vector<TableWeight> out;
+  for (const ParameterInfo& w : term.info->weights) out.push_back({0, w.min, w.max, {}});
+  if (natural_) {
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const Product& weight = natural_->weight(t, channel, k);
+      out[k].value = weight.value(p);
+      out[k].gradient = weight.gradient(p);
+      out[k].shared = natural_->shared(t, k);
+      if (weight.factors.size() != 1 || weight.factors[0].rest) continue;
+      const Slot& slot = slots_[weight.factors[0].slot];
+      out[k].min = weight.scale * slot.min;
+      out[k].max = weight.scale * slot.max;
+    }
+    return out;
+  }
+  std::vector<double> lobes(lobes_);
+  lobe_weights(p, channel, lobes);
+  const auto weights = term.form->weights_of(std::span(lobes).subspan(term.first_lobe, term.lobes));
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k].value = weights[k].value;
+    out[k].gradient = term.weights[channel].gradient(weights[k].by_lobe);
+  }
+  return out;
+}
+
+WeightTable Model::weight_table(std::span<const double> p) const {
+  WeightTable out(terms_.size(), std::vector<std::vector<double>>(channels_.size()));
+  for (std::size_t t = 0; t < terms_.size(); ++t)
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      for (const TableWeight& weight : table_weights(p, t, c)) out[t][c].push_back(weight.value);
+  return out;
 }
 
 std::vector<double> Model::low() const {
@@ -80,8 +146,9 @@ std::vector<double> Model::high() const {
 std::vector<double> Model::initial() const {
   std::vector<double> p;
   for (const Slot& s : slots_) {
-    const double natural =
-        s.kind == Slot::Kind::shape ? terms_[s.term].info->shape[s.members[0]].initial : 0.0;
+    double natural = 0;
+    if (s.kind == Slot::Kind::shape) natural = terms_[s.term].info->shape[s.members[0]].initial;
+    if (s.role == Role::f0) natural = terms_[s.term].info->weights[s.members[0]].initial;
     p.push_back(s.to_solver(std::clamp(natural, s.min, s.max)));
   }
   return p;
@@ -116,38 +183,40 @@ std::vector<double> closest_unknowns(const WeightMap& map, std::span<const doubl
 
 }  // namespace
 
-void Model::apply_start_weights(std::vector<double>& p) const {
-  std::vector<double> lobes(lobes_);
-  for (std::size_t c = 0; c < channels_.size(); ++c) {
-    lobe_weights(p, c, lobes);
-    for (std::size_t t = 0; t < terms_.size(); ++t) {
-      std::vector<double> values = table_weights(lobes, t);
-      bool named = false;
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        const Constraint& constraint = constraints_.terms[t].weights[k];
-        if (constraint.start.empty()) continue;
-        values[k] = constraint.start_in(c);
-        named = true;
-      }
-      if (!named) continue;
+void Model::set_weights(std::vector<double>& p, const WeightTable& values) const {
+  if (natural_) {
+    natural_->set(p, values);
+    return;
+  }
+  for (std::size_t t = 0; t < terms_.size(); ++t)
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
       const WeightMap& map = terms_[t].weights[c];
-      const std::vector<double> x = closest_unknowns(map, linear_weights(*terms_[t].info, values));
+      const std::vector<double> x = closest_unknowns(map, linear_weights(*terms_[t].info, values[t][c]));
       std::copy(x.begin(), x.end(), p.begin() + std::ptrdiff_t(map.first_slot));
     }
-  }
+}
+
+void Model::apply_start_weights(std::vector<double>& p) const {
+  WeightTable values = weight_table(p);
+  bool named = false;
+  for (std::size_t t = 0; t < terms_.size(); ++t)
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      for (std::size_t k = 0; k < values[t][c].size(); ++k) {
+        const Constraint& constraint = constraints_.terms[t].weights[k];
+        if (constraint.start.empty()) continue;
+        values[t][c][k] = constraint.start_in(c);
+        named = true;
+      }
+  if (named) set_weights(p, values);
 }
 
 Material Model::material(std::span<const double> p) const {
   Material m;
   m.channels = channels_;
-  std::vector<double> weights(lobes_);
+  const WeightTable weights = weight_table(p);
   for (std::size_t t = 0; t < terms_.size(); ++t) {
-    Term term{terms_[t].form, {}, {}};
+    Term term{terms_[t].form, {}, weights[t]};
     for (std::size_t g = 0; g < groups_; ++g) term.shape.push_back(shape(p, t, g));
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      lobe_weights(p, c, weights);
-      term.weights.push_back(table_weights(weights, t));
-    }
     if (terms_[t].info->anisotropic()) term.tangent_phi = tangent_phi(p);
     m.terms.push_back(std::move(term));
   }

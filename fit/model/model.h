@@ -6,6 +6,7 @@
 // linear unknowns to the lobes' weights: w = A u + b.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,39 +14,10 @@
 #include "brdf/material.h"
 #include "fit/model/constraints.h"
 #include "fit/model/lobe_columns.h"
+#include "fit/model/natural_weights.h"
+#include "fit/model/slot.h"
 
 namespace brdf::fit {
-
-inline constexpr std::size_t kNoSlot = std::size_t(-1);
-
-// A parameter on the square's scale is evaluated no closer to 0 than this: there its own derivative, which
-// the scale divides by the parameter, is still exact.
-inline constexpr double kSquareFloor = 1e-6;
-
-enum class Scale { identity, log, log1p, square };
-
-// One unknown of the solver.
-struct Slot {
-  enum class Kind { shape, tangent, linear } kind;
-  std::size_t term = 0;
-  std::vector<std::size_t> members;  // shape parameters it sets (two where the widths are tied)
-  std::size_t group = 0;             // shape: which set of shapes; linear: which channel
-  Role role = Role::other;           // of the first member
-  Scale scale = Scale::identity;
-  double min = 0, max = 0;   // natural
-  double low = 0, high = 0;  // on the solver's scale
-  double grid_max = 0;       // natural: what a grid of starts covers
-  std::string name;          // as reported: alpha, alpha_x, terms[1].sigma
-
-  // The same parameter, perhaps of other channels.
-  bool same_parameter(const Slot& s) const {
-    return kind == s.kind && term == s.term && members == s.members;
-  }
-  bool same_range(const Slot& s) const { return min == s.min && max == s.max; }
-  double to_solver(double natural) const;
-  double to_natural(double u) const;
-  double slope(double u) const;  // d natural / d u
-};
 
 // The weights of one term's lobes in one channel from its linear unknowns u: a u + b.
 struct WeightMap {
@@ -53,6 +25,11 @@ struct WeightMap {
   std::vector<double> a;          // [lobe][unknown]
   std::vector<double> b;          // [lobe]
   std::vector<double> low, high;  // of the unknowns
+
+  double lobe(std::span<const double> p, std::size_t k) const;
+  Gradient gradient(std::size_t lobe) const;
+  // Of a function of the lobes' weights, from its derivatives by those.
+  Gradient gradient(std::span<const double> by_lobe) const;
 };
 
 struct TermModel {
@@ -63,7 +40,20 @@ struct TermModel {
   std::vector<int> partial;                     // [shape parameter]
   int tangent_partial = -1;
   std::vector<std::vector<double>> fixed_shape;  // [group][shape parameter]; NaN where a slot sets it
-  std::vector<WeightMap> weights;                // [channel]
+  std::vector<WeightMap> weights;                // [channel]; none where the weights are natural
+};
+
+// d weight of a lobe / d unknown.
+struct WeightSlope {
+  std::size_t lobe, slot;
+  double value;
+};
+
+// One entry of a term's table of weights, as a function of the solver's parameters.
+struct TableWeight {
+  double value, min, max;
+  Gradient gradient;
+  bool shared = false;  // by all channels
 };
 
 class Model {
@@ -77,8 +67,10 @@ class Model {
   const std::vector<Slot>& slots() const { return slots_; }
   const std::vector<std::string>& channels() const { return channels_; }
   std::size_t size() const { return slots_.size(); }
-  std::size_t shape_slots() const { return shape_slots_; }  // they come first; the rest are linear
-  std::size_t groups() const { return groups_; }            // sets of shapes: 1 or one per channel
+  std::size_t shape_slots() const { return shape_slots_; }  // they come first; the rest are of the weights
+  // Whether every channel has unknowns of its own, in which its lobes' weights are linear.
+  bool linear() const { return !natural_; }
+  std::size_t groups() const { return groups_; }  // sets of shapes: 1 or one per channel
   std::size_t group_of(std::size_t channel) const { return groups_ == 1 ? 0 : channel; }
   std::size_t lobes() const { return lobes_; }        // of all terms
   std::size_t partials() const { return partials_; }  // of all terms
@@ -93,6 +85,16 @@ class Model {
   Angle tangent_phi(std::span<const double> p) const;
   // Weights of all lobes of a channel.
   void lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const;
+  std::vector<WeightSlope> weight_slopes(std::span<const double> p, std::size_t channel) const;
+  // The weights of a term in the order of its table.
+  std::vector<TableWeight> table_weights(std::span<const double> p, std::size_t term,
+                                         std::size_t channel) const;
+  // Sets the unknowns so that the weights come close to these, in the order of the tables.
+  void set_weights(std::vector<double>& p, const WeightTable& values) const;
+  WeightTable weight_table(std::span<const double> p) const;
+  NaturalWeights::Sum bounded_sum(std::span<const double> p) const {
+    return natural_ ? natural_->bounded_sum(p) : NaturalWeights::Sum();
+  }
 
   std::vector<double> low() const, high() const;
   // At the tables' initial values; linear unknowns 0 within their bounds.
@@ -115,8 +117,7 @@ class Model {
   void add_tangent_slot();
   void index_partials();
   void add_linear_slots();
-  std::vector<double> table_weights(std::span<const double> lobes, std::size_t term) const;
-
+  void add_natural_slots(std::span<const Reflectance> forms, Physical physical);
   std::string name_;
   std::vector<TermModel> terms_;
   std::vector<std::string> channels_;
@@ -125,6 +126,7 @@ class Model {
   std::vector<std::size_t> partial_slot_;
   std::size_t shape_slots_ = 0, groups_ = 1, lobes_ = 0, partials_ = 0, tangent_slot_ = kNoSlot;
   Angle fixed_tangent_{};
+  std::optional<NaturalWeights> natural_;
 };
 
 }  // namespace brdf::fit

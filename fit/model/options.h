@@ -21,6 +21,13 @@ enum class Metric {
 inline constexpr double kLogRelativeFloor = 1e-3;
 
 enum class Loss { none, huber, cauchy };
+// Bounds of the weights of one channel.
+enum class Physical {
+  off,
+  bounded,     // their sum is at most 1
+  dielectric,  // the weight that f0 divides is 1, and the others and f0 are at most 1 together
+  either       // dielectric where the samples do not speak against it, else bounded
+};
 enum class Weighting { automatic, uniform, sigma, solid_angle };
 
 }  // namespace brdf::fit
@@ -60,6 +67,9 @@ struct FitOptions {
   bool per_channel = false;  // shapes, too
   std::vector<NamedValues> fix, start;
   std::vector<NamedRange> bounds;
+  std::vector<std::string>
+      tie;  // parameters of one value for all channels: weights, f0, shapes under per_channel
+  Physical physical = Physical::off;
   bool grid_starts = true;
   int random_starts = 0;
   std::uint64_t seed = 1;

@@ -202,9 +202,10 @@ void Model::add_shape_parameter(std::size_t t, const std::vector<std::size_t>& m
   slot.low = slot.to_solver(slot.min);
   slot.high = slot.to_solver(slot.max);
   const std::string name = prefixed(t, members.size() > 1 ? info.tied_name() : p.name);
-  for (std::size_t g = 0; g < groups_; ++g) {
-    slot.group = g;
-    slot.name = groups_ > 1 ? name + "[" + channels_[g] + "]" : name;
+  const bool shared = groups_ > 1 && c.tied;
+  for (std::size_t g = 0; g < (shared ? 1 : groups_); ++g) {
+    slot.group = shared ? kEveryGroup : g;
+    slot.name = groups_ > 1 && !shared ? name + "[" + channels_[g] + "]" : name;
     slots_.push_back(slot);
   }
   for (std::size_t m : members) term.partial[m] = int(term.partials);
@@ -228,8 +229,8 @@ void Model::index_partials() {
   };
   for (std::size_t s = 0; s < shape_slots_; ++s) {
     const Slot& slot = slots_[s];
-    if (slot.kind == Slot::Kind::shape)
-      set(slot.group, terms_[slot.term], terms_[slot.term].partial[slot.members[0]], s);
+    for (std::size_t g = 0; g < groups_ && slot.kind == Slot::Kind::shape; ++g)
+      if (slot.in_group(g)) set(g, terms_[slot.term], terms_[slot.term].partial[slot.members[0]], s);
   }
   for (const TermModel& term : terms_)
     for (std::size_t g = 0; g < groups_ && term.tangent_partial >= 0; ++g)
@@ -251,6 +252,11 @@ void Model::add_linear_slots() {
       terms_[t].weights.push_back(std::move(map));
     }
   }
+}
+
+void Model::add_natural_slots(std::span<const Reflectance> forms, Physical physical) {
+  natural_.emplace(forms, constraints_, channels_, physical, slots_.size());
+  slots_.insert(slots_.end(), natural_->slots().begin(), natural_->slots().end());
 }
 
 }  // namespace brdf::fit

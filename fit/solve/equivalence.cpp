@@ -23,7 +23,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& mode
   const auto shape_slot = [&](std::size_t term, int member, std::size_t group) {
     for (std::size_t s = 0; s < model.shape_slots(); ++s) {
       const Slot& slot = model.slots()[s];
-      if (slot.kind == Slot::Kind::shape && slot.term == term && slot.group == group &&
+      if (slot.kind == Slot::Kind::shape && slot.term == term && slot.in_group(group) &&
           int(slot.members[0]) == member)
         return s;
     }
@@ -36,9 +36,10 @@ std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& mode
     for (std::size_t g = 0; g < model.groups(); ++g) {
       const std::size_t along = shape_slot(t, info.axes().along, g),
                         across = shape_slot(t, info.axes().across, g);
-      if (along == kNoSlot || across == kNoSlot || !model.slots()[along].same_range(model.slots()[across]))
+      if (along == kNoSlot || across == kNoSlot || !model.slots()[along].same_range(model.slots()[across]) ||
+          model.slots()[along].group != model.slots()[across].group)
         return {};
-      pairs.push_back({along, across});
+      if (g == 0 || model.slots()[along].group == g) pairs.push_back({along, across});
     }
   }
   return pairs;
@@ -83,6 +84,20 @@ std::vector<std::pair<std::size_t, std::size_t>> matching_unknowns(const WeightM
   return pairs;
 }
 
+// Gives each of two equal terms the weights of the other, where both are free.
+void exchange_natural_weights(const Model& model, WeightTable& weights, Minimum& m) {
+  for (std::size_t c = 0; c < model.channels().size(); ++c)
+    for (std::size_t k = 0; k < weights[0][c].size(); ++k)
+      if (!model.constraints().terms[0].weights[k].is_fixed() &&
+          !model.constraints().terms[1].weights[k].is_fixed())
+        std::swap(weights[0][c][k], weights[1][c][k]);
+  model.set_weights(m.p, weights);
+  for (std::size_t s = model.shape_slots(); s < model.size(); ++s) {
+    const Slot& slot = model.slots()[s];
+    m.at_bound[s] = m.p[s] <= slot.low ? -1 : m.p[s] >= slot.high ? 1 : 0;
+  }
+}
+
 // The narrower of two equal lobes first.
 void order_lobes(const Model& model, Minimum& m) {
   if (!interchangeable(model)) return;
@@ -99,7 +114,12 @@ void order_lobes(const Model& model, Minimum& m) {
   const std::size_t k = found == first.end() ? 0 : std::size_t(found - first.begin());
   const bool exponent = model.slots()[first[k]].role == Role::exponent;
   if ((m.p[first[k]] > m.p[second[k]]) == exponent) return;
+  WeightTable weights = model.weight_table(m.p);
   for (std::size_t s = 0; s < first.size(); ++s) swap_slots(m, first[s], second[s]);
+  if (!model.linear()) {
+    exchange_natural_weights(model, weights, m);
+    return;
+  }
   for (std::size_t c = 0; c < model.channels().size(); ++c)
     for (const auto& [a, b] : matching_unknowns(model.terms()[0].weights[c], model.terms()[1].weights[c]))
       swap_slots(m, a, b);

@@ -11,13 +11,7 @@ namespace brdf::fit {
 Contributions contributions(const Model& model, std::span<const double> p, std::size_t channel) {
   Contributions out(model.lobes() + model.partials());
   const std::size_t group = model.group_of(channel);
-  for (const TermModel& term : model.terms()) {
-    const WeightMap& map = term.weights[channel];
-    for (std::size_t k = 0; k < map.lobes; ++k)
-      for (std::size_t u = 0; u < map.unknowns; ++u)
-        if (const double a = map.a[k * map.unknowns + u]; a != 0)
-          out[term.first_lobe + k].push_back({map.first_slot + u, a});
-  }
+  for (const WeightSlope& w : model.weight_slopes(p, channel)) out[w.lobe].push_back({w.slot, w.value});
   for (std::size_t q = 0; q < model.partials(); ++q) {
     const std::size_t slot = model.slot_of_partial(q, group);
     if (slot != kNoSlot) out[model.lobes() + q].push_back({slot, model.slots()[slot].slope(p[slot])});
@@ -72,7 +66,7 @@ SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t
   s.derivatives = derivatives;
   // On the square's scale the derivative is divided by the parameter itself: stay off 0.
   for (const Slot& slot : model_.slots())
-    if (slot.scale == Scale::square && slot.group == group)
+    if (slot.scale == Scale::square && slot.in_group(group))
       for (std::size_t m : slot.members)
         s.shape[slot.term][m] = std::max(s.shape[slot.term][m], kSquareFloor);
   return s;
@@ -127,25 +121,21 @@ void SampleStream::for_each_block(Visit&& visit) const {
       visit(range.first + done, std::min(kBlockRows, range.rows - done));
 }
 
-NormalEquations SampleStream::accumulate(std::span<const double> p, const Residual& residual,
-                                         bool derivatives) const {
+SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, const Matrix& weights,
+                                                   const Residual& residual, bool derivatives) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials() + 1;
   const bool robust = residual.loss.kind != LossFunction::Kind::none && !residual.linearised;
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, derivatives));
-  Matrix weights(channels, model_.lobes());
-  for (std::size_t c = 0; c < channels; ++c)
-    model_.lobe_weights(p, c, std::span(&weights(c, 0), model_.lobes()));
-
   Workspace w(model_);
-  std::vector<Matrix> raw(channels, Matrix(columns, columns));
+  ChannelSums out{std::vector<Matrix>(channels, Matrix(columns, columns)), 0};
   double robust_sum = 0;
   for_each_block([&](std::size_t first, std::size_t rows) {
     std::fill(w.slope + rows, w.slope + kBlockRows, 0.0);
     std::fill(w.r + rows, w.r + kBlockRows, 0.0);
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
-      mix(model_.lobes(), w.lobes.data(), &weights(c, 0), w.f);
+      mix(model_.lobes(), w.lobes.data(), &weights.a[c * weights.cols], w.f);
       residuals(residual, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       if (robust) {
         apply_loss(residual.loss, rows, w.r, w.rho, w.root, w.curvature);
@@ -156,31 +146,44 @@ NormalEquations SampleStream::accumulate(std::span<const double> p, const Residu
         }
       }
       if (derivatives)
-        fill_jacobian(&weights(c, 0), w);
+        fill_jacobian(&weights.a[c * weights.cols], w);
       else
         for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
       std::copy(w.r, w.r + kBlockRows, w.scaled.back());
-      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, raw[c].a.data());
+      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, out.raw[c].a.data());
     }
   });
 
-  NormalEquations out;
-  out.hessian = Matrix(model_.size(), model_.size());
-  out.gradient.assign(model_.size(), 0);
   double sum = 0;
-  for (std::size_t c = 0; c < channels; ++c) {
-    const Contributions map = contributions(model_, p, c);
-    add_mapped(map, raw[c], out.hessian);
-    for (std::size_t i = 0; i < map.size(); ++i)
-      for (const Contribution& x : map[i]) out.gradient[x.slot] += x.factor * raw[c](i, columns - 1);
-    sum += raw[c](columns - 1, columns - 1);
-  }
+  for (const Matrix& raw : out.raw) sum += raw(columns - 1, columns - 1);
   out.cost = 0.5 * (robust ? robust_sum : sum);
   return out;
 }
 
+NormalEquations SampleStream::mapped(const ChannelSums& sums, std::span<const double> p) const {
+  NormalEquations out;
+  out.hessian = Matrix(model_.size(), model_.size());
+  out.gradient.assign(model_.size(), 0);
+  out.cost = sums.cost;
+  for (std::size_t c = 0; c < sums.raw.size(); ++c) {
+    const Matrix& raw = sums.raw[c];
+    const Contributions map = contributions(model_, p, c);
+    add_mapped(map, raw, out.hessian);
+    for (std::size_t i = 0; i < map.size(); ++i)
+      for (const Contribution& x : map[i]) out.gradient[x.slot] += x.factor * raw(i, raw.cols - 1);
+  }
+  return out;
+}
+
+Matrix SampleStream::lobe_weights(std::span<const double> p) const {
+  Matrix weights(data_.channels.size(), model_.lobes());
+  for (std::size_t c = 0; c < weights.rows; ++c)
+    model_.lobe_weights(p, c, std::span(&weights(c, 0), weights.cols));
+  return weights;
+}
+
 NormalEquations SampleStream::normal_equations(std::span<const double> p) const {
-  return accumulate(p, residual_, true);
+  return mapped(accumulate(p, lobe_weights(p), residual_, true), p);
 }
 
 NormalEquations SampleStream::linearised_weights(std::span<const double> p) const {
@@ -188,7 +191,25 @@ NormalEquations SampleStream::linearised_weights(std::span<const double> p) cons
   std::fill(q.begin() + std::ptrdiff_t(model_.shape_slots()), q.end(), 0.0);
   Residual linear = residual_;
   linear.linearised = true;
-  return accumulate(q, linear, false);
+  return mapped(accumulate(q, lobe_weights(q), linear, false), q);
+}
+
+LobeQuadratic SampleStream::linearised_lobes(std::span<const double> p) const {
+  const std::size_t lobes = model_.lobes(), last = lobes + model_.partials();
+  Residual linear = residual_;
+  linear.linearised = true;
+  const ChannelSums sums = accumulate(p, Matrix(data_.channels.size(), lobes), linear, false);
+  LobeQuadratic out{{}, Matrix(sums.raw.size(), lobes), sums.cost};
+  for (std::size_t c = 0; c < sums.raw.size(); ++c) {
+    const Matrix& raw = sums.raw[c];
+    Matrix hessian(lobes, lobes);
+    for (std::size_t i = 0; i < lobes; ++i) {
+      for (std::size_t j = 0; j < lobes; ++j) hessian(i, j) = raw(std::min(i, j), std::max(i, j));
+      out.gradient(c, i) = raw(i, last);
+    }
+    out.hessian.push_back(std::move(hessian));
+  }
+  return out;
 }
 
 LobeGram SampleStream::lobe_gram(std::span<const double> p, std::size_t group) const {

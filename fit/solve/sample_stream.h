@@ -35,6 +35,13 @@ struct LobeGram {
   std::vector<double> square;              // [channel]: of the measurement
 };
 
+// A cost that is quadratic in the weights of the lobes: its second and first derivatives where they are 0, and its value.
+struct LobeQuadratic {
+  std::vector<Matrix> hessian;  // [channel]
+  Matrix gradient;              // [channel][lobe]
+  double cost = 0;
+};
+
 class SampleStream {
  public:
   // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows.
@@ -49,6 +56,8 @@ class SampleStream {
   NormalEquations normal_equations(std::span<const double> p) const;
   // The same at linear weights 0 for the residual linearised at the measurement: a quadratic in the weights.
   NormalEquations linearised_weights(std::span<const double> p) const;
+  // That quadratic in the weights of the lobes themselves.
+  LobeQuadratic linearised_lobes(std::span<const double> p) const;
   // With `inverse`, the inverse of the bread, every residual is divided by the root of 1 less its
   // leverage, which makes its square unbiased (MacKinnon and White 1985, HC2).
   ScoreMatrices scores(std::span<const double> p, const Matrix* inverse = nullptr) const;
@@ -71,7 +80,15 @@ class SampleStream {
   void fill_jacobian(const double* weights, Workspace& w) const;
   template <class Visit>
   void for_each_block(Visit&& visit) const;
-  NormalEquations accumulate(std::span<const double> p, const Residual& residual, bool derivatives) const;
+  // Products of the columns (lobes, partials, residual) of every channel, and the cost.
+  struct ChannelSums {
+    std::vector<Matrix> raw;
+    double cost = 0;
+  };
+  ChannelSums accumulate(std::span<const double> p, const Matrix& weights, const Residual& residual,
+                         bool derivatives) const;
+  NormalEquations mapped(const ChannelSums& sums, std::span<const double> p) const;
+  Matrix lobe_weights(std::span<const double> p) const;  // [channel][lobe]
 
   const FitData& data_;
   const Model& model_;

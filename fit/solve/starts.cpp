@@ -85,8 +85,83 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
   return p;
 }
 
+namespace {
+
+constexpr double kInside =
+    0.02;  // share of a range that a start keeps off its ends, where a product has no slope
+
+// The best weights of every lobe for itself, in the order of the tables.
+WeightTable free_weights(const Model& model, const LobeQuadratic& q) {
+  const std::vector<double> low(model.lobes(), 0), high(model.lobes(), kWeightMax);
+  WeightTable out(model.terms().size());
+  for (std::size_t c = 0; c < q.hessian.size(); ++c) {
+    const std::vector<double> lobes =
+        box_quadratic(q.hessian[c], std::span(&q.gradient.a[c * model.lobes()], model.lobes()), low, high);
+    for (std::size_t t = 0; t < out.size(); ++t) {
+      const TermModel& term = model.terms()[t];
+      std::vector<double>& weights = out[t].emplace_back();
+      for (const auto& w : term.form->weights_of(std::span(lobes).subspan(term.first_lobe, term.lobes)))
+        weights.push_back(w.value);
+    }
+  }
+  return out;
+}
+
+// Cost, gradient and Gauss-Newton matrix of the quadratic by the unknowns of the weights.
+NormalEquations by_unknowns(const Model& model, const LobeQuadratic& q, std::span<const double> p) {
+  const std::size_t first = model.shape_slots(), count = model.size() - first, lobes = model.lobes();
+  NormalEquations out{Matrix(count, count), std::vector<double>(count, 0), q.cost};
+  std::vector<double> weights(lobes), slope(lobes);
+  for (std::size_t c = 0; c < q.hessian.size(); ++c) {
+    const Matrix& h = q.hessian[c];
+    model.lobe_weights(p, c, weights);
+    for (std::size_t i = 0; i < lobes; ++i) {
+      slope[i] = q.gradient(c, i);
+      for (std::size_t j = 0; j < lobes; ++j) slope[i] += h(i, j) * weights[j];
+      out.cost += 0.5 * weights[i] * (slope[i] + q.gradient(c, i));
+    }
+    const std::vector<WeightSlope> slopes = model.weight_slopes(p, c);
+    for (const WeightSlope& a : slopes) {
+      out.gradient[a.slot - first] += a.value * slope[a.lobe];
+      for (const WeightSlope& b : slopes)
+        out.hessian(a.slot - first, b.slot - first) += a.value * h(a.lobe, b.lobe) * b.value;
+    }
+  }
+  out.cost = std::max(out.cost, 0.0);
+  return out;
+}
+
+// Weights that share or bound unknowns: the same quadratic, minimised by steps.
+void start_natural_weights(const SampleStream& stream, std::vector<double>& p) {
+  const Model& model = stream.model();
+  const std::size_t first = model.shape_slots();
+  const LobeQuadratic q = stream.linearised_lobes(p);
+  model.set_weights(p, free_weights(model, q));
+  const std::vector<double> low = model.low(), high = model.high();
+  for (std::size_t k = first; k < p.size(); ++k) {
+    const double margin = kInside * std::min(high[k] - low[k], 1.0);
+    p[k] = std::clamp(p[k], low[k] + margin, high[k] - margin);
+  }
+  const std::vector<double> start(p.begin() + std::ptrdiff_t(first), p.end());
+  const Objective objective = [&](std::span<const double> unknowns) {
+    std::copy(unknowns.begin(), unknowns.end(), p.begin() + std::ptrdiff_t(first));
+    return by_unknowns(model, q, p);
+  };
+  SolveOptions options;
+  options.tolerance = 1e-6;
+  const Solution s =
+      solve(objective, start, std::span(low).subspan(first), std::span(high).subspan(first), options);
+  std::copy(s.p.begin(), s.p.end(), p.begin() + std::ptrdiff_t(first));
+}
+
+}  // namespace
+
 void start_weights(const SampleStream& stream, std::vector<double>& p) {
   const Model& model = stream.model();
+  if (!model.linear()) {
+    start_natural_weights(stream, p);
+    return;
+  }
   const std::size_t first = model.shape_slots();
   const NormalEquations n = stream.linearised_weights(p);
   const std::vector<double> low = model.low(), high = model.high();

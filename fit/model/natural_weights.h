@@ -1,0 +1,94 @@
+// Weights whose channels share some, or whose sum is bounded: the solver's unknowns are then the weights themselves,
+// each within its own bounds. A sum that is at most 1 is a stick that is broken: the first weight is a share of 1, the
+// next a share of what that leaves. So every weight, and every lobe's, is a product of unknowns u or 1 - u.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brdf/reflectance.h"
+#include "fit/model/constraints.h"
+#include "fit/model/slot.h"
+
+namespace brdf::fit {
+
+using Gradient = std::vector<std::pair<std::size_t, double>>;       // by slot
+using WeightTable = std::vector<std::vector<std::vector<double>>>;  // [term][channel][weight]
+
+struct Product {
+  struct Factor {
+    std::size_t slot;
+    bool rest;  // 1 - u
+    double value(std::span<const double> p) const { return rest ? 1 - p[slot] : p[slot]; }
+  };
+  double scale = 1;
+  std::vector<Factor> factors;
+
+  double value(std::span<const double> p) const;
+  Gradient gradient(std::span<const double> p) const;
+  Product times(Factor factor) const;
+};
+
+class NaturalWeights {
+ public:
+  static bool asked_for(const Constraints& constraints, Physical physical);
+
+  // The slots are to be appended to those that there are, `first` in number. Throws InputError on constraints that do
+  // not go together.
+  NaturalWeights(std::span<const Reflectance> forms, const Constraints& constraints,
+                 const std::vector<std::string>& channels, Physical physical, std::size_t first);
+
+  const std::vector<Slot>& slots() const { return slots_; }
+  const Product& weight(std::size_t term, std::size_t channel, std::size_t k) const {
+    return weights_[term][channel][k];
+  }
+  Product lobe(std::size_t term, std::size_t channel, std::size_t lobe) const;
+  bool shared(std::size_t term, std::size_t k) const;
+  // What --physical bounds together: "kd + ks", and the channels where that is at its bound. Empty where there is no
+  // more than one such weight.
+  struct Sum {
+    std::string name;
+    std::vector<std::size_t> at_bound;
+  };
+  Sum bounded_sum(std::span<const double> p) const;
+  // Sets the slots of p so that the weights come close to these: the mean over the channels that share one.
+  void set(std::vector<double>& p, const WeightTable& values) const;
+
+ private:
+  struct Place {
+    std::size_t term, weight;
+  };
+  void add_f0s();
+  void add_bounded(std::vector<Place> free);
+  void add_alone(const Place& place, std::span<const double> most);
+  std::size_t add_slot(const Place& place, std::size_t group, double low, double high);
+  std::vector<double> room(const std::vector<Place>& free) const;
+  std::vector<std::size_t> groups(const Place& place) const;
+  const Constraint& constraint(const Place& place) const {
+    return constraints_.terms[place.term].weights[place.weight];
+  }
+  const ParameterInfo& info_of(const Place& place) const {
+    return forms_[place.term].info().weights[place.weight];
+  }
+  bool is_f0(const Place& place) const { return info_of(place).role == Role::f0; }
+
+  std::vector<Reflectance> forms_;
+  Constraints constraints_;
+  std::vector<std::string> channels_;
+  Physical physical_;
+  std::size_t first_;
+  std::vector<Slot> slots_;
+  std::vector<Place> summed_;  // what is at most 1 together; empty: a single weight
+  std::vector<Place> place_;   // [slot]
+  std::vector<std::vector<std::vector<Product>>> weights_;  // [term][channel][weight]
+};
+
+// Whether the weights can be those of a dielectric under these constraints: there is one specular weight, f0 divides
+// it, and what is held and tied allows it to be 1 and the rest to follow from f0.
+bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& constraints);
+// Whether they can only be that: the specular weight is held at 1.
+bool must_be_dielectric(std::span<const Reflectance> forms, const Constraints& constraints);
+
+}  // namespace brdf::fit

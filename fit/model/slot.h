@@ -1,0 +1,46 @@
+// One unknown of the solver.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "brdf/parameter.h"
+
+namespace brdf::fit {
+
+inline constexpr std::size_t kNoSlot = std::size_t(-1);
+inline constexpr std::size_t kEveryGroup = std::size_t(-1);  // of a slot that all channels share
+
+// A parameter on the square's scale is evaluated no closer to 0 than this: there its own derivative, which
+// the scale divides by the parameter, is still exact.
+inline constexpr double kSquareFloor = 1e-6;
+
+enum class Scale { identity, log, log1p, square };
+
+struct Slot {
+  // linear: an unknown in which the lobes' weights are linear; weight: a weight or f0 itself, or its share of what
+  // the weights before it leave
+  enum class Kind { shape, tangent, linear, weight } kind;
+  std::size_t term = 0;
+  std::vector<std::size_t> members;  // shape parameters it sets (two where the widths are tied)
+  std::size_t group = 0;             // shape: which set of shapes, else which channel; or kEveryGroup
+  Role role = Role::other;           // of the first member
+  Scale scale = Scale::identity;
+  double min = 0, max = 0;   // natural
+  double low = 0, high = 0;  // on the solver's scale
+  double grid_max = 0;       // natural: what a grid of starts covers
+  std::string name;          // as reported: alpha, alpha_x, terms[1].sigma
+
+  bool in_group(std::size_t g) const { return group == g || group == kEveryGroup; }
+  // The same parameter, perhaps of other channels.
+  bool same_parameter(const Slot& s) const {
+    return kind == s.kind && term == s.term && members == s.members;
+  }
+  bool same_range(const Slot& s) const { return min == s.min && max == s.max; }
+  double to_solver(double natural) const;
+  double to_natural(double u) const;
+  double slope(double u) const;  // d natural / d u
+};
+
+}  // namespace brdf::fit
