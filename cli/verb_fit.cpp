@@ -13,6 +13,7 @@
 #include "fit/fit.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
+#include "fit/stepwise.h"
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/numbers.h"
@@ -36,8 +37,9 @@ struct Options {
   fit::FitOptions fit;
 };
 
-// "all", "every", "ward" or "oren_nayar+ward".
+// "all", "every", "ward" or "oren_nayar+ward"; none for "auto", which chooses by itself.
 std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
+  if (text == "auto") return {};
   if (text == "all") return fit::canonical_models();
   if (text == "every") return fit::every_model();
   std::vector<Reflectance> forms;
@@ -98,7 +100,10 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0]});
   const io::SampleTable table = io::read_samples(o.samples[0]);
   watch_for_interrupt();
-  const fit::FitResult result = fit::fit(table, models_of(o.form), options);
+  const auto progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
+  const auto models = models_of(o.form);
+  const fit::FitResult result =
+      models.empty() ? fit::fit_stepwise(table, options, progress) : fit::fit(table, models, options);
   const fit::FormFit& best = result.ranking.front();
   if (result.interrupted && !o.output.empty() && std::filesystem::is_regular_file(o.output))
     std::cerr << "brdf fit: interrupted: " << o.output << " is kept as it was\n";
@@ -196,7 +201,8 @@ void add_fit(CLI::App& app) {
   Options& o = *options;
   CLI::App* verb = app.add_subcommand("fit", "Fit forms to samples");
   verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...)")->required();
-  verb->add_option("--form", o.form, "all, every, a form, or a sum as in oren_nayar+ward")
+  verb->add_option("--form", o.form,
+                   "all, every, a form, a sum as in oren_nayar+ward, or auto: terms as the samples ask for")
       ->capture_default_str();
   add_named_option(*verb, "--metric", o.fit.metric, "Residual");
   verb->add_flag("--anisotropic", o.fit.anisotropic, "Two widths and the tangent's azimuth");
@@ -224,7 +230,9 @@ void add_fit(CLI::App& app) {
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_option("--jobs", o.jobs, "Files fitted at the same time")->check(CLI::Range(1u, 256u));
   verb->add_flag("--json", o.json, "JSON on stdout");
-  verb->footer("Example: brdf fit samples.csv --form all -o material.json");
+  verb->footer(
+      "Example: brdf fit samples.csv --form all -o material.json\n"
+      "         brdf fit samples.csv --form auto --json");
   on_run(*verb, [options] { return run(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include "fit/assess/reported.h"
 #include "fit/assess/select.h"
 #include "fit/solve/minima.h"
+#include "fit/stepwise.h"
 #include "io/numbers.h"
 
 namespace brdf::fit {
@@ -167,6 +168,7 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options) {
+  if (models.empty()) return fit_stepwise(table, options);
   const FitData data = prepare(table, options);
   FitResult result;
   result.rows = data.rows();

@@ -10,7 +10,8 @@
 
 namespace brdf::fit {
 
-// Fits each model (a form, or several that are summed). Throws InputError on options that do not fit.
+// Fits each model (a form, or several that are summed). Without any it chooses one step by step (fit/stepwise.h).
+// Throws InputError on options that do not fit.
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options);
 

@@ -67,9 +67,22 @@ PairedTest paired_test(const std::vector<RowGroup>& groups, const std::vector<do
   for (std::size_t g = 0; g < d.size(); ++g)
     square += std::pow(double(groups[g].range.rows) * (d[g] - mean), 2);
   const double error = std::sqrt(square * n / (n - 1)) / rows;
+  if (n >= 2) out.standard_error = error;
   if (n >= 2 && error > 0) out.t = t_tail(n - 1, mean / error);
   out.ranks = signed_ranks(std::move(d));
   return out;
+}
+
+double paired_ratio_test(const std::vector<double>& a, const std::vector<double>& b, double rounding) {
+  const double n = double(a.size());
+  std::vector<double> d(a.size());
+  double mean = 0, square = 0;
+  for (std::size_t g = 0; g < d.size(); ++g)
+    mean += (d[g] = std::log(std::max(a[g], rounding) / std::max(b[g], rounding))) / n;
+  for (const double x : d) square += (x - mean) * (x - mean);
+  const double error = std::sqrt(square / (n * (n - 1)));
+  if (!(n >= 2) || !(error > 0)) return 1;
+  return t_tail(n - 1, mean / error);
 }
 
 }  // namespace brdf::fit

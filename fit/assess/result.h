@@ -129,12 +129,25 @@ struct FormFit {
   bool solved() const { return !minima.empty(); }
 };
 
+// What --form auto added, or tried to add, to the model of the step before.
+struct Step {
+  std::string added;          // "a second lobe"
+  std::string model;          // the one tried
+  double left_out = 0;        // its value
+  double difference = 0;      // by which that is below the one of the model so far
+  double standard_error = 0;  // of the difference, from the scatter between groups
+  double p = 1;               // one-sided, of a fall like this by chance, for all that were tried together
+  std::size_t tried = 1;
+  bool kept = false;
+};
+
 struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
   std::optional<double> noise_floor;  // relative, from neighbouring rows
   RowGroups groups;                   // what was left out together
   double left_out_rounding = 0;       // left-out values below are 0 but for rounding
+  std::vector<Step> steps;            // of --form auto; empty otherwise
   std::vector<FormFit> ranking;       // best first: by the left-out value (else the median error)
   std::size_t recommended = 0;  // the simplest usable one that is not worse than the best; else the best
   bool interrupted = false;

@@ -274,6 +274,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
     text[0] = 'R';
     report.paragraph(text + ".");
   }
+  for (const Step& step : result.steps) report.paragraph(in_words(step) + ".");
   add_ranking(report, result);
   if (!best.solved()) return report.document(io::provenance(options.seed));
   add_parameters(report, best);

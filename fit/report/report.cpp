@@ -164,6 +164,20 @@ std::string estimate_text(const Estimate& e, bool wrong) {
   return text + ")";
 }
 
+Json steps_json(const std::vector<Step>& steps) {
+  Json j = Json::array();
+  for (const Step& s : steps)
+    j.push_back({{"added", s.added},
+                 {"model", s.model},
+                 {"left_out", number(s.left_out)},
+                 {"difference", number(s.difference)},
+                 {"standard_error", number(s.standard_error)},
+                 {"p", s.p},
+                 {"tried", s.tried},
+                 {"kept", s.kept}});
+  return j;
+}
+
 void print_ranking(std::ostream& out, const FitResult& result) {
   const auto row = [&out](std::initializer_list<std::pair<int, std::string>> cells) {
     out << "  " << std::left;
@@ -208,6 +222,17 @@ std::string in_words(const LackOfFit& lack) {
   return text;
 }
 
+std::string in_words(const Step& step) {
+  const std::string start =
+      step.added + ": " + step.model + ", left out " + io::short_number(step.left_out, 3);
+  if (step.difference == 0 && step.kept) return start;
+  return start + (step.difference < 0 ? ", higher by " : ", lower by ") +
+         io::short_number(std::abs(step.difference), 3) + " +- " + io::short_number(step.standard_error, 2) +
+         " (p " + io::short_number(step.p, 2) +
+         (step.tried > 1 ? ", best of " + std::to_string(step.tried) : std::string()) +
+         "): " + (step.kept ? "kept" : "not kept");
+}
+
 std::string recommendation(const FitResult& result) {
   const FormFit &best = result.ranking.front(), &chosen = result.ranking[result.recommended];
   if (&chosen == &best) return "";
@@ -241,6 +266,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
   j["interrupted"] = result.interrupted;
   const bool any = !result.ranking.empty() && usable(result.ranking[result.recommended].verdict);
   j["recommended"] = any ? Json(result.ranking[result.recommended].form) : Json(nullptr);
+  if (!result.steps.empty()) j["steps"] = steps_json(result.steps);
   j["ranking"] = std::move(ranking);
   return j;
 }
@@ -266,6 +292,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   if (result.noise_floor)
     out << "  values scatter about their neighbours by " << io::percent(*result.noise_floor) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
+  for (const Step& step : result.steps) out << "  " << in_words(step) << '\n';
   print_ranking(out, result);
   if (result.ranking.empty()) return;
   const FormFit& best = result.ranking.front();

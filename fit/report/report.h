@@ -13,6 +13,9 @@ namespace brdf::fit {
 // "residual 7.4 times the scatter; worst at theta_h 0 to 2, ...".
 std::string in_words(const LackOfFit& lack);
 
+// "a second lobe: ward+ward, left out 2.1e-05, lower by 1.3e-05 +- 2.1e-06 (p 0.0002, best of 2): kept".
+std::string in_words(const Step& step);
+
 // "recommended: ward, which is simpler and no worse on the rows left out"; empty where that is the first form.
 std::string recommendation(const FitResult& result);
 

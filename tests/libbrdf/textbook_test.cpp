@@ -147,7 +147,7 @@ E lambda_beckmann(const Case& c, const Vec3<E>& w) {
   const E a = 1 / alpha_tan(c, w);
   return (boost::math::erf(a) - 1) / 2 + exp(-a * a) / (2 * a * sqrt(pi()));
 }
-// Ribardiere et al. 2017 eq. 12, with sigma = alpha.
+// Ribardiere et al. 2017, sigma = alpha.
 E d_student(const Case& c) {
   const E gamma = c["gamma"];
   return pow(1 + slope2(c) / (gamma - 1), -gamma) / (pi() * c["alpha_x"] * c["alpha_y"] * pow(c.nh, 4));

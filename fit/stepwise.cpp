@@ -1,0 +1,228 @@
+#include "fit/stepwise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit/assess/paired.h"
+#include "fit/fit.h"
+#include "io/error.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kSignificant = 0.05;
+constexpr double kAsGood = 1.1;  // times the best left-out value: few groups find nothing significantly worse
+
+using Forms = std::vector<Reflectance>;
+
+bool is_sound(const ReflectanceInfo& f) {
+  return f.violations.empty();
+}
+
+template <class Is>
+Forms fittable_forms(Is&& is) {
+  Forms out;
+  for (const Reflectance& form : catalogue())
+    if (info(form).fittable() && is(info(form))) out.push_back(form);
+  return out;
+}
+
+bool has_lobe(const ReflectanceInfo& f) {
+  return f.weight_index(Role::specular) >= 0;
+}
+
+// Canonical forms without a lobe, the simplest first.
+Forms diffuse_forms() {
+  Forms out = fittable_forms([](const ReflectanceInfo& f) { return f.canonical && !has_lobe(f); });
+  std::ranges::stable_sort(out, {}, [](const Reflectance& form) { return info(form).shape.size(); });
+  return out;
+}
+
+// What a step may put in the place of the model it starts from.
+struct Stage {
+  const char* adds;
+  std::vector<Forms> candidates;
+};
+
+// Facets whose slopes have a parameter besides their widths.
+bool shapes_its_tail(const ReflectanceInfo& f) {
+  return is_sound(f) && f.facets && f.weight_index(Role::f0) >= 0 && f.shape_index(Role::other) >= 0;
+}
+
+Forms lobes() {
+  return fittable_forms(
+      [](const ReflectanceInfo& f) { return has_lobe(f) && (f.canonical || shapes_its_tail(f)); });
+}
+
+Stage one_lobe() {
+  Stage stage{"a lobe", {}};
+  for (const Reflectance& form : lobes()) stage.candidates.push_back({form});
+  return stage;
+}
+
+// A sum has one diffuse term: that of the first form, in the place of the lobe's own.
+Stage better_diffuse_term(const Forms& model) {
+  Stage stage{"a diffuse term with a shape", {}};
+  for (const Reflectance& form : diffuse_forms())
+    if (!info(form).shape.empty()) stage.candidates.push_back({form, model.back()});
+  return stage;
+}
+
+Stage second_lobe(const Forms& model) {
+  Stage stage{"a second lobe", {}};
+  for (const Reflectance& form : lobes()) {
+    if (!is_sound(info(form))) continue;
+    Forms sum = model;
+    sum.push_back(form);
+    stage.candidates.push_back(std::move(sum));
+  }
+  return stage;
+}
+
+// One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell.
+FitOptions options_for(const Forms& model, std::size_t channels, const FitOptions& options) {
+  FitOptions out = options;
+  if (model.size() < 2 || channels < 2 || !options.tie.empty()) return out;
+  for (const Reflectance& form : model) {
+    const int f0 = info(form).weight_index(Role::f0);
+    if (f0 < 0) continue;
+    const std::string_view name = info(form).weights[std::size_t(f0)].name;
+    if (std::ranges::none_of(options.fix, [&](const NamedValues& held) { return held.name.ends_with(name); }))
+      out.tie = {std::string(name)};
+    return out;
+  }
+  return out;
+}
+
+std::string name_of_sum(const Forms& model) {
+  std::string name;
+  for (const Reflectance& form : model) name += (name.empty() ? "" : "+") + std::string(info(form).name);
+  return name;
+}
+
+class Stepwise {
+ public:
+  Stepwise(const io::SampleTable& table, const FitOptions& options, const Progress& progress)
+      : table_(table), options_(options), progress_(progress) {}
+
+  FitResult run() {
+    const Forms diffuse = diffuse_forms();
+    if (diffuse.empty()) throw InputError("--form auto needs a canonical form without a lobe to start from");
+    // Together: a robust loss is then judged by one scale, which the sums are given.
+    Stage first = one_lobe();
+    first.candidates.push_back({diffuse.front()});
+    std::vector<FormFit> tried = try_all(first);
+    if (tried.size() < first.candidates.size()) return finished(std::move(tried));
+    model_ = std::move(first.candidates.back());
+    chosen_ = std::move(tried.back());
+    first.candidates.pop_back();
+    tried.pop_back();
+    if (!comparable(chosen_))
+      throw InputError("--form auto decides by rows left out: it needs samples of several directions");
+    result_.steps.push_back({"a diffuse term", chosen_.form, chosen_.left_out->value, 0, 0, 1, 1, true});
+    decide(first, std::move(tried));
+    if (has_lobe(info(model_.front()))) step(better_diffuse_term(model_));
+    if (has_lobe(info(model_.back()))) step(second_lobe(model_));
+    return finished({});
+  }
+
+ private:
+  const std::vector<RowGroup>& groups() const { return result_.groups.groups; }
+
+  // In the candidates' order; fewer where the run was interrupted.
+  std::vector<FormFit> try_all(const Stage& stage) {
+    if (progress_) progress_("trying " + std::string(stage.adds));
+    FitOptions options = options_for(stage.candidates.front(), result_.channels.size(), options_);
+    if (options.loss != Loss::none && options.loss_scale == 0) options.loss_scale = loss_scale_;
+    FitResult found = fit(table_, stage.candidates, options);
+    std::vector<FormFit> out;
+    for (const Forms& model : stage.candidates)
+      for (FormFit& f : found.ranking)
+        if (f.form == name_of_sum(model)) {
+          if (f.solved() && (loss_scale_ == 0 || f.loss_scale < loss_scale_)) loss_scale_ = f.loss_scale;
+          out.push_back(std::move(f));
+          break;
+        }
+    found.ranking.clear();
+    if (result_.channels.empty()) result_ = std::move(found);
+    return out;
+  }
+
+  bool comparable(const FormFit& f) const {
+    return f.solved() && f.left_out && std::isfinite(f.left_out->value);
+  }
+  // Below rounding all are 0.
+  double value(const FormFit& f) const { return std::max(f.left_out->value, result_.left_out_rounding); }
+
+  // Of b's values below a's as much as they are, where they are no better.
+  double chance(const FormFit& a, const FormFit& b) const {
+    return paired_ratio_test(a.left_out->by_group, b.left_out->by_group, result_.left_out_rounding);
+  }
+
+  // The one with the fewest parameters that is as good as the best; null where none was solved.
+  FormFit* simplest_of(std::vector<FormFit>& tried) const {
+    FormFit *best = nullptr, *simplest = nullptr;
+    for (FormFit& f : tried)
+      if (comparable(f) && (!best || value(f) < value(*best))) best = &f;
+    for (FormFit& f : tried) {
+      if (!comparable(f) || value(f) > kAsGood * value(*best)) continue;
+      if (&f != best && chance(f, *best) < kSignificant) continue;
+      if (!simplest || f.parameters < simplest->parameters ||
+          (f.parameters == simplest->parameters && value(f) < value(*simplest)))
+        simplest = &f;
+    }
+    return simplest;
+  }
+
+  void step(const Stage& stage) {
+    if (!options_.stop() && !stage.candidates.empty()) decide(stage, try_all(stage));
+  }
+
+  void decide(const Stage& stage, std::vector<FormFit> tried) {
+    if (FormFit* next = simplest_of(tried)) {
+      const double p = std::min(1.0, chance(chosen_, *next) * double(tried.size()));
+      const double error =
+          paired_test(groups(), chosen_.left_out->by_group, next->left_out->by_group).standard_error;
+      const bool kept = value(*next) < value(chosen_) && p < kSignificant;
+      result_.steps.push_back({stage.adds, next->form, next->left_out->value,
+                               chosen_.left_out->value - next->left_out->value, error, p, tried.size(),
+                               kept});
+      if (kept) {
+        model_ = stage.candidates[std::size_t(next - tried.data())];
+        std::swap(chosen_, *next);
+      }
+    }
+    for (FormFit& f : tried) others_.push_back(std::move(f));
+  }
+
+  // The chosen model first, then the others by their left-out values.
+  FitResult finished(std::vector<FormFit> more) {
+    for (FormFit& f : more) others_.push_back(std::move(f));
+    std::ranges::stable_sort(others_, {}, [&](const FormFit& f) {
+      return comparable(f) ? f.left_out->value : std::numeric_limits<double>::infinity();
+    });
+    if (!model_.empty()) result_.ranking.push_back(std::move(chosen_));
+    for (FormFit& f : others_) result_.ranking.push_back(std::move(f));
+    result_.recommended = 0;
+    result_.interrupted = options_.stop();
+    return std::move(result_);
+  }
+
+  const io::SampleTable& table_;
+  const FitOptions& options_;
+  const Progress& progress_;
+  FitResult result_;
+  double loss_scale_ = 0;
+  Forms model_;
+  FormFit chosen_;
+  std::vector<FormFit> others_;
+};
+
+}  // namespace
+
+FitResult fit_stepwise(const io::SampleTable& table, const FitOptions& options, const Progress& progress) {
+  return Stepwise(table, options, progress).run();
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,103 @@
+// As many terms as the samples ask for.
+#include "fit/stepwise.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "brdf/random.h"
+#include "samples.h"
+
+namespace brdf::fit {
+namespace {
+
+Material one_lobe(double kd, double ks, double f0, double alpha) {
+  Material m = make_material(*find_form("cook_torrance"), {"f"});
+  m.terms[0].shape[0] = {alpha, alpha};
+  m.terms[0].weights = {{kd, ks, f0}};
+  return m;
+}
+
+Material two_lobes(double narrow, double wide) {
+  Material m = one_lobe(0.2, 0.3, 0.3, narrow);
+  m.terms.push_back(one_lobe(0, 0.5, 0.3, wide).terms[0]);
+  return m;
+}
+
+io::SampleTable samples_of(const Material& material, double noise, std::uint64_t seed) {
+  synth::Instrument instrument;
+  instrument.grid.parts = {"hemisphere"};
+  instrument.grid.step = 15;
+  instrument.grid.theta_i = {5, 15, 25, 35, 45, 55, 65, 75};
+  instrument.noise = noise;
+  instrument.seed = seed;
+  return synth::measure(material, instrument);
+}
+
+const Step& last_kept(const FitResult& result) {
+  return *std::find_if(result.steps.rbegin(), result.steps.rend(), [](const Step& s) { return s.kept; });
+}
+
+TEST(Stepwise, MattSamplesKeepADiffuseTerm) {
+  Material matt = make_material(*find_form("lambert"), {"f"});
+  matt.terms[0].weights = {{0.5}};
+  const FitResult result = fit_stepwise(samples_of(matt, 0.03, 1), {});
+  EXPECT_EQ(result.ranking.front().form, "lambert");
+  ASSERT_EQ(result.steps.size(), 2u);
+  EXPECT_FALSE(result.steps[1].kept);
+}
+
+TEST(Stepwise, OneLobeStaysOne) {
+  const FitResult result = fit_stepwise(samples_of(one_lobe(0.3, 0.5, 0.2, 0.25), 0.02, 2), {});
+  EXPECT_EQ(result.ranking.front().form, "cook_torrance");
+  ASSERT_EQ(result.steps.size(), 4u);
+  EXPECT_TRUE(result.steps[1].kept);
+  EXPECT_LT(result.steps[1].p, 0.05);
+  EXPECT_FALSE(result.steps[2].kept);
+  EXPECT_FALSE(result.steps[3].kept);
+}
+
+TEST(Stepwise, ASecondLobeIsFoundAndWhatItBoughtIsSaid) {
+  const FitResult result = fit_stepwise(samples_of(two_lobes(0.08, 0.4), 0.02, 3), {});
+  const Step& step = last_kept(result);
+  EXPECT_EQ(step.added, "a second lobe");
+  EXPECT_EQ(step.model, result.ranking.front().form);
+  EXPECT_EQ(result.ranking.front().material.terms.size(), 2u);
+  EXPECT_GT(step.difference, 5 * step.standard_error * 0.2);
+  EXPECT_LT(step.left_out, result.steps[1].left_out);
+}
+
+TEST(Stepwise, ATailOfItsOwnIsPreferredWhereItIsSeen) {
+  Material m = make_material(*find_form("cook_torrance_student"), {"f"});
+  m.terms[0].shape[0] = {0.3, 0.3, 6};
+  m.terms[0].weights = {{0.02, 0.8, 0.4}};
+  const FormFit best = fit_stepwise(samples_of(m, 0.02, 4), {}).ranking.front();
+  ASSERT_EQ(best.form, "cook_torrance_student");
+  EXPECT_NEAR(best.material.terms[0].shape[0][2], 6, 1);
+}
+
+TEST(Stepwise, TheOrderOfRowsDecidesNothing) {
+  io::SampleTable table = samples_of(two_lobes(0.1, 0.5), 0.03, 5);
+  const FitResult ordered = fit_stepwise(table, {});
+  std::vector<std::size_t> order(table.rows());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937_64(9));
+  io::SampleTable shuffled = table;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (auto column : {&io::SampleTable::theta_i, &io::SampleTable::phi_i, &io::SampleTable::theta_o,
+                        &io::SampleTable::phi_o})
+      (shuffled.*column)[k] = (table.*column)[order[k]];
+    for (std::size_t c = 0; c < table.values.size(); ++c) shuffled.values[c][k] = table.values[c][order[k]];
+  }
+  const FitResult again = fit_stepwise(shuffled, {});
+  ASSERT_EQ(again.steps.size(), ordered.steps.size());
+  for (std::size_t k = 0; k < again.steps.size(); ++k) {
+    EXPECT_EQ(again.steps[k].model, ordered.steps[k].model);
+    EXPECT_EQ(again.steps[k].left_out, ordered.steps[k].left_out);
+    EXPECT_EQ(again.steps[k].p, ordered.steps[k].p);
+  }
+  EXPECT_EQ(again.ranking.front().material.terms[0].shape, ordered.ranking.front().material.terms[0].shape);
+}
+
+}  // namespace
+}  // namespace brdf::fit
