@@ -19,6 +19,7 @@
 #include "io/numbers.h"
 #include "io/output.h"
 #include "io/provenance.h"
+#include "io/relative_scale.h"
 #include "io/text.h"
 #ifdef BRDF_HAS_RENDER
 #include "render/job.h"
@@ -98,7 +99,8 @@ void watch_for_interrupt() {
 
 Exit run_one(const Options& o, const fit::FitOptions& options) {
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0]});
-  const io::SampleTable table = io::read_samples(o.samples[0]);
+  io::SampleTable table = io::read_samples(o.samples[0]);
+  if (options.free_scale) io::make_relative(table);
   watch_for_interrupt();
   const auto progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
   const auto models = models_of(o.form);
@@ -130,7 +132,8 @@ void draw_spheres(const std::vector<fit::BatchRow>& rows, const std::filesystem:
     job.output = picture;
     job.width = job.height = 256;
     try {
-      render::run(job);
+      for (const std::string& note : render::run(job).notes)
+        std::cerr << picture.string() << ": " << note << '\n';
     } catch (const EnvironmentError& error) {
       std::cerr << "brdf: no pictures: " << error.what() << '\n';
       return;
@@ -152,7 +155,7 @@ std::string settings_of(const Options& o) {
   }
   for (const double x :
        {o.fit.max_theta, o.fit.aperture, double(o.fit.anisotropic), double(o.fit.per_channel),
-        double(o.physical), double(o.fit.random_starts), double(o.fit.seed)})
+        double(o.physical), double(o.fit.free_scale), double(o.fit.random_starts), double(o.fit.seed)})
     text += " " + std::to_string(x);
   return text;
 }
@@ -207,6 +210,9 @@ void add_fit(CLI::App& app) {
   add_named_option(*verb, "--metric", o.fit.metric, "Residual");
   verb->add_flag("--anisotropic", o.fit.anisotropic, "Two widths and the tangent's azimuth");
   verb->add_flag("--per-channel", o.fit.per_channel, "A shape for every channel");
+  verb->add_flag(
+      "--free-scale", o.fit.free_scale,
+      "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
   verb->add_option("--max-theta", o.fit.max_theta, "Degrees; rows with a steeper angle are left out")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 90.0));

@@ -165,6 +165,7 @@ Exit run(Options& o) {
     render::write_lobes(job);
   } else {
     const render::JobReport report = render::run(job);
+    for (const std::string& note : report.notes) std::cerr << "brdf render: " << note << '\n';
     o.json ? print_json(report, job) : print_text(report, job, o.times);
     if (report.validation_messages > 0) return Exit::failed;
   }

@@ -57,11 +57,11 @@ std::vector<std::string> required(const Options& o) {
 }
 
 // A table with its data sheet; of one that cannot be read because two columns are exchanged, that finding.
-validate::MeasuredTable measured(io::Content content) {
+validate::MeasuredTable measured(io::Content content, double max_theta) {
   const std::string file = content.name;
   try {
     io::SampleTable table = io::read_samples(std::move(content));
-    validate::DataSheet sheet = validate::data_sheet(table);
+    validate::DataSheet sheet = validate::data_sheet(table, max_theta);
     return {std::move(table), std::move(sheet)};
   } catch (const ExchangedColumns& e) {
     io::SampleTable table;
@@ -83,7 +83,7 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
     if (io::is_json(bytes)) {
       content.subjects.push_back(validate::Subject::material(file, io::read_material(bytes)));
     } else {
-      content.tables.push_back(measured(std::move(bytes)));
+      content.tables.push_back(measured(std::move(bytes), o.max_theta));
     }
   }
   if (content.subjects.empty() && content.tables.empty())

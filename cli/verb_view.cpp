@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
 #include <memory>
 
 #include "cli/options.h"
@@ -79,6 +80,8 @@ void add_view(CLI::App& app) {
     inputs.insert(inputs.end(), {job.scene, job.measured});
     io::check_targets(targets, inputs);
     options->viewer.state = initial_state(options->job);
+    for (const std::string& note : render::colour_notes(options->viewer.state))
+      std::cerr << "brdf view: " << note << '\n';
     return render::view(options->viewer) > 0 ? Exit::failed : Exit::good;
   });
 }

@@ -15,6 +15,7 @@
 #include "io/material_json.h"
 #include "io/output.h"
 #include "io/parallel.h"
+#include "io/relative_scale.h"
 #include "io/text.h"
 
 namespace brdf::fit {
@@ -123,7 +124,8 @@ class Batch {
     const std::string key = key_of(batch_.settings, content.bytes);
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
-    const io::SampleTable table = io::read_samples(std::move(content));
+    io::SampleTable table = io::read_samples(std::move(content));
+    if (options_.free_scale) io::make_relative(table);
     const FitResult result = fit(table, models_, options_);
     const FormFit& best = result.ranking.front();
     if (result.interrupted) {

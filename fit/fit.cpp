@@ -12,6 +12,7 @@
 #include "fit/assess/select.h"
 #include "fit/solve/minima.h"
 #include "fit/stepwise.h"
+#include "io/cosine_factor.h"
 #include "io/numbers.h"
 
 namespace brdf::fit {
@@ -175,6 +176,8 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   result.beyond_max_theta = data.beyond_max_theta;
   result.outside_domain = data.outside_domain;
   result.channels = data.channels;
+  if (const io::CosineFactor cosine = io::cosine_factor(table); cosine.found != io::Cosine::none)
+    result.input_fault = cosine.statement;
   result.noise_floor = noise_floor(data);
   result.groups = data.groups;
   std::vector<Solved> all;

@@ -24,6 +24,16 @@ struct Column {
   std::string name;
 };
 
+// Whether a column holds wavelengths: `wavelength`, `lambda` or `wl`, with or without a unit.
+bool is_wavelength(std::string_view name) {
+  std::string word = lower_case(name);
+  const std::size_t end = word.find_first_of("_ ([/");
+  const std::string unit = end == word.npos ? "" : word.substr(end + 1);
+  word = word.substr(0, end);
+  const bool is_unit = unit.empty() || unit.starts_with("nm") || unit.starts_with("um");
+  return is_unit && (word == "wavelength" || word == "wavelengths" || word == "lambda" || word == "wl");
+}
+
 class CsvReader {
  public:
   CsvReader(const Content& text, bool need_values) : reader_(text), need_values_(need_values) {
@@ -88,6 +98,11 @@ class CsvReader {
         fail("the header row is missing: column " + std::to_string(columns_.size() + 1) + " is the number " +
              shown(name) + ", not a name");
       if (!seen.insert(name).second) fail("column " + shown(name) + " twice");
+      if (is_wavelength(name))
+        fail("column " + shown(name) +
+             ": the long format, one row for each wavelength, is not read; give each wavelength a column of "
+             "its "
+             "own, such as 465nm");
       const auto angle = std::find(std::begin(kAngleNames), std::end(kAngleNames), name);
       if (angle != std::end(kAngleNames)) {
         columns_.push_back(

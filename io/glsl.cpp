@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brdf/trace.h"
+#include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/provenance.h"
 #include "io/text.h"
@@ -17,32 +18,36 @@ std::string glsl_number(double value) {
   return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-// One parameter of all channels as a vec3; one channel stands for all three.
-std::string glsl_vector(const Term& term, std::size_t parameter) {
-  const auto value = [&](std::size_t channel) {
-    return glsl_number(term.weights[term.weights.size() == 1 ? 0 : channel][parameter]);
+// One parameter of the channels that are red, green and blue as a vec3.
+std::string glsl_vector(const Term& term, const ChannelColours& colours, std::size_t parameter) {
+  const auto value = [&](std::size_t colour) {
+    return glsl_number(term.weights[colours.of[colour]][parameter]);
   };
   return "vec3(" + value(0) + ", " + value(1) + ", " + value(2) + ")";
 }
 
-std::string call(const Term& term, const std::string& wi, const std::string& wo) {
+std::string call(const Term& term, const ChannelColours& colours, const std::string& wi,
+                 const std::string& wo) {
   const ReflectanceInfo& form = info(term.form);
   std::string text = "brdf_eval_" + std::string(form.name) + "(" + wi + ", " + wo;
   for (std::size_t k = 0; k < form.shape.size(); ++k) text += ", " + glsl_number(term.shape[0][k]);
-  for (std::size_t k = 0; k < form.weights.size(); ++k) text += ", " + glsl_vector(term, k);
+  for (std::size_t k = 0; k < form.weights.size(); ++k) text += ", " + glsl_vector(term, colours, k);
   return text + ")";
 }
 
 // vec3 brdf_material(wi, wo): the sum of the terms with their parameters as constants.
 std::string material_function(const Material& material) {
-  const std::size_t channels = material.channels.size();
-  if (channels != 1 && channels != 3)
-    throw InputError("--to glsl needs 1 or 3 channels, the material has " + std::to_string(channels));
-  std::string text = "vec3 brdf_material(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
+  const std::optional<ChannelColours> colours = channel_colours(material.channels);
+  if (!colours)
+    throw InputError("--to glsl needs 1 or 3 channels, the material has " +
+                     std::to_string(material.channels.size()) + " that say nothing of colour");
+  std::string text = colours->note.empty() ? "" : "// " + colours->note + "\n";
+  text += "vec3 brdf_material(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
   for (const Term& term : material.terms) {
     if (term.shape.size() > 1) throw InputError("--to glsl needs one shape for all channels");
+    require_red_first(term, *colours);
     if (term.tangent_phi == Angle{}) {
-      text += "  f += " + call(term, "wi", "wo") + ";\n";
+      text += "  f += " + call(term, *colours, "wi", "wo") + ";\n";
       continue;
     }
     const std::string c = glsl_number(std::cos(term.tangent_phi.radians())),
@@ -51,7 +56,7 @@ std::string material_function(const Material& material) {
       return "vec3(" + w + ".x * " + c + " + " + w + ".y * " + s + ", " + w + ".y * " + c + " - " + w +
              ".x * " + s + ", " + w + ".z)";
     };
-    text += "  f += " + call(term, turned("wi"), turned("wo")) + ";\n";
+    text += "  f += " + call(term, *colours, turned("wi"), turned("wo")) + ";\n";
   }
   return text + "  return f;\n}\n";
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/json.h"
 
@@ -176,6 +177,18 @@ std::string gradient(Colours colours) {
 }
 
 }  // namespace
+
+std::vector<int> channel_palette(const std::vector<std::string>& channels) {
+  constexpr std::array kRedGreenBlue{1, 2, 0};  // in kDraw's palette
+  std::vector<int> numbers(channels.size(), -1);
+  const auto colours = channel_colours(channels);
+  if (colours && channels.size() > 1)
+    for (std::size_t k = 0; k < 3; ++k) numbers[colours->of[k]] = kRedGreenBlue[k];
+  int next = channels.size() > 1 && colours ? 3 : 0;
+  for (int& number : numbers)
+    if (number < 0) number = next++;
+  return numbers;
+}
 
 std::string html_escaped(std::string_view text) {
   std::string out;

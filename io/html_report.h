@@ -75,6 +75,9 @@ class HtmlReport {
   int count_ = 0;
 };
 
+// The palette's number for the curve of each channel: reddish, green and blue for those that are these colours.
+std::vector<int> channel_palette(const std::vector<std::string>& channels);
+
 std::string html_escaped(std::string_view text);
 
 // A PNG (8 bits, RGB) of row-major pixels, top row first: heat maps.

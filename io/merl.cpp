@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "brdf/vec3.h"
+#include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/output.h"
 #include "io/text.h"
@@ -138,9 +139,10 @@ bool recognises(const Content& content) {
 
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table) {
   const std::size_t channels = table.channels.size();
-  if (channels != 1 && channels != 3)
-    throw InputError(table.source + ": a MERL file holds 3 channels, the table has " +
-                     std::to_string(channels));
+  const std::optional<ChannelColours> colours = channel_colours(table.channels);
+  if (!colours)
+    throw InputError(table.name() + ": a MERL file holds red, green and blue, the table has " +
+                     std::to_string(channels) + " channels that say nothing of colour");
   std::vector<std::uint32_t> count(kCells);
   std::vector<std::vector<double>> sum(channels, std::vector<double>(kCells));
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -154,7 +156,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
     out.write(reinterpret_cast<const char*>(dimensions), sizeof dimensions);
     std::vector<double> plane(kCells);
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::vector<double>& values = sum[channels == 1 ? 0 : c];
+      const std::vector<double>& values = sum[colours->of[c]];
       for (std::size_t cell = 0; cell < kCells; ++cell) {
         plane[cell] = -1.0;  // no value
         if (count[cell] == 0) continue;
@@ -180,6 +182,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
                  " cells stay without value");
   if (negative > 0) lost.push_back(std::to_string(negative) + " negative means set to 0");
   if (channels == 1) lost.push_back("one channel written as three equal ones");
+  if (!colours->note.empty()) lost.push_back("the channels' names: " + colours->note);
   if (!table.metadata.empty()) lost.push_back("the header's comments");
   for (std::size_t c = 0; c < channels; ++c)
     if (table.has_sigma(c)) {

@@ -36,7 +36,8 @@ bool recognises(const Content& content);
 // Reads the whole file; cells marked invalid (negative) or below the horizon are left out and counted.
 SampleTable read(const Content& content);
 
-// Writes the mean of the rows in each cell, -1 where there are none. Returns what is lost, one phrase each.
+// Writes the mean of the rows in each cell, -1 where there are none; which channels are red, green and blue
+// their names say (io/channel_colours.h). Returns what is lost, one phrase each.
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io::merl

@@ -30,6 +30,7 @@ struct SampleTable {
   std::string format = "csv";         // csv, merl, rgl, astm_e1392, zemax
   std::vector<std::uint32_t> lines;   // [row] line in the file; empty where the format has none
   std::vector<std::string> warnings;  // what the reader left out or repaired, one sentence each
+  double scale = 1;                   // by which the file's values were divided (relative_scale.h)
   std::size_t skipped = 0;            // entries of the file that hold no value (marked invalid, or undefined)
 
   std::size_t rows() const { return theta_i.size(); }

@@ -25,6 +25,9 @@ class LineReader {
   std::size_t line_ = 0;
 };
 
+// Latin capitals made small; other characters stay.
+std::string lower_case(std::string_view text);
+
 std::string_view trimmed(std::string_view text);
 
 // Splits at `separator`; fields are trimmed, empty ones kept.

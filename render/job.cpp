@@ -41,7 +41,7 @@ void check_usage(const Job& job) {
 
 std::pair<std::string, Material> load_material(const std::filesystem::path& file) {
   Material material = io::read_material(file);
-  require_one_or_three_channels(material.channels.size(), file.string());
+  require_colours(material.channels, file.string());
   return {file.stem().string(), std::move(material)};
 }
 
@@ -103,6 +103,19 @@ ViewState state_of(const Job& job) {
     throw InputError("--show " + *job.show + " needs --compare or --measured");
   if (job.plot_theta) state.plot_theta = float(*job.plot_theta);
   return state;
+}
+
+std::vector<std::string> colour_notes(const ViewState& state) {
+  std::vector<std::string> notes;
+  const auto add = [&](const Material& material, const std::string& name) {
+    const auto colours = io::channel_colours(material.channels);
+    if (!colours || colours->note.empty()) return;
+    std::string note = (name.empty() ? "the material" : name) + ": " + colours->note;
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+  };
+  for (const Object& object : state.scene.objects) add(object.material, object.material_name);
+  if (state.material) add(*state.material, state.material_name);
+  return notes;
 }
 
 namespace {
@@ -174,6 +187,8 @@ JobReport run(const Job& job) {
   Pictures pictures(device, options);
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
   JobReport report;
+  report.notes = colour_notes(state);
+  if (!pictures.samples_note().empty()) report.notes.push_back(pictures.samples_note());
   if (with_other) {
     report.other = pictures.other_name(state);
     report.difference = pictures.difference();

@@ -45,10 +45,13 @@ struct JobReport {
   std::optional<PixelProbe> probe;
   glm::vec4 probed_a{0}, probed_b{0};  // the pictures' values at the probed pixel
   unsigned validation_messages = 0;
+  std::vector<std::string> notes;  // how channels became colours where their names do not say it
 };
 
 // What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
+// How the channels of a state's materials became colours, a line for each material that does not say it.
+std::vector<std::string> colour_notes(const ViewState& state);
 // Renders and writes the output, if one is named. Throws
 // InputError or EnvironmentError; nothing is written then.
 JobReport run(const Job& job);

@@ -16,6 +16,7 @@ struct MeasuredAlbedo {
   double theta_i;                    // degrees
   double coverage;                   // fraction of the projected hemisphere within reach of a sample
   std::vector<double> value, bound;  // per channel
+  std::vector<double> least;         // what the covered part reflects at least, per channel
 };
 
 struct DataSheet {
@@ -24,10 +25,13 @@ struct DataSheet {
   std::vector<std::pair<std::string, std::string>> facts;  // rows, channels, angles, ...
 };
 
-// Checks: negative, missing, duplicates, directions (is a pole's azimuth without effect?), outliers,
-// reciprocity (exact pairs), noise_floor (interpolated reciprocity), cosine_factor (is the quantity f_r?),
-// isotropy, coverage, energy. What the table does not allow is not_applicable, and says why.
-DataSheet data_sheet(const io::SampleTable& table);
+// Checks: negative, missing, duplicates; the angles: angle_unit (radians?), polar_angle (elevations?), azimuth
+// (the other convention?), directions (is a pole's azimuth without effect?); outliers, saturation; reciprocity
+// (exact pairs), noise_floor (interpolated reciprocity), cosine_factor and quantity (are the values f_r?),
+// isotropy, coverage, energy. What the table does not allow is not_applicable, and says why; what it is too coarse
+// for is undecided. A fault is named once: the checks that it would mislead are then not_applicable.
+// `max_theta` in degrees: outliers beyond it are named apart.
+DataSheet data_sheet(const io::SampleTable& table, double max_theta = 90);
 
 // Of a table whose reader refused it because columns are exchanged, and said why.
 DataSheet exchanged_columns(const io::SampleTable& table, const std::string& why);

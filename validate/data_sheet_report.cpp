@@ -18,7 +18,14 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   plane.log_y = true;
   plane.caption = "The values as they were measured, one colour for each angle of the light.";
   plane.command = "grep -v '^#' " + io::shell_file(t.source);
-  for (const auto& [light, members] : by_light(t)) {
+  if (is_of_cells(t))
+    for (const double theta_i : {15.0, 30.0, 45.0, 60.0, 75.0}) {
+      plane.series.push_back(cells_in_plane(t, theta_i));
+      plane.series.back().label = "light at " + io::to_text(theta_i);
+      plane.series.back().style = io::Series::Style::points;
+    }
+  const auto groups = is_of_cells(t) ? decltype(by_light(t)){} : by_light(t);
+  for (const auto& [light, members] : groups) {
     io::Series s{"light at " + io::to_text(light.first), {}, {}, io::Series::Style::points};
     for (const std::size_t k : members) {
       const double phi = std::abs(std::remainder(t.phi_o[k] - light.second, 360.0));
@@ -33,10 +40,12 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   albedo.title = "Reflected fraction by integrating the samples: " + t.source;
   albedo.x_label = "polar angle of the light, degrees";
   albedo.y_label = "reflected fraction";
+  const std::vector<int> palette = io::channel_palette(t.channels);
   for (std::size_t c = 0; c < t.channels.size() && c < 8; ++c) {
     io::Series s{t.channels[c], {}, {}};
+    s.colour = palette[c];
     for (const MeasuredAlbedo& a : sheet.albedo) {
-      if (a.coverage < 0.6) continue;
+      if (a.coverage < kEnoughCoverage) continue;
       s.x.push_back(a.theta_i);
       s.y.push_back(a.value[c]);
       s.low.push_back(a.value[c] - a.bound[c]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,8 @@
 
 namespace brdf::validate {
 
-enum class Outcome { pass, known_violation, fail, not_applicable };
+// undecided: the check applies, and the data are too few or too coarse for it.
+enum class Outcome { pass, known_violation, fail, not_applicable, undecided };
 
 // Where the worst value was found, so that `brdf eval` or `brdf albedo` reproduces it.
 struct Witness {
@@ -27,6 +29,16 @@ struct Restricted {
   Witness witness;
 };
 
+// A row of a table that a finding is about.
+struct NamedRow {
+  std::size_t row;                        // from 0
+  std::uint32_t line = 0;                 // in the file, from 1; 0 where the format has none
+  double theta_i, phi_i, theta_o, phi_o;  // degrees
+  std::string channel;                    // empty: the row as a whole
+  double value = 0, expected = 0;         // 1/sr, of that channel
+  bool apart = false;                     // beyond --max-theta: named, and no fault
+};
+
 // What one check found out about one subject.
 struct Finding {
   std::string subject, check;
@@ -35,8 +47,9 @@ struct Finding {
   double bound = 0;  // what it may be
   std::string statement;
   std::optional<Witness> witness;
-  std::optional<Restricted> tied;  // of an anisotropic form's energy: equal widths
-  long evaluations = 0;            // of the subject's f
+  std::optional<Restricted> tied;   // of an anisotropic form's energy: equal widths
+  long evaluations = 0;             // of the subject's f
+  std::vector<NamedRow> rows = {};  // of a table: all of them
 
   // Passes or fails, and says why.
   void conclude(bool good, const std::string& if_good, const std::string& if_not) {
@@ -59,7 +72,7 @@ inline Finding not_applicable(std::string subject, std::string check, std::strin
 namespace brdf {
 
 template <>
-inline constexpr std::array<std::string_view, 4> kNames<validate::Outcome>{"pass", "known_violation", "fail",
-                                                                           "not_applicable"};
+inline constexpr std::array<std::string_view, 5> kNames<validate::Outcome>{"pass", "known_violation", "fail",
+                                                                           "not_applicable", "undecided"};
 
 }  // namespace brdf

@@ -29,7 +29,7 @@ bool shows_witness(const Finding& f) {
 }
 
 io::Mark mark_of(Outcome outcome) {
-  constexpr std::array marks{io::Mark::good, io::Mark::warn, io::Mark::bad, io::Mark::none};
+  constexpr std::array marks{io::Mark::good, io::Mark::warn, io::Mark::bad, io::Mark::none, io::Mark::warn};
   return marks[std::size_t(outcome)];
 }
 
@@ -39,6 +39,19 @@ io::Json to_json(const Witness& w) {
   for (const auto& [name, value] : w.angles) json[name] = value;
   if (!w.channel.empty()) json["channel"] = w.channel;
   json["command"] = w.command;
+  return json;
+}
+
+io::Json to_json(const NamedRow& row) {
+  io::Json json{
+      {"row", row.row + 1},           {"line", row.line > 0 ? io::Json(row.line) : io::Json(nullptr)},
+      {"theta_i", row.theta_i},       {"phi_i", row.phi_i},
+      {"theta_o", row.theta_o},       {"phi_o", row.phi_o},
+      {"beyond_max_theta", row.apart}};
+  if (row.channel.empty()) return json;
+  json["channel"] = row.channel;
+  json["value"] = row.value;
+  json["expected"] = row.expected;
   return json;
 }
 
@@ -56,13 +69,15 @@ std::string summary(const std::vector<Finding>& findings) {
   std::string text = std::to_string(passed) + " passed";
   if (known > 0) text += ", " + std::to_string(known) + " known violation" + (known > 1 ? "s" : "");
   text += ", " + std::to_string(failed) + " failed";
+  if (const std::size_t open = count(findings, Outcome::undecided); open > 0)
+    text += ", " + std::to_string(open) + " undecided";
   if (const std::size_t none = count(findings, Outcome::not_applicable); none > 0)
     text += ", " + std::to_string(none) + " not applicable";
   return text;
 }
 
 void print_findings(std::ostream& out, const std::vector<Finding>& findings, bool colour) {
-  constexpr std::array colours{"\033[32m", "\033[33m", "\033[31m", "\033[2m"};
+  constexpr std::array colours{"\033[32m", "\033[33m", "\033[31m", "\033[2m", "\033[33m"};
   std::string subject;
   for (const Finding& f : findings) {
     if (f.subject != subject) out << (subject.empty() ? "" : "\n") << f.subject << '\n';
@@ -87,6 +102,7 @@ io::Json to_json(const Finding& f) {
   json["witness"] = f.witness ? to_json(*f.witness) : io::Json(nullptr);
   if (f.tied) json["tied"] = {{"value", f.tied->value}, {"witness", to_json(f.tied->witness)}};
   json["evaluations"] = f.evaluations;
+  for (const NamedRow& row : f.rows) json["rows"].push_back(to_json(row));
   return json;
 }
 
@@ -126,7 +142,7 @@ std::string to_markdown(const std::vector<Finding>& findings) {
   std::string text =
       "**" + summary(findings) + "**\n\n| subject | check | verdict | finding |\n|---|---|---|---|\n";
   for (const Finding& f : findings) {
-    constexpr std::array signs{"pass", "known violation", "**fail**", "not applicable"};
+    constexpr std::array signs{"pass", "known violation", "**fail**", "not applicable", "undecided"};
     text += "| " + markdown_text(f.subject) + " | " + f.check + " | " + signs[std::size_t(f.outcome)] +
             " | " + markdown_text(f.statement);
     if (shows_witness(f) && !f.witness->command.empty()) text += "<br>" + markdown_code(f.witness->command);

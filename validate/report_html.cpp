@@ -43,8 +43,11 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   for (double theta = 0; theta < max_theta; theta += theta < 85 ? 2.5 : 0.25) angles.push_back(theta);
   angles.push_back(max_theta);
   double widest = 0, lowest = HUGE_VAL, highest = 0;
-  for (const std::string& channel : m.channels)
-    plot.series.push_back({channel, angles, {}, io::Series::Style::line});
+  const std::vector<int> palette = io::channel_palette(m.channels);
+  for (std::size_t c = 0; c < m.channels.size(); ++c) {
+    plot.series.push_back({m.channels[c], angles, {}, io::Series::Style::line});
+    plot.series.back().colour = palette[c];
+  }
   for (const double theta : angles) {
     AlbedoOptions options;
     options.tolerance = 1e-5;

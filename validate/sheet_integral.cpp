@@ -60,7 +60,8 @@ MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t
       samples.push_back({{samples[j].d.x, -samples[j].d.y, samples[j].d.z}, samples[j].row});
   }
   const std::size_t channels = t.channels.size();
-  MeasuredAlbedo m{t.theta_i[rows.front()], 0, std::vector<double>(channels), std::vector<double>(channels)};
+  const std::vector<double> zero(channels);
+  MeasuredAlbedo m{t.theta_i[rows.front()], 0, zero, zero, zero};
   const double weight = kPi / (kRings * kSectors);
   for (int ring = 0; ring < kRings; ++ring)
     for (int sector = 0; sector < kSectors; ++sector) {
@@ -81,11 +82,19 @@ MeasuredAlbedo integrate(const io::SampleTable& t, const std::vector<std::size_t
           high = std::max(high, v);
         }
         m.value[c] += weight * sum / weights;
+        m.least[c] += covered ? weight * low : 0;
         m.bound[c] += weight * (covered ? 0.5 * (high - low) : std::max(std::abs(low), std::abs(high)));
       }
     }
-  for (std::size_t c = 0; c < channels; ++c) m.bound[c] += 0.5 * noise * std::abs(m.value[c]);
+  for (std::size_t c = 0; c < channels; ++c) {
+    m.least[c] -= 0.5 * noise * std::abs(m.least[c]);
+    m.bound[c] += 0.5 * noise * std::abs(m.value[c]);
+  }
   return m;
+}
+
+double proven(const MeasuredAlbedo& a, std::size_t channel) {
+  return std::max(a.value[channel] - a.bound[channel], a.least[channel]);
 }
 
 Finding coverage(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
@@ -97,6 +106,7 @@ Finding coverage(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& al
   Finding f = start(t, "coverage");
   f.value = sum / double(albedo.size());
   f.bound = 1;
+  f.outcome = f.value < kEnoughCoverage ? Outcome::undecided : Outcome::pass;
   f.statement =
       io::percent_to_tenths(f.value) +
       " of the projected hemisphere lies within 8 degrees of a sample (at the worst angle of the light " +
@@ -105,24 +115,44 @@ Finding coverage(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& al
 }
 
 Finding energy(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
-  constexpr double kEnough = 0.6;
   const MeasuredAlbedo* worst = nullptr;
   std::size_t channel = 0;
+  bool fails = false;
+  const auto most = [](const MeasuredAlbedo& a, std::size_t c) { return a.value[c] + a.bound[c]; };
+  double covered = 0;
   for (const MeasuredAlbedo& a : albedo)
-    for (std::size_t c = 0; c < a.value.size(); ++c)
-      if (a.coverage >= kEnough && (!worst || a.value[c] > worst->value[channel])) {
-        worst = &a;
-        channel = c;
-      }
-  if (!worst)
-    return not_applicable(t.source, "energy", "too little of the hemisphere is covered for an integral");
+    for (std::size_t c = 0; c < a.value.size(); ++c) {
+      const bool too_much = proven(a, c) > 1;
+      covered = std::max(covered, a.least[c]);
+      if (!too_much && (fails || a.coverage < kEnoughCoverage)) continue;
+      const bool worse =
+          !worst || (too_much && !fails) ||
+          (fails ? proven(a, c) > proven(*worst, channel) : most(a, c) > most(*worst, channel));
+      fails = fails || too_much;
+      if (!worse) continue;
+      worst = &a;
+      channel = c;
+    }
   Finding f = start(t, "energy");
-  f.value = worst->value[channel];
   f.bound = 1;
-  f.outcome = f.value - worst->bound[channel] > 1 ? Outcome::fail : Outcome::pass;
-  f.statement = "reflects at most " + io::short_number(f.value, 3) + " +- " +
-                io::short_number(worst->bound[channel], 3) + " (light at " +
-                io::short_number(worst->theta_i, 3) + " degrees, channel " + t.channels[channel] + ")";
+  if (!worst) {
+    f.outcome = Outcome::undecided;
+    f.value = covered;
+    f.statement =
+        "too little of the hemisphere is covered for an integral: the covered part reflects at least " +
+        io::short_number(covered, 2);
+    return f;
+  }
+  f.value = worst->value[channel];
+  f.outcome = fails ? Outcome::fail : most(*worst, channel) > 1 ? Outcome::undecided : Outcome::pass;
+  f.statement = (fails ? "reflects at least " + io::short_number(proven(*worst, channel), 3) + ": "
+                       : std::string("reflects at most ")) +
+                io::short_number(f.value, 3) + " +- " + io::short_number(worst->bound[channel], 3) +
+                " (light at " + io::short_number(worst->theta_i, 3) + " degrees, channel " +
+                t.channels[channel] + ")";
+  if (fails)
+    f.statement += "; divided by pi, if it is a BRF, " + io::short_number(proven(*worst, channel) / kPi, 3);
+  if (f.outcome == Outcome::undecided) f.statement += ", which does not say that it stays below 1";
   return f;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "io/numbers.h"
@@ -125,27 +126,65 @@ Say say(const std::vector<double>& values, const Near& near, std::size_t least) 
   return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
 }
 
+// How far a value of a channel may lie from its neighbours because the dark level is noisy: five standard deviations
+// of that noise, taken from how the darkest tenth of the rows scatters about its neighbours. A factor of two is
+// nothing where there is no light.
+double dark_floor(const std::vector<double>& values, const std::vector<Near>& near) {
+  constexpr double kDeviations = 5, kNormal = 1.4826;  // of a normal distribution over its median deviation
+  const double darkest = io::quantile(values, 0.1);
+  std::vector<double> departures;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (values[k] > darkest || near[k].empty()) continue;
+    std::vector<double> around;
+    for (const std::size_t n : near[k]) around.push_back(values[n]);
+    departures.push_back(std::abs(values[k] - io::median(std::move(around))));
+  }
+  return departures.size() < 8 ? 0 : kDeviations * kNormal * io::median(std::move(departures));
+}
+
+// One channel against both kinds of neighbours: the median that a value departs from, of values that do.
+class Witnesses {
+ public:
+  Witnesses(const std::vector<double>& values, const std::vector<Near>& viewer, const HalfNeighbours& half)
+      : values_(values), viewer_(viewer), half_(half), floor_(dark_floor(values, half.near)) {}
+
+  std::optional<double> contradiction(std::size_t k) const {
+    if (!(values_[k] > 0)) return std::nullopt;
+    const double x = std::log(values_[k]);
+    const Say viewer = say(values_, viewer_[k], 6), half = say(values_, half_.near[k], 6);
+    if (say(values_, half_.same[k], 1).explains(x)) return std::nullopt;
+    const bool by_viewer = viewer.contradicts(x) && !half.explains(x);
+    if (!by_viewer && !(half.contradicts(x) && !viewer.explains(x))) return std::nullopt;
+    const double expected = std::exp(by_viewer ? viewer.median : half.median);
+    if (std::abs(values_[k] - expected) <= floor_) return std::nullopt;
+    return expected;
+  }
+
+ private:
+  const std::vector<double>& values_;
+  const std::vector<Near>& viewer_;
+  const HalfNeighbours& half_;
+  double floor_;
+};
+
 }  // namespace
 
-Finding outliers(const io::SampleTable& t) {
+Finding outliers(const io::SampleTable& t, double max_theta) {
   if (t.rows() > kMostRows)
     return not_applicable(t.source, "outliers",
                           "not sought in tables of more than " + std::to_string(kMostRows) + " rows");
   const std::vector<Near> of_viewer = near_viewer(t);
   const HalfNeighbours of_half = near_half_vector(t);
-  std::vector<std::size_t> found;
-  for (std::size_t k = 0; k < t.rows(); ++k) {
-    const bool outlier = std::any_of(t.values.begin(), t.values.end(), [&](const auto& values) {
-      if (!(values[k] > 0)) return false;
-      const double x = std::log(values[k]);
-      const Say viewer = say(values, of_viewer[k], 6), half = say(values, of_half.near[k], 6);
-      if (say(values, of_half.same[k], 1).explains(x)) return false;
-      return (viewer.contradicts(x) && !half.explains(x)) || (half.contradicts(x) && !viewer.explains(x));
-    });
-    if (outlier) found.push_back(k);
+  std::vector<NamedRow> found;
+  for (std::size_t c = 0; c < t.channels.size(); ++c) {
+    const Witnesses witnesses(t.values[c], of_viewer, of_half);
+    for (std::size_t k = 0; k < t.rows(); ++k)
+      if (const auto expected = witnesses.contradiction(k)) {
+        found.push_back(named_row(t, k, c));
+        found.back().expected = *expected;
+      }
   }
-  return counted(t, "outliers", found, "no value stands apart from its neighbours",
-                 "far from all neighbours");
+  return outliers_of(t, std::move(found), max_theta);
 }
 
 }  // namespace brdf::validate

@@ -10,9 +10,9 @@ namespace brdf::validate {
 
 namespace {
 
-std::vector<double> differences_of(const std::vector<ReciprocalPair>& pairs) {
+std::vector<double> differences_of(const std::vector<io::ReciprocalPair>& pairs) {
   std::vector<double> differences;
-  for (const ReciprocalPair& p : pairs) differences.push_back(relative_difference(p));
+  for (const io::ReciprocalPair& p : pairs) differences.push_back(relative_difference(p));
   return differences;
 }
 
@@ -27,7 +27,7 @@ Finding start_with_median(const io::SampleTable& t, const char* check, const std
 }  // namespace
 
 Finding exact_reciprocity(const io::SampleTable& t) {
-  const auto pairs = exact_pairs(t);
+  const auto pairs = io::exact_pairs(t);
   if (pairs.empty()) return not_applicable(t.source, "reciprocity", "no reciprocal pairs in this table");
   Finding f = start_with_median(t, "reciprocity", differences_of(pairs));
   f.statement =
@@ -35,7 +35,7 @@ Finding exact_reciprocity(const io::SampleTable& t) {
   return f;
 }
 
-Finding noise_floor(const io::SampleTable& t, const std::vector<ReciprocalPair>& pairs) {
+Finding noise_floor(const io::SampleTable& t, const std::vector<io::ReciprocalPair>& pairs) {
   if (pairs.size() < 8)
     return not_applicable(t.source, "noise_floor", "too few pairs of directions to interpolate between");
   const std::vector<double> differences = differences_of(pairs);
@@ -47,24 +47,20 @@ Finding noise_floor(const io::SampleTable& t, const std::vector<ReciprocalPair>&
   return f;
 }
 
-// If the values were f_r times cos_i, then f(a,b)/f(b,a) = cos_a/cos_b.
-Finding cosine_factor(const io::SampleTable& t, const std::vector<ReciprocalPair>& pairs) {
-  std::vector<double> slopes;
-  for (const ReciprocalPair& p : pairs) {
-    const double lever =
-        std::log(std::cos(degrees(p.theta_a).radians()) / std::cos(degrees(p.theta_b).radians()));
-    if (std::abs(lever) > 0.3 && std::isfinite(lever))
-      slopes.push_back(std::log(p.forward / p.backward) / lever);
-  }
-  if (slopes.size() < 8)
+Finding cosine_factor(const io::SampleTable& t, const io::CosineFactor& cosine) {
+  const bool both = cosine.found == io::Cosine::both;
+  if (!cosine.exchanged && !(cosine.grazing && *cosine.grazing > 0.5))
     return not_applicable(t.source, "cosine_factor", "too few reciprocal pairs of different angles");
   Finding f = start(t, "cosine_factor");
-  f.value = io::median(slopes);
+  f.value = both || !cosine.exchanged ? *cosine.grazing : *cosine.exchanged;
   f.bound = 0.5;
-  f.conclude(!(std::abs(f.value) > f.bound),
-             "values are f_r: exchanging light and viewer leaves no cosine behind",
-             std::string("values behave as f_r times ") + (f.value > 0 ? "cos_i" : "cos_o") +
-                 ": exchanging light and viewer leaves that cosine behind (declare `quantity`)");
+  f.outcome = cosine.found != io::Cosine::none ? Outcome::fail
+              : cosine.exchanged               ? Outcome::pass
+                                               : Outcome::undecided;
+  f.statement = f.outcome == Outcome::undecided
+                    ? "values fall towards grazing as the cosines' power " + io::short_number(f.value, 2) +
+                          ", as f_r times a cosine does; no reciprocal pairs tell whether it is one"
+                    : cosine.statement;
   return f;
 }
 

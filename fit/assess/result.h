@@ -144,6 +144,7 @@ struct Step {
 struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
+  std::string input_fault;            // a cosine that is left in the values, one clause; empty: none found
   std::optional<double> noise_floor;  // relative, from neighbouring rows
   RowGroups groups;                   // what was left out together
   double left_out_rounding = 0;       // left-out values below are 0 but for rounding

@@ -65,6 +65,7 @@ struct FitOptions {
   double max_theta = 80;                       // degrees; rows beyond are left out
   bool anisotropic = false;
   bool per_channel = false;  // shapes, too
+  bool free_scale = false;   // the samples are uncalibrated: io::make_relative() is asked before the fit
   std::vector<NamedValues> fix, start;
   std::vector<NamedRange> bounds;
   std::vector<std::string>

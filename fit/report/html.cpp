@@ -269,7 +269,11 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   if (best.solved()) about += "; median relative error " + io::percent(best.median_relative_error);
   if (result.noise_floor)
     about += "; the values scatter about their neighbours by " + io::percent(*result.noise_floor);
+  if (options.free_scale)
+    about += "; values divided by the scale " + io::short_number(table.scale, 6) +
+             ", which is unknown: weights are relative";
   report.paragraph(about + ".");
+  if (!result.input_fault.empty()) report.verdict(Mark::warn, "The samples: " + result.input_fault + ".");
   if (std::string text = recommendation(result); !text.empty()) {
     text[0] = 'R';
     report.paragraph(text + ".");

@@ -130,6 +130,8 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
          {"beyond_max_theta", result.beyond_max_theta},
          {"outside_domain", result.outside_domain},
          {"skipped", table.skipped}};
+  if (options.free_scale) j["scale"] = table.scale;
+  j["fault"] = result.input_fault.empty() ? Json(nullptr) : Json(result.input_fault);
   j["noise_floor"] = result.noise_floor ? Json(*result.noise_floor) : Json(nullptr);
   return j;
 }
@@ -289,6 +291,10 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
         << " degrees left out (--max-theta)\n";
   if (result.outside_domain)
     out << "  " << result.outside_domain << " rows left out: negative values without a residual\n";
+  if (options.free_scale)
+    out << "  values divided by the scale " << io::short_number(table.scale, 6)
+        << ", which is unknown: weights are relative\n";
+  if (!result.input_fault.empty()) out << "  the samples: " << result.input_fault << '\n';
   if (result.noise_floor)
     out << "  values scatter about their neighbours by " << io::percent(*result.noise_floor) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";

@@ -43,6 +43,8 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
     curves[c].name = name + " " + material.channels[c];
     curves[c].color = (second ? kSecond : kFirst)[c % 3];
   }
+  if (const auto colours = io::channel_colours(material.channels); colours && channels >= 3)
+    for (std::size_t k = 0; k < 3; ++k) curves[colours->of[k]].color = (second ? kSecond : kFirst)[k];
   return curves;
 }
 

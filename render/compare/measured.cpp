@@ -108,8 +108,7 @@ class Rows {
 }  // namespace
 
 Measured interpolate(const io::SampleTable& table) {
-  const std::size_t channels = table.channels.size();
-  require_one_or_three_channels(channels, table.source);
+  const std::array<std::size_t, 3> colours = require_colours(table.channels, table.source).of;
   if (table.rows() == 0) throw InputError(table.source + ": has no rows");
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
@@ -118,7 +117,7 @@ Measured interpolate(const io::SampleTable& table) {
     Row row;
     row.at = coordinates(glm::vec3(glm::dvec3(d.wi_x[k], d.wi_y[k], d.wi_z[k])),
                          glm::vec3(glm::dvec3(d.wo_x[k], d.wo_y[k], d.wo_z[k])));
-    for (std::size_t c = 0; c < 3; ++c) row.value[int(c)] = float(table.values[channels == 1 ? 0 : c][k]);
+    for (std::size_t c = 0; c < 3; ++c) row.value[int(c)] = float(table.values[colours[c]][k]);
     rows.push_back(row);
   }
   const auto table_rows = std::make_shared<const Rows>(merged(std::move(rows)));

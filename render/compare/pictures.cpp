@@ -113,7 +113,10 @@ void Pictures::update_b(const ViewState& state) {
     PreparedScene scene = prepared_;
     if (state.other == Other::samples && !state.samples.empty()) {
       if (samples_file_ != state.samples) {
-        samples_ = interpolate(io::read_samples(state.samples));
+        const io::SampleTable table = io::read_samples(state.samples);
+        samples_ = interpolate(table);
+        const std::string note = require_colours(table.channels, table.source).note;
+        samples_note_ = note.empty() ? "" : table.name() + ": " + note;
         samples_file_ = state.samples;
       }
       options.measured = &samples_;

@@ -37,6 +37,8 @@ class Pictures {
   // The linear pictures; of B when the state's display shows it.
   const Picture& a_picture();
   const Picture& b_picture() const { return b_picture_; }
+  // How the samples' channels became colours, where their names do not say it.
+  const std::string& samples_note() const { return samples_note_; }
   // What the window shows without the user interface, with names and numbers on it where `labels`.
   BytePicture capture(const ViewState& state, bool labels = false);
   // A, B and their difference side by side.
@@ -59,6 +61,7 @@ class Pictures {
   Picture b_picture_;
   std::filesystem::path samples_file_;
   Measured samples_;
+  std::string samples_note_;
   std::optional<Scene> drawn_a_;  // what the pictures show
   std::optional<ViewState> drawn_b_;
   bool images_changed_ = true;

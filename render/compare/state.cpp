@@ -137,7 +137,7 @@ void open_file(ViewState& state, const std::filesystem::path& file) {
     load_model(file);  // refused here rather than in the next frame
     state.scene.objects.at(state.selected).mesh = std::filesystem::absolute(file).string();
   } else {
-    require_one_or_three_channels(io::read_samples(std::move(content)).channels.size(), file.string());
+    require_colours(io::read_samples(std::move(content)).channels, file.string());
     state.samples = file;
     state.other = Other::samples;
     state.display = Display::split;

@@ -28,16 +28,16 @@ void set_rules(Item& item, const ReflectanceInfo& form, const TextureSet& textur
   }
 }
 
-// `only`: that channel alone, the others' weights zero; otherwise all of them with the shared shape.
-Item make_item(const Term& term, std::size_t channels, std::optional<std::size_t> only,
+// `only`: that colour alone, the others' weights zero; otherwise all of them with the shared shape.
+Item make_item(const Term& term, const io::ChannelColours& colours, std::optional<std::size_t> only,
                const TextureSet& textures) {
   Item item;
   item.form = term.form;
   item.cos_turn = float(std::cos(term.tangent_phi.radians()));
   item.sin_turn = float(std::sin(term.tangent_phi.radians()));
-  for (const double value : term.shape_of(only.value_or(0))) item.shape.push_back(float(value));
+  for (const double value : term.shape_of(colours.of[only.value_or(0)])) item.shape.push_back(float(value));
+  item.channels = colours.of;
   for (std::size_t c = 0; c < 3; ++c) {
-    item.channels[c] = channels == 1 ? 0 : c;
     for (const double value : term.weights[item.channels[c]])
       item.weights[c].push_back(only.value_or(c) == c ? float(value) : 0);
   }
@@ -47,19 +47,20 @@ Item make_item(const Term& term, std::size_t channels, std::optional<std::size_t
 
 std::vector<Item> items_of(const Object& object, const TextureSet& textures) {
   std::vector<Item> items;
-  const std::size_t channels = object.material.channels.size();
-  require_one_or_three_channels(channels, "material " + object.material_name);
+  const io::ChannelColours colours =
+      require_colours(object.material.channels, "material " + object.material_name);
   for (const Term& term : object.material.terms) {
+    io::require_red_first(term, colours);
     if (term.shape.size() <= 1) {
-      items.push_back(make_item(term, channels, std::nullopt, textures));
+      items.push_back(make_item(term, colours, std::nullopt, textures));
       continue;
     }
     if (info(term.form).mixes_channels) {
       throw InputError("material " + object.material_name + ": shapes per channel of " +
                        std::string(info(term.form).name) + ", which mixes channels, cannot be rendered");
     }
-    for (std::size_t channel = 0; channel < channels; ++channel)
-      items.push_back(make_item(term, channels, channel, textures));
+    for (std::size_t colour = 0; colour < 3; ++colour)
+      items.push_back(make_item(term, colours, colour, textures));
   }
   return items;
 }

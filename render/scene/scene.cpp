@@ -7,9 +7,11 @@
 
 namespace brdf::render {
 
-void require_one_or_three_channels(std::size_t channels, const std::string& what) {
-  if (channels == 1 || channels == 3) return;
-  throw InputError(what + ": has " + std::to_string(channels) + " channels; a picture takes 1 or 3");
+io::ChannelColours require_colours(const std::vector<std::string>& channels, const std::string& what) {
+  if (const auto colours = io::channel_colours(channels)) return *colours;
+  throw InputError(what + ": has " + std::to_string(channels.size()) +
+                   " channels; a picture takes 1 or 3, or three of more that are named r, g, b or by their "
+                   "wavelengths (465nm)");
 }
 
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials) {

@@ -11,6 +11,7 @@
 
 #include "brdf/material.h"
 #include "brdf/names.h"
+#include "io/channel_colours.h"
 
 namespace brdf {
 namespace render {
@@ -69,8 +70,8 @@ struct Scene {
 // Throws InputError with file, JSON path, value and rule; scene_json.h has the rest of the format.
 Scene load_scene(const std::filesystem::path& file);
 
-// Pictures are grey or RGB. Throws InputError naming what has another number of channels.
-void require_one_or_three_channels(std::size_t channels, const std::string& what);
+// Pictures are grey or RGB. Throws InputError naming what has channels of which none can be told to be red.
+io::ChannelColours require_colours(const std::vector<std::string>& channels, const std::string& what);
 
 // A row of spheres, one per material, under one light and
 // a little ambient: what `brdf render MATERIAL...` shows.

@@ -92,8 +92,7 @@ Object read_object(const JsonPlace& place, const std::filesystem::path& folder) 
   Object object;
   if (place.has("mesh")) object.mesh = place.at("mesh").text();
   read_material_of(object, place.at("material"), folder);
-  require_one_or_three_channels(object.material.channels.size(),
-                                place.file() + ": " + place.path() + ".material");
+  require_colours(object.material.channels, place.file() + ": " + place.path() + ".material");
   if (place.has("textures")) {
     const JsonPlace textures = place.at("textures");
     constexpr auto kSlots = kNames<TextureSlot>;

@@ -55,14 +55,11 @@ Azimuths azimuths_of(const std::vector<double>& phi) {
 }  // namespace
 
 RgbFunction rgb_function(const Material& material) {
-  if (material.channels.size() != 1 && material.channels.size() != 3)
-    throw InputError("a scene shows materials of 1 or 3 channels, this one has " +
-                     std::to_string(material.channels.size()));
-  return [material](const Vec3<double>& wi, const Vec3<double>& wo) {
-    std::array<double, 3> f{};
-    eval(material, wi, wo, std::span(f.data(), material.channels.size()));
-    if (material.channels.size() == 1) f[1] = f[2] = f[0];
-    return f;
+  const std::array<std::size_t, 3> colours = render::require_colours(material.channels, "the material").of;
+  return [material, colours](const Vec3<double>& wi, const Vec3<double>& wo) {
+    std::vector<double> f(material.channels.size());
+    eval(material, wi, wo, f);
+    return std::array<double, 3>{f[colours[0]], f[colours[1]], f[colours[2]]};
   };
 }
 

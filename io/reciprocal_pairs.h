@@ -5,7 +5,7 @@
 
 #include "io/samples.h"
 
-namespace brdf::validate {
+namespace brdf::io {
 
 // f with light and viewer in one order and in the other.
 struct ReciprocalPair {
@@ -17,13 +17,13 @@ struct ReciprocalPair {
 
 // Pairs of rows whose directions are exchanged, each once; rows with equal polar angles are their own
 // partners and are left out.
-std::vector<ReciprocalPair> exact_pairs(const io::SampleTable& table);
+std::vector<ReciprocalPair> exact_pairs(const SampleTable& table);
 
 // For every two polar angles of the light that occur and every azimuth that occurs with both: each value by
 // linear interpolation in the viewer's polar angle.
-std::vector<ReciprocalPair> interpolated_pairs(const io::SampleTable& table);
+std::vector<ReciprocalPair> interpolated_pairs(const SampleTable& table);
 
 // |a - b| over their mean
 double relative_difference(const ReciprocalPair& pair);
 
-}  // namespace brdf::validate
+}  // namespace brdf::io

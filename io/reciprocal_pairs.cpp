@@ -1,4 +1,4 @@
-#include "validate/reciprocal_pairs.h"
+#include "io/reciprocal_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-namespace brdf::validate {
+namespace brdf::io {
 namespace {
 
 // Angles are compared in units of 1e-4 degrees, so that 10.0 and 9.9999999 are one.
@@ -14,7 +14,7 @@ long key(double angle) {
   return std::lround(angle * 1e4);
 }
 
-double azimuth(const io::SampleTable& t, std::size_t k) {
+double azimuth(const SampleTable& t, std::size_t k) {
   const double d = std::abs(std::remainder(t.phi_o[k] - t.phi_i[k], 360.0));
   // At a pole the azimuth means nothing.
   return t.theta_i[k] == 0 || t.theta_o[k] == 0 ? 0 : d;
@@ -35,7 +35,7 @@ double interpolated(const Curve& curve, double theta) {
 // Of one channel: light's polar angle, azimuth, curve. A pole belongs to every azimuth. Of directions that
 // occur more than once (both sides of the plane of incidence, turns of the sample) the first counts: a mean
 // would hide the noise.
-std::map<double, std::map<long, Curve>> curves(const io::SampleTable& t, std::size_t channel) {
+std::map<double, std::map<long, Curve>> curves(const SampleTable& t, std::size_t channel) {
   std::map<double, std::set<long>> azimuths;
   for (std::size_t k = 0; k < t.rows(); ++k)
     if (t.theta_o[k] != 0) azimuths[t.theta_i[k]].insert(key(azimuth(t, k)));
@@ -53,7 +53,7 @@ std::map<double, std::map<long, Curve>> curves(const io::SampleTable& t, std::si
 
 }  // namespace
 
-std::vector<ReciprocalPair> exact_pairs(const io::SampleTable& t) {
+std::vector<ReciprocalPair> exact_pairs(const SampleTable& t) {
   std::map<std::tuple<long, long, long>, std::size_t> rows;
   for (std::size_t k = 0; k < t.rows(); ++k)
     rows.try_emplace({key(t.theta_i[k]), key(t.theta_o[k]), key(azimuth(t, k))}, k);
@@ -70,11 +70,14 @@ std::vector<ReciprocalPair> exact_pairs(const io::SampleTable& t) {
   return pairs;
 }
 
-std::vector<ReciprocalPair> interpolated_pairs(const io::SampleTable& t) {
+std::vector<ReciprocalPair> interpolated_pairs(const SampleTable& t) {
+  constexpr std::size_t kMostLights = 400;  // more are scattered directions: nothing to interpolate along
+  std::set<double> lights;
+  for (std::size_t k = 0; k < t.rows() && lights.size() <= kMostLights; ++k) lights.insert(t.theta_i[k]);
+  if (lights.size() > kMostLights) return {};
   std::vector<ReciprocalPair> pairs;
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const auto all = curves(t, c);
-    if (all.size() > 400) return {};  // scattered directions: nothing to interpolate along
     for (auto a = all.begin(); a != all.end(); ++a)
       for (auto b = std::next(a); b != all.end(); ++b)
         for (const auto& [phi, curve] : a->second) {
@@ -93,4 +96,4 @@ double relative_difference(const ReciprocalPair& pair) {
   return std::abs(pair.forward - pair.backward) / (0.5 * (std::abs(pair.forward) + std::abs(pair.backward)));
 }
 
-}  // namespace brdf::validate
+}  // namespace brdf::io
