@@ -10,7 +10,8 @@
 namespace brdf::io {
 namespace {
 
-constexpr double kFound = 0.5;
+// Rough diffuse forms fall with the cosines' power 0.6 at grazing light, f_r cos_i cos_o of a diffuse surface with 1.
+constexpr double kFound = 0.5, kFoundAtGrazing = 0.75;
 constexpr std::size_t kFewestPairs = 8, kFewestValues = 30, kMostRows = 50'000;
 
 std::optional<double> exchanged_power(const std::vector<ReciprocalPair>& pairs) {
@@ -70,7 +71,7 @@ CosineFactor cosine_factor(const SampleTable& table, const std::vector<Reciproca
   f.grazing = grazing_power(table);
   if (f.exchanged && std::abs(*f.exchanged) > kFound)
     f.found = *f.exchanged > 0 ? Cosine::cos_i : Cosine::cos_o;
-  else if (f.exchanged && f.grazing && *f.grazing > kFound)
+  else if (f.exchanged && f.grazing && *f.grazing > kFoundAtGrazing)
     f.found = Cosine::both;
   constexpr std::array names{"", "cos_i", "cos_o", "cos_i cos_o"};
   if (f.found == Cosine::none)

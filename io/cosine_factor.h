@@ -24,7 +24,7 @@ struct CosineFactor {
 };
 
 // Both powers where the table allows them: at least 8 pairs whose cosines differ by a third, at least 30 values along
-// half vectors. A cosine is found where a power is above 0.5.
+// half vectors. A cosine is found where the first is beyond 0.5 either way or the second above 0.75.
 CosineFactor cosine_factor(const SampleTable& table, const std::vector<ReciprocalPair>& pairs);
 CosineFactor cosine_factor(const SampleTable& table);  // of its interpolated pairs
 

@@ -32,9 +32,10 @@ double sum_of_channels(const io::SampleTable& t, std::size_t k) {
 struct Highlight {
   double theta_i;
   double mirror = -1,
-         back = -1;   // largest value within reach of theta_o = theta_i on either side; -1: no row
-  double exact = -1;  // value at theta_o = theta_i on the mirror side
-  double middle = 0;  // median of all rows
+         back = -1;      // largest value within reach of theta_o = theta_i on either side; -1: no row
+  double exact = -1;     // value at theta_o = theta_i on the mirror side
+  double shoulder = -1;  // the same towards the light, 20 to 30 degrees nearer the normal
+  double middle = 0;     // median of all rows
   double peak = 0, peak_theta = 0;  // on the mirror side
 };
 
@@ -51,6 +52,8 @@ std::vector<Highlight> highlights(const io::SampleTable& t) {
       const bool forward = std::abs(phi - 180) <= kReach, backward = phi <= kReach;
       const bool near = std::abs(t.theta_o[k] - light.first) <= kReach;
       if (std::abs(phi - 180) < 0.5 && std::abs(t.theta_o[k] - light.first) < 0.5) h.exact = value;
+      const double nearer = light.first - t.theta_o[k];
+      if (backward && nearer >= 20 && nearer <= 30) h.shoulder = std::max(h.shoulder, value);
       if (forward && near) h.mirror = std::max(h.mirror, value);
       if (backward && near) h.back = std::max(h.back, value);
       if (forward && value > h.peak) {
@@ -190,7 +193,7 @@ Finding azimuth(const io::SampleTable& t) {
   constexpr double kHighlight = 3;  // over the median of the rows
   std::vector<double> ratios, contrasts;
   struct Back {
-    double theta_i, value, ratio, contrast;
+    double theta_i, value, ratio, contrast, shoulder;
   };
   std::vector<Back> back;
   for (const Highlight& h : highlights(t)) {
@@ -199,7 +202,7 @@ Finding azimuth(const io::SampleTable& t) {
     const double light = h.back < 0 ? h.middle : std::max(h.back, 1e-3 * h.middle);
     ratios.push_back(light / mirror);
     contrasts.push_back(std::max(light, mirror) / h.middle);
-    back.push_back({h.theta_i, light, ratios.back(), light / h.middle});
+    back.push_back({h.theta_i, light, ratios.back(), light / h.middle, h.shoulder});
   }
   if (ratios.size() < 2)
     return not_applicable(t.source, "azimuth", "too few lights with rows in the plane of incidence");
@@ -207,9 +210,12 @@ Finding azimuth(const io::SampleTable& t) {
   f.value = io::median(ratios);
   f.bound = kHighlight;
   std::sort(back.begin(), back.end(), [](const Back& a, const Back& b) { return a.theta_i < b.theta_i; });
-  // A faint highlight stands out where the light is steep: there a rough surface reaches 4.
+  // A faint highlight stands out where the light is steep. There rough surfaces are bright towards the light as well,
+  // but broadly: to 0.5 of it within 25 degrees.
   const Back& steepest = back.back();
-  if (f.value > 1.2 && steepest.ratio > 6 && steepest.contrast > kHighlight) f.value = steepest.ratio;
+  const bool narrow = steepest.shoulder >= 0 && steepest.shoulder < 0.3 * steepest.value;
+  if (f.value > 1.2 && narrow && steepest.ratio > kHighlight && steepest.contrast > kHighlight)
+    f.value = steepest.ratio;
   if ((io::median(contrasts) < 1.5 && f.value <= f.bound) || (f.value > 1 / 1.5 && f.value <= f.bound))
     return not_applicable(t.source, "azimuth", "no highlight stands out on either side of the normal");
   if (f.value <= f.bound) {
@@ -220,14 +226,14 @@ Finding azimuth(const io::SampleTable& t) {
       "values are " + io::short_number(f.value, 3) +
       " times as large at phi_o = phi_i, towards the light, as at phi_o = phi_i + 180, the "
       "mirror direction";
-  // A mirror's highlight grows towards grazing, or stays; a retro-reflector's fades.
+  // A mirror's highlight grows towards grazing, or stays; a retro-reflector's fades, a rough surface's is broad.
   const bool fades = steepest.value < 0.5 * back.front().value;
-  f.outcome = fades || std::max(io::median(contrasts), steepest.contrast) < kHighlight ? Outcome::undecided
-                                                                                       : Outcome::fail;
+  const bool stands_out = std::max(io::median(contrasts), steepest.contrast) >= kHighlight;
+  f.outcome = stands_out && narrow && !fades ? Outcome::fail : Outcome::undecided;
   f.statement =
-      where + (f.outcome == Outcome::fail ? ": the azimuths look like those of the other convention "
-                                            "(add 180 degrees to phi_o)"
-                                          : ": a retro-reflector, or the other azimuth convention");
+      where + (f.outcome == Outcome::fail
+                   ? ": the azimuths look like those of the other convention (add 180 degrees to phi_o)"
+                   : ": a surface that sends light back, or the other azimuth convention");
   return f;
 }
 

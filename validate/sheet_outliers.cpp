@@ -126,20 +126,26 @@ Say say(const std::vector<double>& values, const Near& near, std::size_t least) 
   return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
 }
 
-// How far a value of a channel may lie from its neighbours because the dark level is noisy: five standard deviations
-// of that noise, taken from how the darkest tenth of the rows scatters about its neighbours. A factor of two is
-// nothing where there is no light.
+// How far a value of a channel may lie from its neighbours because the dark level is no better known: twice what all
+// but a twentieth depart by, of the tenth of the rows whose neighbours are darkest. A factor of two is nothing where
+// there is no light.
 double dark_floor(const std::vector<double>& values, const std::vector<Near>& near) {
-  constexpr double kDeviations = 5, kNormal = 1.4826;  // of a normal distribution over its median deviation
-  const double darkest = io::quantile(values, 0.1);
-  std::vector<double> departures;
+  constexpr double kDarkest = 0.1, kUsual = 0.95;
+  constexpr std::size_t kFewest = 40;
+  std::vector<std::pair<double, double>> rows;  // neighbours' median, departure from it
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (values[k] > darkest || near[k].empty()) continue;
+    if (near[k].empty()) continue;
     std::vector<double> around;
     for (const std::size_t n : near[k]) around.push_back(values[n]);
-    departures.push_back(std::abs(values[k] - io::median(std::move(around))));
+    const double middle = io::median(std::move(around));
+    rows.emplace_back(middle, std::abs(values[k] - middle));
   }
-  return departures.size() < 8 ? 0 : kDeviations * kNormal * io::median(std::move(departures));
+  const auto count = std::size_t(kDarkest * double(rows.size()));
+  if (count < kFewest) return 0;
+  std::nth_element(rows.begin(), rows.begin() + std::ptrdiff_t(count), rows.end());
+  std::vector<double> departures;
+  for (std::size_t k = 0; k < count; ++k) departures.push_back(rows[k].second);
+  return 2 * io::quantile(std::move(departures), kUsual);
 }
 
 // One channel against both kinds of neighbours: the median that a value departs from, of values that do.

@@ -49,7 +49,7 @@ Finding noise_floor(const io::SampleTable& t, const std::vector<io::ReciprocalPa
 
 Finding cosine_factor(const io::SampleTable& t, const io::CosineFactor& cosine) {
   const bool both = cosine.found == io::Cosine::both;
-  if (!cosine.exchanged && !(cosine.grazing && *cosine.grazing > 0.5))
+  if (!cosine.exchanged && !(cosine.grazing && *cosine.grazing > 0.75))
     return not_applicable(t.source, "cosine_factor", "too few reciprocal pairs of different angles");
   Finding f = start(t, "cosine_factor");
   f.value = both || !cosine.exchanged ? *cosine.grazing : *cosine.exchanged;

@@ -1,8 +1,6 @@
 // Values that are no f_r: saturated, uncalibrated, or another quantity.
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "io/numbers.h"
 #include "validate/sheet_checks.h"
@@ -10,13 +8,12 @@
 namespace brdf::validate {
 namespace {
 
-// Directions that the symmetries of a surface make one: both sides of the plane of incidence, turns of the sample,
-// light and viewer exchanged.
-std::tuple<long, long, long> same_for_symmetry(const io::SampleTable& t, std::size_t k) {
-  const auto key = [](double angle) { return std::lround(angle * 1e3); };
-  const long i = key(t.theta_i[k]), o = key(t.theta_o[k]);
-  const long phi = i == 0 || o == 0 ? 0 : key(std::abs(std::remainder(t.phi_o[k] - t.phi_i[k], 360.0)));
-  return {std::min(i, o), std::max(i, o), phi};
+// The half vector's angle from the normal in twentieths of a degree. All directions of one are alike to forms that know
+// nothing else, as to the mirror direction of a highlight.
+long half_angle(const io::SampleTable& t, std::size_t k) {
+  const Vec3<double> h =
+      io::unit_vector(t.theta_i[k], t.phi_i[k]) + io::unit_vector(t.theta_o[k], t.phi_o[k]);
+  return std::lround(20 * radians(std::atan2(std::hypot(h.x, h.y), h.z)).degrees());
 }
 
 // Rows that hold the largest of some values, all of them, where they are too many for chance; else none.
@@ -35,8 +32,8 @@ std::vector<std::size_t> at_ceiling(const io::SampleTable& t, const std::vector<
     else if (values[k] > largest / 2)
       below.push_back(values[k]);
   }
-  std::vector<std::tuple<long, long, long>> places;
-  for (const std::size_t k : top) places.push_back(same_for_symmetry(t, k));
+  std::vector<long> places;
+  for (const std::size_t k : top) places.push_back(half_angle(t, k));
   std::sort(places.begin(), places.end());
   const auto distinct = std::size_t(std::unique(places.begin(), places.end()) - places.begin());
   // Values of few digits, or of a constant surface, are equal below the ceiling as well.

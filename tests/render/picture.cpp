@@ -185,6 +185,31 @@ TEST(Picture, MeasuredTableReturnsItsOwnRows) {
   EXPECT_LT(worst_between, 0.25);
 }
 
+TEST(Picture, TheNamesOfChannelsDecideWhatIsRed) {
+  Scene scene;
+  scene.objects.resize(1);
+  scene.objects[0].mesh = "plane";
+  Material& material = scene.objects[0].material;
+  material = make_material(*find_form("lambert"), {"465nm", "525nm", "630nm"});
+  for (std::size_t c = 0; c < 3; ++c) material.terms[0].weights[c] = {0.2 + 0.1 * double(c)};
+  const Item item = prepare(scene).layers[0][0];
+  EXPECT_EQ(item.weights[0], (std::vector<float>{0.4f}));
+  EXPECT_EQ(item.weights[2], (std::vector<float>{0.2f}));
+  EXPECT_EQ(item.channels, (std::array<std::size_t, 3>{2, 1, 0}));
+
+  io::SampleTable table;
+  table.channels = material.channels;
+  table.values = {{0.1}, {0.2}, {0.3}};
+  table.add_directions(30, 180, 30, 0);
+  const glm::vec3 shown = interpolate(table)({0, 0, 1}, {0, 0, 1});
+  EXPECT_NEAR(shown.r, 0.3f, 1e-5f);
+  EXPECT_NEAR(shown.b, 0.1f, 1e-5f);
+  ViewState state;
+  state.scene = scene;
+  ASSERT_EQ(colour_notes(state).size(), 1u);
+  EXPECT_NE(colour_notes(state)[0].find("630nm, 525nm, 465nm"), std::string::npos);
+}
+
 TEST(Picture, ParityBoundsAreThePublishedOnes) {
   ParityRow row;
   row.gbuffer_bits = 32;

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <random>
 
 #include "brdf/forms.h"
+#include "brdf/integrals.h"
 #include "brdf/material.h"
+#include "io/merl.h"
 
 namespace brdf::validate {
 namespace {
@@ -157,6 +160,164 @@ TEST(DataSheet, IntegralHoldsTheTruthWithinItsBound) {
     EXPECT_LT(a.bound[0], 0.05);
     EXPECT_GT(a.coverage, 0.95);
   }
+}
+
+TEST(DataSheet, WhatIsBarelyCoveredIsUndecidedWithItsNumber) {
+  io::SampleTable t = clean_table(0);
+  const std::vector<double> theta_o = t.theta_o, phi_o = t.phi_o;
+  std::size_t kept = 0;  // one plane
+  for (std::size_t k = 0; k < theta_o.size(); ++k) {
+    if (phi_o[k] != 0) continue;
+    for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o, &t.values[0]})
+      (*column)[kept] = (*column)[k];
+    ++kept;
+  }
+  for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o, &t.values[0]}) column->resize(kept);
+  t.lines.resize(kept);
+  const DataSheet sheet = data_sheet(t);
+  EXPECT_EQ(finding(sheet, "coverage").outcome, Outcome::undecided);
+  EXPECT_LT(finding(sheet, "coverage").value, 0.2);
+  EXPECT_EQ(finding(sheet, "energy").outcome, Outcome::undecided);
+  EXPECT_GT(finding(sheet, "energy").value, 0);
+  EXPECT_EQ(faults(t), Names{});
+}
+
+TEST(DataSheet, AnIntegralWhoseBoundReachesAboveOneIsUndecided) {
+  io::SampleTable t = clean_table(0);
+  for (std::size_t k = 0; k < t.rows(); ++k) t.values[0][k] = (k % 2 ? 0.9 : 1.0) / kPi;
+  EXPECT_EQ(finding(data_sheet(t), "energy").outcome, Outcome::undecided);
+  for (double& v : t.values[0]) v = 1.3 / kPi;
+  const DataSheet bright = data_sheet(t);
+  EXPECT_EQ(finding(bright, "energy").outcome, Outcome::fail);
+  EXPECT_NE(finding(bright, "energy").statement.find("at least 1.3"), std::string::npos);
+  for (double& v : t.values[0]) v = 0.5 / kPi;
+  EXPECT_EQ(finding(data_sheet(t), "energy").outcome, Outcome::pass);
+}
+
+TEST(DataSheet, ListsEveryOutlierAndSetsThoseBeyondTheLargestAngleApart) {
+  io::SampleTable t = clean_table();
+  t.channels = {"r", "b"};
+  t.values.push_back(t.values[0]);
+  t.sigma.resize(2);
+  std::vector<std::size_t> planted;
+  for (std::size_t k = 100; k < t.rows(); k += 130) {
+    t.values[1][k] *= 10;
+    planted.push_back(k);
+  }
+  const DataSheet sheet = data_sheet(t, 60);
+  const Finding& found = finding(sheet, "outliers");
+  ASSERT_EQ(found.rows.size(), planted.size());
+  std::size_t inside = 0;
+  for (std::size_t n = 0; n < planted.size(); ++n) {
+    const NamedRow& row = found.rows[n];
+    EXPECT_EQ(row.row, planted[n]);
+    EXPECT_EQ(row.line, planted[n] + 2);
+    EXPECT_EQ(row.channel, "b");
+    EXPECT_NEAR(row.expected, t.values[0][planted[n]], 0.5 * row.expected);
+    EXPECT_EQ(row.apart, row.theta_i > 60 || row.theta_o > 60);
+    inside += !row.apart;
+  }
+  EXPECT_GT(inside, 0u);
+  EXPECT_LT(inside, planted.size());
+  EXPECT_EQ(found.value, double(inside));
+  EXPECT_NE(found.statement.find("beyond 60 degrees"), std::string::npos) << found.statement;
+}
+
+TEST(DataSheet, AFactorOfThreeIsNoOutlierWhereThereIsNoLight) {
+  // A highlight over nothing: the dark level is steady to a tenth, and now and then it jumps.
+  Term term = make_term(cook_torrance{}, 1);
+  term.shape[0] = {0.1, 0.1};
+  term.weights[0] = {0, 1, 0.5};
+  io::SampleTable t = clean_table(0);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::size_t jumps = 0;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    std::vector<double> f(1);
+    eval(Material{{"fr"}, {term}}, direction(degrees(t.theta_i[k]), radians(kPi)),
+         direction(degrees(t.theta_o[k]), degrees(t.phi_o[k])), f);
+    const bool jump = uniform(random) < 0.08;
+    jumps += jump;
+    t.values[0][k] = 3e-3 * (jump ? 4 : 1 + 0.1 * uniform(random)) + (f[0] > 0.1 ? f[0] : 0);
+  }
+  EXPECT_GT(jumps, 50u);
+  EXPECT_EQ(finding(data_sheet(t), "outliers").value, 0);
+  // What departs by more than the dark level does is one, wherever it stands.
+  const auto darkest = std::min_element(t.values[0].begin(), t.values[0].end());
+  *darkest = 0.3;
+  EXPECT_EQ(finding(data_sheet(t), "outliers").value, 1);
+}
+
+TEST(DataSheet, ARoughSurfaceIsNoTableOfTheOtherAzimuthConvention) {
+  io::SampleTable t = clean_table(0);
+  Term term = make_term(oren_nayar_full{}, 1);
+  term.shape[0] = {1.2};
+  term.weights[0] = {0.8};
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    std::vector<double> f(1);
+    eval(Material{{"fr"}, {term}}, direction(degrees(t.theta_i[k]), radians(kPi)),
+         direction(degrees(t.theta_o[k]), degrees(t.phi_o[k])), f);
+    t.values[0][k] = f[0];
+  }
+  EXPECT_NE(finding(data_sheet(t), "azimuth").outcome, Outcome::fail);
+}
+
+TEST(DataSheet, ANarrowScanIsToldFromRadians) {
+  io::SampleTable t = clean_table();
+  for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o})
+    for (double& x : *column) x = x * kPi / 180;
+  EXPECT_EQ(faults(t), Names{"angle_unit"});
+  // About the normal, in steps of a hundredth of a degree.
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    t.theta_i[k] = t.phi_i[k] = t.phi_o[k] = 0;
+    t.theta_o[k] = 0.01 * double(k % 150);
+  }
+  EXPECT_EQ(finding(data_sheet(t), "angle_unit").outcome, Outcome::pass);
+}
+
+io::SampleTable merl_table(const Material& material) {
+  io::SampleTable t;
+  t.channels = {"r", "g", "b"};
+  t.values.resize(3);
+  t.sigma.resize(3);
+  t.format = "merl";
+  t.source = "table.binary";
+  io::merl::add_cell_directions(t);
+  std::vector<double> f(3);
+  for (auto& values : t.values) values.reserve(t.rows());
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    eval(material, io::unit_vector(t.theta_i[k], t.phi_i[k]), io::unit_vector(t.theta_o[k], t.phi_o[k]), f);
+    for (std::size_t c = 0; c < 3; ++c) t.values[c].push_back(f[c]);
+  }
+  return t;
+}
+
+TEST(DataSheet, OfAMerlFileKnowsItsCells) {
+  Material material = make_material(cook_torrance{});
+  material.terms[0].shape[0] = {0.2, 0.2};
+  io::SampleTable t = merl_table(material);
+  const std::size_t outlier = t.rows() / 2;
+  t.values[1][outlier] *= 20;
+  const auto start = std::chrono::steady_clock::now();
+  const DataSheet sheet = data_sheet(t);
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 30);
+  EXPECT_EQ(finding(sheet, "coverage").value, 1);
+  ASSERT_EQ(finding(sheet, "outliers").rows.size(), 1u);
+  EXPECT_EQ(finding(sheet, "outliers").rows[0].row, outlier);
+  EXPECT_EQ(finding(sheet, "outliers").rows[0].channel, "g");
+  EXPECT_EQ(finding(sheet, "energy").outcome, Outcome::pass);
+  AlbedoOptions options;
+  for (const MeasuredAlbedo& a : sheet.albedo) {
+    const double truth = directional_albedo(material, degrees(a.theta_i), {}, options)[0].value;
+    EXPECT_NEAR(a.value[0], truth, a.bound[0] + 0.005 * truth) << a.theta_i;
+    EXPECT_LT(a.bound[0], 0.02 * truth) << a.theta_i;
+  }
+  // Half of the cells: half of the coverage.
+  const std::size_t half = t.rows() / 2;
+  for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o, &t.values[0], &t.values[1], &t.values[2]})
+    column->resize(half);
+  EXPECT_NEAR(finding(data_sheet(t), "coverage").value, 0.5, 1e-6);
+  EXPECT_EQ(finding(data_sheet(t), "coverage").outcome, Outcome::undecided);
 }
 
 TEST(DataSheet, SaysWhatTheTableDoesNotAllow) {

@@ -10,13 +10,22 @@ import tempfile
 
 EXECUTABLE = sys.argv[1]
 FORMS = {
-    "rough": ["--form", "oren_nayar", "--set", "sigma=0.5"],
-    "glossy": ["--form", "cook_torrance", "--set", "alpha=0.1", "--set", "kd=0.3,0.2,0.1", "--set", "ks=0.5"],
+    "rough": ["--form", "oren_nayar", "--set", "sigma=0.5", "--set", "rho=0.9"],
+    "glossy": ["--form", "cook_torrance", "--set", "alpha=0.1", "--set", "kd=0.6,0.5,0.4", "--set", "ks=0.4"],
     "brushed": ["--form", "ward", "--set", "alpha_x=0.1", "--set", "alpha_y=0.3"],
 }
 GRIDS = {"hemisphere": [], "in_plane": ["--grid", "in_plane"], "coarse": ["--step", "10", "--theta-i", "20,40,60"]}
 NAMED = {"negative": "negative", "exchanged": "directions", "cosine": "cosine_factor", "duplicates": "duplicates",
-         "outlier": "outliers"}
+         "outlier": "outliers", "radians": "angle_unit", "azimuth": "azimuth", "elevation": "polar_angle",
+         "saturation": "saturation", "counts": "quantity", "percent": "quantity", "brf": "quantity",
+         "both_cosines": "cosine_factor"}
+# What the statement must say.
+WORDS = {"radians": "radians", "azimuth": "phi_o", "elevation": "elevations", "saturation": "saturated",
+         "counts": "uncalibrated", "percent": "percent", "brf": "BRF", "both_cosines": "cos_i cos_o"}
+# What a table cannot show: a matt surface has no highlight, a plane too little of the hemisphere for a scale of pi.
+# An elevation shows where the highlight fades as the stated angle grows, or where values vary at the stated normal; a
+# broad anisotropic lobe of the coarse grids does neither.
+UNSEEN = {("rough", "azimuth"), ("in_plane", "brf"), ("brushed", "elevation")}
 
 
 def read(path):
@@ -40,6 +49,24 @@ def planted(fault, rows, rng):
         return [row[:2] + [row[3], row[2]] + row[4:] for row in rows], None
     if fault == "cosine":
         return [row[:4] + [math.cos(math.radians(row[0])) * v for v in row[4:]] for row in rows], None
+    if fault == "radians":
+        return [[round(math.radians(x), 6) for x in row[:4]] + row[4:] for row in rows], None
+    if fault == "azimuth":
+        return [row[:3] + [(row[3] + 180) % 360] + row[4:] for row in rows], None
+    if fault == "elevation":
+        return [[90 - row[0], row[1], 90 - row[2], row[3]] + row[4:] for row in rows], None
+    if fault == "saturation":
+        for column in range(4, len(rows[0])):
+            ceiling = sorted((row[column] for row in rows), reverse=True)[max(3, len(rows) // 40)]
+            for row in rows:
+                row[column] = min(row[column], ceiling)
+        return rows, None
+    if fault in ("counts", "percent", "brf"):
+        scale = {"counts": 30000, "percent": 100, "brf": math.pi}[fault]
+        return [row[:4] + [round(scale * v) if fault == "counts" else scale * v for v in row[4:]] for row in rows], None
+    if fault == "both_cosines":
+        cosines = [math.cos(math.radians(row[0])) * math.cos(math.radians(row[2])) for row in rows]
+        return [row[:4] + [c * v for v in row[4:]] for row, c in zip(rows, cosines)], None
     if fault == "duplicates":
         return rows + rng.sample(rows, 3), len(rows)
     return rows, None
@@ -63,11 +90,14 @@ def main():
                 head, rows = read(table)
                 assert not failures(table), f"{table.name} is clean: {failures(table)}"
                 for fault, check in NAMED.items():
+                    if (form, fault) in UNSEEN or (grid, fault) in UNSEEN:
+                        continue
                     faulty, at = planted(fault, rows, random.Random(f"{form} {grid} {fault}"))
                     path = pathlib.Path(folder) / f"{form}_{grid}_{fault}.csv"
                     path.write_text("\n".join(head + [",".join(map(repr, row)) for row in faulty]) + "\n")
                     found = failures(path)
                     assert list(found) == [check], f"{path.name}: {found}"
+                    assert WORDS.get(fault, "") in found[check], f"{path.name}: {found}"
                     assert at is None or f"line {len(head) + at + 1}" in found[check], f"{path.name}: {found}"
                     cases += 1
     print(f"{cases} planted faults were named, {len(FORMS) * len(GRIDS)} clean tables were clean")

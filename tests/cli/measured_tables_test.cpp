@@ -1,0 +1,110 @@
+// What a laboratory does with a table that is not quite f_r by red, green and blue.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/json.h"
+#include "io/samples.h"
+#include "tests/cli/run_brdf.h"
+
+namespace brdf {
+namespace {
+
+using testing::HasSubstr;
+
+class MeasuredTables : public testing::Test {
+ protected:
+  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
+  io::SampleTable read(const std::string& name) { return io::read_samples(folder_.path() / name); }
+  void write(const std::string& name, const io::SampleTable& table) {
+    io::write_samples(folder_.path() / name, table);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeasuredTables, AWavelengthColumnIsNamed) {
+  std::ofstream(folder_.path() / "long.csv")
+      << "theta_i,phi_i,theta_o,phi_o,Wavelength_nm,f\n30,180,30,0,550,0.3\n30,180,30,0,600,0.3\n";
+  for (const char* verb : {"validate long.csv", "fit long.csv", "convert long.csv o.csv"}) {
+    const Outcome refused = run(verb);
+    EXPECT_EQ(refused.exit_code, 2) << verb;
+    EXPECT_THAT(refused.err, HasSubstr("line 1: column 'Wavelength_nm': the long format")) << verb;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+}
+
+TEST_F(MeasuredTables, AnUndecidedCheckFailsOnlyWhereItIsRequired) {
+  ASSERT_EQ(run("synth --form lambert --grid in_plane -o s.csv").exit_code, 0);
+  const Outcome all = run("validate s.csv --json");
+  EXPECT_EQ(all.exit_code, 0) << all.out;
+  EXPECT_THAT(all.out, HasSubstr("\"undecided\""));
+  EXPECT_EQ(run("validate s.csv --require energy").exit_code, 1);
+  EXPECT_EQ(run("validate s.csv --require duplicates").exit_code, 0);
+  for (const char* report : {"r.md", "r.html"}) {
+    ASSERT_EQ(run(std::string("validate s.csv -o ") + report).exit_code, 0);
+    EXPECT_THAT(file_text(folder_.path() / report), HasSubstr("undecided"));
+  }
+}
+
+TEST_F(MeasuredTables, FitRepeatsACosineThatTheSheetFinds) {
+  ASSERT_EQ(run("synth --form oren_nayar --set sigma=0.4 --noise 0.02 -o s.csv").exit_code, 0);
+  io::SampleTable table = read("s.csv");
+  const std::string found = "values behave as f_r times cos_o";
+  EXPECT_THAT(run("fit s.csv --form oren_nayar").out, testing::Not(HasSubstr(found)));
+  for (auto& values : table.values)
+    for (std::size_t k = 0; k < table.rows(); ++k) values[k] *= std::cos(degrees(table.theta_o[k]).radians());
+  write("c.csv", table);
+  EXPECT_THAT(run("fit c.csv --form oren_nayar").out, HasSubstr("the samples: " + found));
+  const io::Json json = io::Json::parse(run("fit c.csv --form oren_nayar --json").out);
+  EXPECT_THAT(json["samples"]["fault"].get<std::string>(), HasSubstr(found));
+  EXPECT_THAT(run("validate c.csv").out, HasSubstr(found));
+}
+
+TEST_F(MeasuredTables, CountsAreFittedOnAScaleOfTheirOwn) {
+  ASSERT_EQ(
+      run("synth --form cook_torrance --set alpha=0.2 --set kd=0.4 --set ks=0.8 --set f0=0.1 --noise 0.01 "
+          "-o s.csv")
+          .exit_code,
+      0);
+  io::SampleTable table = read("s.csv");
+  for (double& v : table.values[0]) v = std::round(30000 * v);
+  write("counts.csv", table);
+  const Outcome sheet = run("validate counts.csv");
+  EXPECT_EQ(sheet.exit_code, 1);
+  EXPECT_THAT(sheet.out, testing::AllOf(HasSubstr("uncalibrated"), HasSubstr("--free-scale")));
+  const auto fitted = [&](const std::string& arguments) {
+    return io::Json::parse(
+        run("fit " + arguments + " --form cook_torrance --metric log_relative --json").out);
+  };
+  const io::Json truth = fitted("s.csv"), free = fitted("counts.csv --free-scale");
+  EXPECT_FALSE(truth["samples"].contains("scale"));
+  const double scale = free["samples"]["scale"].get<double>();
+  const io::Json a = truth["ranking"][0]["material"], b = free["ranking"][0]["material"];
+  const auto shape = [](const io::Json& m) { return m["shape"]["alpha_x"].get<double>(); };
+  const auto diffuse = [](const io::Json& m) { return m["weights"]["kd"][0].get<double>(); };
+  EXPECT_NEAR(shape(a), 0.2, 0.01);
+  EXPECT_NEAR(shape(b), 0.2, 0.01);
+  EXPECT_NEAR(diffuse(b) * scale / 30000, 0.4, 0.02);
+  EXPECT_GT(diffuse(b), 0.1);
+  EXPECT_LT(diffuse(b), 2);
+  EXPECT_THAT(run("fit counts.csv --free-scale --form lambert").out,
+              HasSubstr("values divided by the scale"));
+}
+
+TEST_F(MeasuredTables, ATableByWavelengthBecomesAMerlFileWithRedInRed) {
+  ASSERT_EQ(run("synth --form lambert --set rho=0.1,0.2,0.3 -o s.csv").exit_code, 0);
+  io::SampleTable table = read("s.csv");
+  table.channels = {"465nm", "525nm", "630nm"};
+  write("w.csv", table);
+  const Outcome converted = run("convert w.csv w.binary");
+  ASSERT_EQ(converted.exit_code, 0);
+  EXPECT_THAT(converted.err, HasSubstr("channels 630nm, 525nm, 465nm are taken for red, green, blue"));
+  EXPECT_NEAR(read("w.binary").values[0][0], 0.3 / kPi, 1e-6);
+  table.channels = {"x", "y", "z"};
+  write("x.csv", table);
+  EXPECT_THAT(run("convert x.csv x.binary").err, HasSubstr("by their position"));
+}
+
+}  // namespace
+}  // namespace brdf
