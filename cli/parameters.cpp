@@ -5,7 +5,6 @@
 
 #include "io/error.h"
 #include "io/limits.h"
-#include "io/material_file.h"
 #include "io/numbers.h"
 #include "io/text.h"
 
@@ -141,23 +140,28 @@ void apply_settings(Material& material, const std::vector<Setting>& settings) {
   }
 }
 
-Material choose_material(const MaterialChoice& choice) {
+io::MaterialFile choose_material_file(const MaterialChoice& choice) {
   if (choice.form.empty() == choice.material.empty())
     throw InputError("exactly one of --form and --material must be given");
   const std::vector<Setting> settings = parse_settings(choice.set, "--set");
-  Material material;
+  io::MaterialFile file;
   if (!choice.material.empty()) {
-    material = io::read_material(choice.material);
+    file = io::read_material_file(choice.material);
   } else {
     std::size_t channels = 1;
     for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
     if (channels > io::kMostChannels)
       throw InputError("--set: " + std::to_string(channels) + " values are more than the " +
                        std::to_string(io::kMostChannels) + " channels of a material");
-    material = make_material(require_form(choice.form), channel_names(channels));
+    file.material = make_material(require_form(choice.form), channel_names(channels));
   }
-  apply_settings(material, settings);
-  return material;
+  if (!settings.empty()) file.fit = nullptr;  // no longer what was fitted
+  apply_settings(file.material, settings);
+  return file;
+}
+
+Material choose_material(const MaterialChoice& choice) {
+  return choose_material_file(choice).material;
 }
 
 }  // namespace brdf::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/material_json.h"
 
 namespace brdf::cli {
 
@@ -28,6 +29,8 @@ struct MaterialChoice {
 // of values has (three are r, g, b). Throws InputError on an unknown form or parameter, a value out of range,
 // a wrong count, or when not exactly one of form and material is given.
 Material choose_material(const MaterialChoice& choice);
+// The same with the statistics of the fit it came from: null where it is of no fit, or --set has changed it.
+io::MaterialFile choose_material_file(const MaterialChoice& choice);
 
 // Applies settings to every term that has the parameter; what the widths along and across are called together
 // ("alpha") sets both, tangent_phi is in degrees.

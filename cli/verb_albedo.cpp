@@ -1,19 +1,26 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "brdf/integrals.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "fit/assess/derived.h"
 #include "io/error.h"
 #include "io/json.h"
+#include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/provenance.h"
 #include "io/text.h"
 
 namespace brdf::cli {
 namespace {
+
+constexpr double kDifferenceTolerance = 1e-8;  // of integrals whose differences are taken
 
 struct Options {
   MaterialChoice material;
@@ -27,6 +34,7 @@ struct Row {
   double theta;
   std::string channel;
   AlbedoResult result;
+  std::optional<fit::Interval> interval;  // of the fit that the material came from
 };
 
 AlbedoOptions checked(const Options& o) {
@@ -56,6 +64,10 @@ io::Json row_json(const Row& row, const Options& o) {
   json["evaluations"] = row.result.evaluations;
   json["converged"] = row.result.converged;
   json["rule"] = name_of(row.result.rule);
+  if (row.interval) {
+    json["low"] = row.interval->low;
+    json["high"] = row.interval->high;
+  }
   return json;
 }
 
@@ -64,18 +76,45 @@ void print(const Row& row) {
             << std::setprecision(15) << std::setw(20) << row.result.value << std::setprecision(2) << "  +- "
             << std::left << std::setw(9) << row.result.error_bound << std::right << std::setw(9)
             << row.result.evaluations << "  " << name_of(row.result.rule)
-            << (row.result.converged ? "" : "  NOT CONVERGED") << std::setprecision(6) << '\n';
+            << (row.result.converged ? "" : "  NOT CONVERGED");
+  if (row.interval)
+    std::cout << "  " << io::short_number(row.interval->low, 5) << " to "
+              << io::short_number(row.interval->high, 5);
+  std::cout << std::setprecision(6) << '\n';
+}
+
+// 95 % intervals of the albedo from the fit that the material came from: the delta method on its parameters.
+std::vector<std::optional<fit::Interval>> fitted_intervals(const io::MaterialFile& file, double theta,
+                                                           const Options& o, AlbedoOptions options,
+                                                           const std::vector<AlbedoResult>& results) {
+  std::vector<std::optional<fit::Interval>> out(results.size());
+  const auto covariance = fit::covariance_of(file.fit);
+  if (!covariance) return out;
+  options.tolerance = std::min(options.tolerance, kDifferenceTolerance);
+  std::vector<double> values;
+  for (const AlbedoResult& r : results) values.push_back(r.value);
+  const auto albedo = [&](const Material& m) {
+    std::vector<double> all;
+    for (const AlbedoResult& r : directional_albedo(m, degrees(theta), degrees(o.phi), options))
+      all.push_back(r.value);
+    return all;
+  };
+  if (const auto found = fit::intervals(file.material, *covariance, values, albedo))
+    std::copy(found->begin(), found->end(), out.begin());
+  return out;
 }
 
 Exit run(const Options& o) {
   const AlbedoOptions options = checked(o);
-  const Material material = choose_material(o.material);
+  const io::MaterialFile file = choose_material_file(o.material);
+  const Material& material = file.material;
   std::vector<Row> rows;
   bool converged = true;
   for (const double theta : o.theta) {
     const auto results = directional_albedo(material, degrees(theta), degrees(o.phi), options);
+    const auto intervals = fitted_intervals(file, theta, o, options, results);
     for (std::size_t c = 0; c < results.size(); ++c) {
-      rows.push_back({theta, material.channels[c], results[c]});
+      rows.push_back({theta, material.channels[c], results[c], intervals[c]});
       converged &= results[c].converged;
     }
   }
@@ -87,7 +126,10 @@ Exit run(const Options& o) {
     json["provenance"] = io::to_json(io::provenance());
     std::cout << io::to_text(json);
   } else {
-    std::cout << "   theta  channel                  albedo     bound    evaluations  rule\n";
+    const bool fitted =
+        std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.interval.has_value(); });
+    std::cout << "   theta  channel                  albedo     bound    evaluations  rule"
+              << (fitted ? "  95 % interval of the fit" : "") << '\n';
     for (const Row& row : rows) print(row);
   }
   return converged ? Exit::good : Exit::failed;
@@ -112,6 +154,8 @@ void add_albedo(CLI::App& app) {
   verb->add_option("--rule", options->rule, "automatic, pole, slope or adaptive")->capture_default_str();
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(
+      "Of a material that `fit` has written, the 95 % interval of the fit stands beside it (not with "
+      "--set).\n"
       "Exit code 1 where an integral did not converge. At 90 degrees the value is that at a cosine of\n"
       "1e-12: of a form that grows without limit towards grazing that cosine alone decides it.\n"
       "Example: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "

@@ -208,8 +208,8 @@ std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
 
 bool usable(const BatchRow& row) {
   if (!row.error.empty()) return false;
-  const std::string verdict = row.best["verdict"].get<std::string>();
-  return verdict == name_of(Verdict::converged) || verdict == name_of(Verdict::at_bound);
+  const auto verdict = find_named<Verdict>(row.best["verdict"].get<std::string>());
+  return verdict && usable(*verdict);
 }
 
 void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {

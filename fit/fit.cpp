@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t kListedMinima = 10;
 constexpr double kRounding = 1e-18;   // of a squared residual, as a share of that of a black surface
-constexpr double kNegligible = 1e-7;  // share of a lobe in the model below which it is absent
+constexpr double kAlbedoError = 2e-3;  // of the integral, with room
+constexpr double kNegligible = 1e-7;   // share of a lobe in the model below which it is absent
 
 // Linear unknowns whose lobe adds next to nothing are exactly 0 and held there.
 void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
@@ -49,9 +50,17 @@ Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertain
   };
   // Of a form that does something else than the surface, no direction would tell the parameters.
   if (misfit.misfit) return Verdict::misfit;
-  if (u.singular || any(Status::unidentified)) return Verdict::not_identifiable;
+  if (u.singular && !u.determined()) return Verdict::not_identifiable;
+  if (any(Status::unidentified)) return u.determined() ? Verdict::determined : Verdict::not_identifiable;
   if (any(Status::at_bound) || u.sum_at_bound) return Verdict::at_bound;
   return Verdict::converged;
+}
+
+std::string energy_text(const LargestAlbedo& a, const FitOptions& options) {
+  return "reflects more light than falls on it: " + io::percent_to_tenths(a.value) + " at " +
+         io::short_number(a.theta) + " degrees (" + a.channel + ")" +
+         (a.theta > options.max_theta ? ", beyond the samples" : "") +
+         (options.physical == Physical::off ? "; --physical bounds the weights" : "");
 }
 
 double information_criterion(const SampleStream& stream, const Minimum& m) {
@@ -111,6 +120,11 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   out.material = model.material(best.p);
   out.estimates = u.estimates;
   out.correlations = u.correlations;
+  out.covariance = u.covariance;
+  out.prediction_error = u.prediction_error;
+  out.largest_albedo = largest_albedo(out.material);
+  if (out.largest_albedo->value > 1 + kAlbedoError)
+    out.findings.push_back(energy_text(*out.largest_albedo, options));
   out.condition = u.condition;
   out.bic = information_criterion(stream, best);
   for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)

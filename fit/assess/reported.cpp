@@ -144,6 +144,22 @@ std::vector<std::string> names_with(const std::vector<Reported>& all, Status sta
   return out;
 }
 
+namespace {
+
+// An f0 that is not identified, or is that of a weight which is not.
+const Reported* unidentified_split(const std::vector<Reported>& all) {
+  for (const Reported& f0 : all) {
+    if (!f0.divided || f0.estimate.status == Status::fixed) continue;
+    const auto is_part = [&](const Reported& r) {
+      return r.estimate.status == Status::unidentified && (r.info == f0.info || r.info == f0.divided);
+    };
+    if (std::any_of(all.begin(), all.end(), is_part)) return &f0;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 std::string advice(const std::vector<Reported>& all, const Model& model) {
   // Any of these that is not identified.
   const auto unidentified = [&](std::initializer_list<Role> roles) -> const Reported* {
@@ -169,11 +185,15 @@ std::string advice(const std::vector<Reported>& all, const Model& model) {
   if (const Reported* slope = unidentified({Role::slope}))
     return "measure more azimuths on the side of the light (phi_o - phi_i below 90 degrees), or fix " +
            std::string(slope->info->name);
-  if (const Reported* f0 = unidentified({Role::f0}); f0 && !width)
-    return "only " + std::string(f0->divided->name) + " " + std::string(f0->info->name) +
+  if (const Reported* f0 = unidentified_split(all); f0 && !width) {
+    const std::string name(f0->info->name);
+    const bool tie = model.channels().size() > 1 && !f0->estimate.channel.empty();
+    return "only " + std::string(f0->divided->name) + " " + name +
            " is seen where the light is nearly head-on: measure towards grazing (theta_d above 40 "
-           "degrees), or fix " +
-           std::string(f0->info->name);
+           "degrees), " +
+           (tie ? "give all channels one " + name + " (--tie " + name + "), " : "") +
+           (model.linear() ? "bound the weights (--physical), " : "") + "or fix " + name;
+  }
   if (width) return "measure closer to the mirror direction, or fix the width";
   if (model.terms().size() > 1) return "fit fewer terms, or fix some of them";
   return "measure more directions, or fix one of them";

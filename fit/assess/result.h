@@ -15,7 +15,7 @@
 
 namespace brdf::fit {
 
-enum class Verdict { converged, at_bound, not_identifiable, misfit, diverged, interrupted };
+enum class Verdict { converged, at_bound, determined, not_identifiable, misfit, diverged, interrupted };
 enum class Status { free, fixed, at_bound, unidentified };  // of one parameter
 
 }  // namespace brdf::fit
@@ -23,8 +23,8 @@ enum class Status { free, fixed, at_bound, unidentified };  // of one parameter
 namespace brdf {
 
 template <>
-inline constexpr std::array<std::string_view, 6> kNames<fit::Verdict>{
-    "converged", "at_bound", "not_identifiable", "misfit", "diverged", "interrupted"};
+inline constexpr std::array<std::string_view, 7> kNames<fit::Verdict>{
+    "converged", "at_bound", "determined", "not_identifiable", "misfit", "diverged", "interrupted"};
 template <>
 inline constexpr std::array<std::string_view, 4> kNames<fit::Status>{"free", "fixed", "at_bound",
                                                                      "unidentified"};
@@ -33,9 +33,10 @@ inline constexpr std::array<std::string_view, 4> kNames<fit::Status>{"free", "fi
 
 namespace brdf::fit {
 
-// Whether parameters may be used (exit code 0): converged, or at_bound with its warning.
+// Whether the material may be used (exit code 0): converged, at_bound with its warning, or determined, where weights
+// share what the samples do not divide between them, and every prediction is known.
 inline bool usable(Verdict verdict) {
-  return verdict == Verdict::converged || verdict == Verdict::at_bound;
+  return verdict == Verdict::converged || verdict == Verdict::at_bound || verdict == Verdict::determined;
 }
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -105,6 +106,20 @@ struct Correlations {
   Matrix matrix;
 };
 
+// Of what a fit determines of a material's parameters, identified or not, as a sum over components that vary independently
+// of each other; what is held, at a bound and without effect is not in it.
+struct ParameterCovariance {
+  std::vector<std::string> names;  // as options name them: alpha, kd[r], terms[1].f0; tangent_phi in degrees
+  Matrix components;               // [component][parameter]: the covariance is their transpose times them
+  std::vector<double> freedom;     // [component]: degrees of freedom of its variance
+};
+
+// The largest directional albedo over the angles of the light.
+struct LargestAlbedo {
+  double value, theta;  // degrees
+  std::string channel;
+};
+
 struct FormFit {
   std::string form;  // "ward", "oren_nayar+ward"
   Verdict verdict = Verdict::diverged;
@@ -119,6 +134,9 @@ struct FormFit {
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
   Correlations correlations;
+  std::optional<ParameterCovariance> covariance;  // none where some direction has no effect at all
+  std::optional<double> prediction_error;  // relative standard error of what the model gives at the samples
+  std::optional<LargestAlbedo> largest_albedo;
   double condition = 0;  // of the scaled normal matrix
   double loss_scale = 0;
   std::vector<MinimumReport> minima;

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "fit/assess/assess.h"
+#include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/student.h"
 #include "io/numbers.h"
@@ -21,6 +23,11 @@ constexpr double kInNullSpace = 1e-3;
 // A standard error above these is no information: e on a logarithmic scale, half of the range on others, a
 // quarter for f0, half of the channel's weights for a weight.
 constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
+
+constexpr const char* kNeverTurned =
+    "the sample was never turned (no two azimuths of it were measured under the same angles), so that a "
+    "second width "
+    "may be the form's own error: turn the sample, or fit without --anisotropic";
 
 // Above this many rows no value has a leverage worth a second pass.
 constexpr std::size_t kManyRows = 100000;
@@ -135,6 +142,86 @@ bool no_information(const Reported& r, const Model& model, double error, double 
   return error > kRangeError * (r.max - r.min);
 }
 
+// A second width, or the direction of the first: what only a turn of the sample shows.
+bool needs_turn(const Reported& r) {
+  return r.slot != kNoSlot && (r.info == &kTangentInfo || r.info->role == Role::width_across ||
+                               r.info->role == Role::exponent_across);
+}
+bool asks_for_turn(const Reported& r, const Model& model) {
+  return needs_turn(r) && model.slots()[r.slot].members.size() < 2;
+}
+
+// Of what is neither held nor at a bound; parameters that are set together are one. The components are the principal
+// ones of the correlations; each one's degrees of freedom are counted as a parameter's are.
+ParameterCovariance parameter_covariance(const SampleStream& stream, const Minimum& m,
+                                         const std::vector<Reported>& all, const Covariance& c,
+                                         double freedom, bool many) {
+  const Model& model = stream.model();
+  ParameterCovariance out;
+  std::vector<Eigen::VectorXd> scaled;  // gradients, in standard errors
+  std::vector<double> errors;
+  std::set<std::size_t> seen;
+  for (const Reported& r : all) {
+    if (r.slot != kNoSlot && !seen.insert(r.slot).second) continue;
+    const Eigen::VectorXd g = gradient_vector(r, c.matrix.rows());
+    const double variance = g.dot(c.matrix * g);
+    if (!(variance > 0)) continue;
+    out.names.push_back(r.slot == kNoSlot ? label(r.estimate) : model.slots()[r.slot].name);
+    errors.push_back(std::sqrt(variance));
+    scaled.push_back(g / errors.back());
+  }
+  const std::size_t n = scaled.size();
+  out.components = Matrix(n, n);
+  if (n == 0) return out;
+  RowMatrix correlation(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      correlation(Eigen::Index(i), Eigen::Index(j)) = scaled[i].dot(c.matrix * scaled[j]);
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(correlation);
+  std::vector<std::vector<double>> influence;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto v = eigen.eigenvectors().col(Eigen::Index(k));
+    const double size = std::sqrt(std::max(eigen.eigenvalues()(Eigen::Index(k)), 0.0));
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(c.matrix.rows());
+    for (std::size_t i = 0; i < n; ++i) {
+      out.components(k, i) = errors[i] * size * v(Eigen::Index(i));
+      g += v(Eigen::Index(i)) * scaled[i];
+    }
+    const Eigen::VectorXd on = c.inverse * g;
+    influence.emplace_back(on.data(), on.data() + on.size());
+  }
+  out.freedom = many ? std::vector<double>(n, freedom) : stream.freedom(m.p, influence);
+  for (double& f : out.freedom) f = std::clamp(f, 1.0, std::max(freedom, 1.0));
+  return out;
+}
+
+// Relative standard error that 95 % of the model's values keep to, and 95 % of the light.
+double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance) {
+  constexpr double kShare = 0.95;
+  Matrix c{stream.model().size(), stream.model().size()};
+  std::copy(covariance.data(), covariance.data() + covariance.size(), c.a.begin());
+  const auto errors = stream.value_errors(p, c), values = stream.values(p);
+  struct Value {
+    double error, light;
+  };
+  std::vector<Value> all;
+  double light = 0;
+  for (std::size_t channel = 0; channel < values.size(); ++channel)
+    for (std::size_t k = 0; k < values[channel].size(); ++k) {
+      const double f = values[channel][k];
+      if (!(f > 0)) continue;
+      all.push_back({errors[channel][k] / f, f * stream.data().wi_z[k]});
+      light += all.back().light;
+    }
+  std::sort(all.begin(), all.end(), [](const Value& a, const Value& b) { return a.error < b.error; });
+  double below = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    below += all[k].light;
+    if (below >= kShare * light && double(k + 1) >= kShare * double(all.size())) return all[k].error;
+  }
+  return 0;
+}
+
 // The unknowns that one channel's values depend on: its own, and those that it shares.
 std::size_t parameters_of_a_channel(const Model& model) {
   std::size_t count = 0;
@@ -175,6 +262,9 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
                            std::to_string(per_channel) + " parameters: measure at least " +
                            std::to_string(3 * per_channel) + ", or fix some of them");
   }
+  const bool unturned =
+      std::any_of(all.begin(), all.end(), [&](const Reported& r) { return asks_for_turn(r, model); }) &&
+      !sample_was_turned(stream.data());
   std::vector<std::size_t> certain;
   for (std::size_t k = 0; k < all.size(); ++k) {
     Reported& r = all[k];
@@ -191,6 +281,9 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
       e.status = Status::fixed;
     } else if (few) {
       e.status = Status::unidentified;
+    } else if (unturned && asks_for_turn(r, model)) {
+      e.status = Status::unidentified;
+      out.singular = true;
     } else if (at_bound(r, m)) {
       e.status = Status::at_bound;
     } else if (without_effect(r, m, c)) {
@@ -219,9 +312,23 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
     }
 
   const std::size_t channels = model.channels().size();
-  if (const auto names = names_with(all, Status::unidentified, channels); !few && !names.empty())
-    out.findings.push_back(listed(names) + (names.size() > 1 ? " are" : " is") +
-                           " not identified: " + advice(all, model));
+  if (c.null_space.cols() == 0 && !few)
+    out.covariance = parameter_covariance(stream, m, all, c, freedom, many);
+  const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
+  if (!many || std::any_of(all.begin(), all.end(), unidentified))
+    out.prediction_error = prediction_error(stream, m.p, c.matrix);
+  if (const auto names = names_with(all, Status::unidentified, channels); !few && !names.empty()) {
+    out.split_only =
+        std::all_of(all.begin(), all.end(), [&](const Reported& r) { return r.weight || !unidentified(r); });
+    const std::string reason = unturned ? kNeverTurned : advice(all, model);
+    if (out.determined())
+      out.findings.push_back("what the model gives at the samples is determined (standard error " +
+                             io::percent(*out.prediction_error) + "), how it divides into " + listed(names) +
+                             " is not: " + reason);
+    else
+      out.findings.push_back(listed(names) + (names.size() > 1 ? " are" : " is") +
+                             " not identified: " + reason);
+  }
   std::map<std::string, std::vector<std::string>> bounds;
   for (const Reported& r : all) {
     if (r.estimate.status != Status::at_bound) continue;

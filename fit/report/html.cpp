@@ -6,6 +6,7 @@
 
 #include "brdf/aperture.h"
 #include "brdf/geometry.h"
+#include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
 #include "fit/report/report.h"
 #include "io/html_report.h"
@@ -18,7 +19,7 @@ using io::Cell;
 using io::Mark;
 
 Mark mark_of(Verdict v) {
-  return v == Verdict::converged ? Mark::good : v == Verdict::at_bound ? Mark::warn : Mark::bad;
+  return v == Verdict::converged ? Mark::good : usable(v) ? Mark::warn : Mark::bad;
 }
 
 std::string in_words(const FormFit& f) {
@@ -31,6 +32,8 @@ std::string in_words(const FormFit& f) {
       return f.form + how + ": the solver converged and every parameter is identified.";
     case Verdict::at_bound:
       return f.form + how + ", with a parameter at the end of its range: see below.";
+    case Verdict::determined:
+      return f.form + how + ": what it gives is determined, not every parameter: see below.";
     case Verdict::not_identifiable:
       return f.form + " cannot be determined from these samples: see below what is missing.";
     case Verdict::misfit:
@@ -68,8 +71,25 @@ double in_plane_angle(const io::SampleTable& t, std::size_t k) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-void add_slices(io::HtmlReport& report, const io::SampleTable& table,
-                const std::vector<std::vector<double>>& fitted) {
+// Fills the band about a line of fitted values: 95 %, from the parameters' covariance.
+void add_band(const FormFit& fit, const Directions<double>& d, const std::vector<std::size_t>& rows,
+              std::size_t channel, double aperture, io::Series& line) {
+  if (!fit.covariance) return;
+  DirectionArrays<double> few(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) few.set(k, d.wi(rows[k]), d.wo(rows[k]));
+  const auto values = [&](const Material& material) {
+    return fitted_values(material, few.view(), rows.size(), aperture)[channel];
+  };
+  const auto band = intervals(fit.material, *fit.covariance, line.y, values);
+  for (std::size_t k = 0; band && k < rows.size(); ++k) {
+    line.low.push_back((*band)[k].low);
+    line.high.push_back((*band)[k].high);
+  }
+}
+
+void add_slices(io::HtmlReport& report, const io::SampleTable& table, const FormFit& fit,
+                const Directions<double>& d, const std::vector<std::vector<double>>& fitted,
+                double aperture) {
   constexpr std::size_t kSlices = 4;
   std::map<double, std::vector<std::size_t>> by_theta;
   for (std::size_t k = 0; k < table.rows(); ++k)
@@ -102,9 +122,12 @@ void add_slices(io::HtmlReport& report, const io::SampleTable& table,
         line.x.push_back(in_plane_angle(table, k));
         line.y.push_back(fitted[c][k]);
       }
+      add_band(fit, d, rows, c, aperture, line);
       plot.series.push_back(std::move(points));
       plot.series.push_back(std::move(line));
     }
+    if (fit.covariance)
+      plot.caption = "Bands: 95 % intervals of the fitted values, from the parameters' covariance.";
     report.plot(plot);
   }
 }
@@ -285,7 +308,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
   const auto fitted = fitted_values(best.material, d, table.rows(), options.aperture);
-  add_slices(report, table, fitted);
+  add_slices(report, table, best, d, fitted, options.aperture);
   add_residual_map(report, residual_cells(table, d, fitted));
   add_correlations(report, best.correlations);
   add_minima(report, best);

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
 #include "io/material_json.h"
 #include "io/numbers.h"
@@ -50,13 +51,7 @@ Json intervals_json(const FormFit& fit) {
 }
 
 Json correlations_json(const Correlations& c) {
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < c.names.size(); ++i) {
-    Json row = Json::array();
-    for (std::size_t k = 0; k < c.names.size(); ++k) row.push_back(c.matrix(i, k));
-    rows.push_back(row);
-  }
-  return {{"parameters", c.names}, {"matrix", rows}};
+  return {{"parameters", c.names}, {"matrix", rows_json(c.matrix)}};
 }
 
 Json metrics_json(const Metrics& m) {
@@ -113,6 +108,9 @@ Json statistics_json(const FormFit& fit) {
     j["cross_validated_error"] = number(fit.left_out->errors.median);
     j["cross_validated_standard_error"] = number(fit.left_out->median_standard_error);
   }
+  if (fit.prediction_error) j["prediction_error"] = number(*fit.prediction_error);
+  if (const auto& a = fit.largest_albedo)
+    j["largest_albedo"] = {{"value", number(a->value)}, {"theta", a->theta}, {"channel", a->channel}};
   j["bic"] = number(fit.bic);
   j["parameters"] = fit.parameters;
   j["metrics"] = metrics_json(fit.metrics);
@@ -279,6 +277,9 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
   j["metric"] = name_of(options.metric);
   j["samples"] = samples_json(result, table, options);
   j.update(statistics_json(fit));
+  constexpr std::size_t kMostParameters = 100;  // in a file that people read
+  if (fit.covariance && fit.covariance->names.size() <= kMostParameters)
+    j["covariance"] = to_json(*fit.covariance);
   return j;
 }
 

@@ -106,4 +106,31 @@ std::vector<double> SampleStream::freedom(std::span<const double> p,
   return square;
 }
 
+std::vector<std::vector<double>> SampleStream::value_errors(std::span<const double> p,
+                                                            const Matrix& covariance) const {
+  const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
+  std::vector out(channels, std::vector<double>(data_.rows()));
+  std::vector<double> weights(model_.lobes());
+  Workspace w(model_);
+  std::fill(w.slope, w.slope + kBlockRows, 1.0);
+  for (std::size_t c = 0; c < channels; ++c) {
+    const Shapes group_shapes = shapes(p, model_.group_of(c), true);
+    model_.lobe_weights(p, c, weights);
+    const Matrix by_column = of_columns(contributions(model_, p, c), covariance);
+    for (std::size_t first = 0; first < data_.rows(); first += kBlockRows) {
+      const std::size_t rows = std::min(kBlockRows, data_.rows() - first);
+      fill_lobes(group_shapes, first, rows, w);
+      fill_jacobian(weights.data(), w);
+      for (std::size_t j = 0; j < rows; ++j) {
+        double variance = 0;
+        for (std::size_t i = 0; i < columns; ++i)
+          for (std::size_t k = 0; k < columns; ++k)
+            variance += w.scaled[i][j] * by_column(i, k) * w.scaled[k][j];
+        out[c][first + j] = std::sqrt(std::max(variance, 0.0));
+      }
+    }
+  }
+  return out;
+}
+
 }  // namespace brdf::fit

@@ -64,6 +64,8 @@ class SampleStream {
   // Degrees of freedom of the variance of v'g for each v, g the gradient of one value: (sum a^2)^2 / sum a^4
   // of the values' influences a, noise taken as proportional to the value (Bell and McCaffrey 2002).
   std::vector<double> freedom(std::span<const double> p, const std::vector<std::vector<double>>& v) const;
+  // [channel][row]: the standard error of the model's value, from the covariance of the solver's parameters.
+  std::vector<std::vector<double>> value_errors(std::span<const double> p, const Matrix& covariance) const;
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
   // [channel][row]: the model's values. The second writes only the rows that are summed over.
   std::vector<std::vector<double>> values(std::span<const double> p) const;

@@ -1,0 +1,131 @@
+#include "fit/assess/derived.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "fit/model/constraints.h"
+
+namespace brdf::fit {
+namespace {
+
+// Share of a parameter by which it is moved: the error of a central difference is its square.
+constexpr double kStep = 1e-3;
+
+// Where the values stand that one parameter of the fit sets.
+std::vector<double*> places_of(Material& m, const std::string& name) {
+  std::vector<double*> out;
+  for (std::size_t t = 0; t < m.terms.size(); ++t) {
+    Term& term = m.terms[t];
+    const ReflectanceInfo& about = info(term.form);
+    const auto [along, across] = about.axes();
+    const auto named = [&](std::string_view parameter, std::size_t channel) {
+      const std::string plain = name_in_sum(m.terms.size(), t, parameter);
+      return name == plain || name == plain + "[" + m.channels[channel] + "]";
+    };
+    for (std::size_t g = 0; g < term.shape.size(); ++g)
+      for (std::size_t k = 0; k < about.shape.size(); ++k)
+        if (named(about.shape[k].name, g) ||
+            ((int(k) == along || int(k) == across) && named(about.tied_name(), g)))
+          out.push_back(&term.shape[g][k]);
+    for (std::size_t c = 0; c < m.channels.size(); ++c)
+      for (std::size_t k = 0; k < about.weights.size(); ++k)
+        if (named(about.weights[k].name, c)) out.push_back(&term.weights[c][k]);
+  }
+  return out;
+}
+
+// Moves a parameter by a step; tangent_phi, which turns every term, in degrees.
+bool move(Material& m, const std::string& name, double step) {
+  if (name == kTangentInfo.name) {
+    for (Term& term : m.terms) term.tangent_phi = term.tangent_phi + degrees(step);
+    return true;
+  }
+  const std::vector<double*> places = places_of(m, name);
+  for (double* value : places) *value += step;
+  return !places.empty();
+}
+
+double standard_error(const ParameterCovariance& c, std::size_t parameter) {
+  double variance = 0;
+  for (std::size_t k = 0; k < c.components.rows; ++k) variance += square(c.components(k, parameter));
+  return std::sqrt(variance);
+}
+
+double step_of(Material m, const std::string& name, double error) {
+  if (name == kTangentInfo.name) return std::min(0.1 * error, 0.1);
+  const std::vector<double*> places = places_of(m, name);
+  const double value = places.empty() ? 0 : std::abs(*places[0]);
+  return std::min(0.1 * error, kStep * std::max(value, kStep));
+}
+
+}  // namespace
+
+double t_quantile(double freedom) {
+  if (freedom < 1) return std::numeric_limits<double>::infinity();
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
+}
+
+std::optional<std::vector<Interval>> intervals(const Material& material, const ParameterCovariance& c,
+                                               std::span<const double> values, const Derived& f) {
+  std::vector<std::vector<double>> slope;  // [parameter][value]
+  for (std::size_t k = 0; k < c.names.size(); ++k) {
+    const double step = step_of(material, c.names[k], standard_error(c, k));
+    Material up = material, down = material;
+    if (!(step > 0) || !move(up, c.names[k], step) || !move(down, c.names[k], -step)) return std::nullopt;
+    std::vector<double> above = f(up);
+    const std::vector<double> below = f(down);
+    for (std::size_t j = 0; j < values.size(); ++j) above[j] = (above[j] - below[j]) / (2 * step);
+    slope.push_back(std::move(above));
+  }
+  std::vector<Interval> out;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    double variance = 0, uncertain = 0;
+    for (std::size_t k = 0; k < c.components.rows; ++k) {
+      double along = 0;
+      for (std::size_t a = 0; a < slope.size(); ++a) along += slope[a][j] * c.components(k, a);
+      variance += along * along;
+      uncertain += along * along / std::sqrt(c.freedom[k]);
+    }
+    const double reach = variance > 0 ? std::sqrt(variance) * t_quantile(square(variance / uncertain)) : 0;
+    out.push_back({std::max(values[j] - reach, 0.0), values[j] + reach});
+  }
+  return out;
+}
+
+io::Json rows_json(const Matrix& matrix) {
+  io::Json rows = io::Json::array();
+  for (std::size_t i = 0; i < matrix.rows; ++i) {
+    io::Json row = io::Json::array();
+    for (std::size_t j = 0; j < matrix.cols; ++j) row.push_back(matrix(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+io::Json to_json(const ParameterCovariance& c) {
+  return {{"parameters", c.names}, {"components", rows_json(c.components)}, {"freedom", c.freedom}};
+}
+
+std::optional<ParameterCovariance> covariance_of(const io::Json& fit) {
+  if (!fit.is_object() || !fit.contains("covariance")) return std::nullopt;
+  try {
+    const io::Json& j = fit.at("covariance");
+    ParameterCovariance out;
+    out.names = j.at("parameters").get<std::vector<std::string>>();
+    out.freedom = j.at("freedom").get<std::vector<double>>();
+    const auto rows = j.at("components").get<std::vector<std::vector<double>>>();
+    const std::size_t n = out.names.size();
+    out.components = Matrix(n, n);
+    if (out.freedom.size() != n || rows.size() != n) return std::nullopt;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (rows[i].size() != n || !(out.freedom[i] >= 1)) return std::nullopt;
+      std::copy(rows[i].begin(), rows[i].end(), &out.components(i, 0));
+    }
+    return out;
+  } catch (const io::Json::exception&) {
+    return std::nullopt;  // a `fit` block may hold anything
+  }
+}
+
+}  // namespace brdf::fit

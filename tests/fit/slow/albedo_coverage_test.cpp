@@ -1,0 +1,21 @@
+// What the interval of a derived value is worth: the albedo of a fitted material.
+#include "../albedo_coverage.h"
+
+namespace brdf::fit {
+namespace {
+
+// 500 replicates of each material: at every angle the truth lies in the interval 92 to 98 % of the time.
+TEST(AlbedoInterval, CoversTheTruthIn92To98PercentOf500Replicates) {
+  constexpr int kReplicates = 500;
+  for (const CoverageCase& c : coverage_cases())
+    for (const auto& [theta, covered] : covered_albedos(c, kReplicates, 17)) {
+      const double share = double(covered.inside) / kReplicates;
+      std::cout << "[ coverage ] " << c.form << ", albedo at " << theta << " degrees: " << 100 * share
+                << " %\n";
+      EXPECT_GE(share, 0.92) << c.form << " " << theta;
+      EXPECT_LE(share, 0.98) << c.form << " " << theta;
+    }
+}
+
+}  // namespace
+}  // namespace brdf::fit
