@@ -237,8 +237,9 @@ void add_fit(CLI::App& app) {
   verb->add_option("--jobs", o.jobs, "Files fitted at the same time")->check(CLI::Range(1u, 256u));
   verb->add_flag("--json", o.json, "JSON on stdout");
   verb->footer(
-      "Example: brdf fit samples.csv --form all -o material.json\n"
-      "         brdf fit samples.csv --form auto --json");
+      "Examples: brdf fit samples.csv --form all -o material.json\n"
+      "          brdf fit samples.csv --form auto --json\n"
+      "          brdf fit paint.csv --form cook_torrance --physical --tie f0");
   on_run(*verb, [options] { return run(*options); });
 }
 

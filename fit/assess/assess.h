@@ -44,7 +44,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution);
 // sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.
 bool sample_was_turned(const FitData& data);
 
-// Of a material, over the light's polar angles 0 to 85 degrees, to a relative error of 1e-3.
+// Of a material, over the light's polar angles, ten from 0 to 85 degrees, to a relative error of 1e-3.
 LargestAlbedo largest_albedo(const Material& material);
 
 // The residual far above the noise: enough of the reflected light is in the wrong place.
