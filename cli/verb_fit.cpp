@@ -35,7 +35,7 @@ struct Options {
   std::string form = "all", robust, output, report;
   bool json = false, physical = false;
   unsigned jobs = 1;
-  fit::FitOptions fit;
+  fit::FitOptions fit{.metric = fit::Metric::automatic};
 };
 
 // "all", "every", "ward" or "oren_nayar+ward"; none for "auto", which chooses by itself.
@@ -207,7 +207,9 @@ void add_fit(CLI::App& app) {
   verb->add_option("--form", o.form,
                    "all, every, a form, a sum as in oren_nayar+ward, or auto: terms as the samples ask for")
       ->capture_default_str();
-  add_named_option(*verb, "--metric", o.fit.metric, "Residual");
+  add_named_option(
+      *verb, "--metric", o.fit.metric,
+      "Residual; auto: the one whose noise is the most even on the data, log where it is not known");
   verb->add_flag("--anisotropic", o.fit.anisotropic, "Two widths and the tangent's azimuth");
   verb->add_flag("--per-channel", o.fit.per_channel, "A shape for every channel");
   verb->add_flag(

@@ -13,6 +13,7 @@
 #include "fit/solve/minima.h"
 #include "fit/stepwise.h"
 #include "io/cosine_factor.h"
+#include "io/noise.h"
 #include "io/numbers.h"
 
 namespace brdf::fit {
@@ -182,17 +183,25 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
 }  // namespace
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
-              const FitOptions& options) {
-  if (models.empty()) return fit_stepwise(table, options);
-  const FitData data = prepare(table, options);
+              const FitOptions& asked) {
+  if (models.empty()) return fit_stepwise(table, asked);
+  FitOptions options = asked;
+  FitData data = prepare(table, options);
   FitResult result;
+  const io::Noise noise = io::relative_noise(table, data.row);
+  result.noise_floor = noise.value;
+  result.channel_noise = noise.channels;
+  result.metric = choose_metric(table, data, noise.value, options);
+  if (options.metric != result.metric.metric) {
+    options.metric = result.metric.metric;
+    data = prepare(table, options);  // rows without a residual under this one are left out
+  }
   result.rows = data.rows();
   result.beyond_max_theta = data.beyond_max_theta;
   result.outside_domain = data.outside_domain;
   result.channels = data.channels;
   if (const io::CosineFactor cosine = io::cosine_factor(table); cosine.found != io::Cosine::none)
     result.input_fault = cosine.statement;
-  result.noise_floor = noise_floor(data);
   result.groups = data.groups;
   std::vector<Solved> all;
   for (const auto& forms : models) {

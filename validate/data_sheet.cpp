@@ -65,7 +65,7 @@ void name_once(std::vector<Finding>& findings) {
 
 void add_scan_findings(const io::SampleTable& t, double max_theta, DataSheet& sheet) {
   const auto pairs = io::interpolated_pairs(t);
-  const Finding noise = noise_floor(t, pairs);
+  const Finding noise = noise_floor(t);
   const io::CosineFactor cosine = io::cosine_factor(t, pairs);
   // Integrals at up to 60 angles of the light: a large table has thousands.
   const auto groups = by_light(t);

@@ -27,7 +27,7 @@ struct DataSheet {
 
 // Checks: negative, missing, duplicates; the angles: angle_unit (radians?), polar_angle (elevations?), azimuth
 // (the other convention?), directions (is a pole's azimuth without effect?); outliers, saturation; reciprocity
-// (exact pairs), noise_floor (interpolated reciprocity), cosine_factor and quantity (are the values f_r?),
+// (exact pairs), noise_floor (scatter about a smooth law), cosine_factor and quantity (are the values f_r?),
 // isotropy, coverage, energy. What the table does not allow is not_applicable, and says why; what it is too coarse
 // for is undecided. A fault is named once: the checks that it would mislead are then not_applicable.
 // `max_theta` in degrees: outliers beyond it are named apart.

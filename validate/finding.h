@@ -50,6 +50,7 @@ struct Finding {
   std::optional<Restricted> tied;   // of an anisotropic form's energy: equal widths
   long evaluations = 0;             // of the subject's f
   std::vector<NamedRow> rows = {};  // of a table: all of them
+  std::vector<std::pair<std::string, double>> channels;  // the value of each, where it is judged by channels
 
   // Passes or fails, and says why.
   void conclude(bool good, const std::string& if_good, const std::string& if_not) {
@@ -64,7 +65,7 @@ inline bool is_worst(double value, double worst) {
 }
 
 inline Finding not_applicable(std::string subject, std::string check, std::string why) {
-  return {std::move(subject), std::move(check), Outcome::not_applicable, 0, 0, std::move(why), {}, {}, 0};
+  return {std::move(subject), std::move(check), Outcome::not_applicable, 0, 0, std::move(why), {}, {}, 0, {}};
 }
 
 }  // namespace brdf::validate

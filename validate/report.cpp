@@ -101,6 +101,8 @@ io::Json to_json(const Finding& f) {
   json["statement"] = f.statement;
   json["witness"] = f.witness ? to_json(*f.witness) : io::Json(nullptr);
   if (f.tied) json["tied"] = {{"value", f.tied->value}, {"witness", to_json(f.tied->witness)}};
+  for (const auto& [name, value] : f.channels)
+    json["channels"][name] = std::isfinite(value) ? io::Json(value) : io::Json(nullptr);
   json["evaluations"] = f.evaluations;
   for (const NamedRow& row : f.rows) json["rows"].push_back(to_json(row));
   return json;

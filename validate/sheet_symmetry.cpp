@@ -3,6 +3,7 @@
 #include <set>
 #include <tuple>
 
+#include "io/noise.h"
 #include "io/numbers.h"
 #include "validate/sheet_checks.h"
 
@@ -16,34 +17,33 @@ std::vector<double> differences_of(const std::vector<io::ReciprocalPair>& pairs)
   return differences;
 }
 
-Finding start_with_median(const io::SampleTable& t, const char* check, const std::vector<double>& values) {
-  Finding f = start(t, check);
-  f.value = io::median(values);
-  f.bound = 0.2;
-  f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
-  return f;
-}
-
 }  // namespace
 
 Finding exact_reciprocity(const io::SampleTable& t) {
   const auto pairs = io::exact_pairs(t);
   if (pairs.empty()) return not_applicable(t.source, "reciprocity", "no reciprocal pairs in this table");
-  Finding f = start_with_median(t, "reciprocity", differences_of(pairs));
+  Finding f = start(t, "reciprocity");
+  f.value = io::median(differences_of(pairs));
+  f.bound = 0.2;
+  f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
   f.statement =
       plural(pairs.size(), "reciprocal pair") + ", median difference " + io::percent_to_tenths(f.value);
   return f;
 }
 
-Finding noise_floor(const io::SampleTable& t, const std::vector<io::ReciprocalPair>& pairs) {
-  if (pairs.size() < 8)
-    return not_applicable(t.source, "noise_floor", "too few pairs of directions to interpolate between");
-  const std::vector<double> differences = differences_of(pairs);
-  Finding f = start_with_median(t, "noise_floor", differences);
-  f.statement = "median difference " + io::percent_to_tenths(f.value) + " of " +
-                plural(pairs.size(), "interpolated reciprocal pair") + ", below " +
-                io::percent_to_tenths(io::quantile(differences, 0.9)) +
-                " for nine of ten: no model can be judged more finely";
+Finding noise_floor(const io::SampleTable& t) {
+  const io::Noise noise = io::relative_noise(t);
+  if (!noise.value)
+    return not_applicable(t.source, "noise_floor",
+                          "rows are too few or too far apart to tell noise from the sample's shape");
+  Finding f = start(t, "noise_floor");
+  f.value = *noise.value;
+  f.bound = 0.2;
+  f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
+  f.statement = "values scatter by " + io::percent_to_tenths(f.value) +
+                " about what their neighbours say: no model can be judged more finely";
+  for (std::size_t c = 0; c < t.channels.size(); ++c)
+    f.channels.emplace_back(t.channels[c], noise.channels[c].value_or(NAN));
   return f;
 }
 

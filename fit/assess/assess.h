@@ -13,10 +13,6 @@ namespace brdf::fit {
 // The four metrics of the model's values [channel][row].
 Metrics measure(const FitData& data, const std::vector<std::vector<double>>& model);
 
-// How far values scatter about their neighbours of the same incidence, relative; none where rows have too few
-// neighbours. An upper bound of the noise: what structure neighbours do not share counts as well.
-std::optional<double> noise_floor(const FitData& data);
-
 // Relative standard error up to which what a model gives counts as determined, whatever its parameters are.
 inline constexpr double kDetermined = 0.05;
 

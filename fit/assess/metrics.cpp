@@ -43,46 +43,6 @@ Metrics measure(const FitData& data, const std::vector<std::vector<double>>& mod
   return {std::sqrt(log.value()), std::sqrt(l2.value()), std::sqrt(relative.value()), cube.value()};
 }
 
-std::optional<double> noise_floor(const FitData& data) {
-  constexpr std::size_t kMostIncidences = 64, kMostRows = 1024, kNeighbours = 4;
-  if (data.grouped) return std::nullopt;
-  std::map<std::uint32_t, std::vector<std::size_t>> by_incidence;
-  for (std::size_t k = 0; k < data.rows(); ++k) by_incidence[data.incidence[k]].push_back(k);
-  std::vector<double> scatter;
-  const std::size_t step = std::max<std::size_t>(1, by_incidence.size() / kMostIncidences);
-  std::size_t index = 0;
-  for (const auto& [incidence, all] : by_incidence) {
-    if (index++ % step != 0 || all.size() < 8) continue;
-    const std::vector<std::size_t> rows(all.begin(),
-                                        all.begin() + std::ptrdiff_t(std::min(all.size(), kMostRows)));
-    for (std::size_t k : rows) {
-      std::vector<std::pair<double, std::size_t>> near;
-      for (std::size_t m : rows) {
-        const double x = data.wo_x[m] - data.wo_x[k], y = data.wo_y[m] - data.wo_y[k],
-                     z = data.wo_z[m] - data.wo_z[k];
-        const double d = x * x + y * y + z * z;
-        if (m != k && d > 1e-12) near.push_back({d, m});
-      }
-      if (near.size() < kNeighbours) continue;
-      std::partial_sort(near.begin(), near.begin() + kNeighbours, near.end());
-      for (std::size_t c = 0; c < data.values.size(); ++c) {
-        const double value = data.values[c][k];
-        double mean = 0;
-        bool positive = value > 0;
-        for (std::size_t n = 0; n < kNeighbours; ++n) {
-          const double other = data.values[c][near[n].second];
-          positive = positive && other > 0;
-          mean += std::log(std::max(other, 1e-300)) / double(kNeighbours);
-        }
-        if (positive) scatter.push_back(std::abs(std::log(value) - mean));
-      }
-    }
-  }
-  if (scatter.size() < 32) return std::nullopt;
-  // The deviation of one value less the mean of four is sqrt(5/4) times its own.
-  return 1.4826 * io::median(std::move(scatter)) / std::sqrt(1 + 1.0 / double(kNeighbours));
-}
-
 namespace {
 
 // Log of measured over modelled in the direction nearest to the light, within 10 degrees of it: the middle

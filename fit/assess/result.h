@@ -11,6 +11,7 @@
 #include "brdf/names.h"
 #include "fit/algebra/matrix.h"
 #include "fit/assess/half_angles.h"
+#include "fit/assess/metric_choice.h"
 #include "fit/model/row_groups.h"
 
 namespace brdf::fit {
@@ -163,7 +164,9 @@ struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
   std::string input_fault;            // a cosine that is left in the values, one clause; empty: none found
-  std::optional<double> noise_floor;  // relative, from neighbouring rows
+  MetricChoice metric;                // the residual in use
+  std::optional<double> noise_floor;  // relative, from the table itself (io/noise.h)
+  std::vector<std::optional<double>> channel_noise;
   RowGroups groups;                   // what was left out together
   double left_out_rounding = 0;       // left-out values below are 0 but for rounding
   std::vector<Step> steps;            // of --form auto; empty otherwise

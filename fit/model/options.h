@@ -13,10 +13,11 @@ namespace brdf::fit {
 
 // The residual of one value: f the model, g the measurement, c_i and c_o the cosines (docs/fitting.md).
 enum class Metric {
-  log,          // ln(1 + f c_i) - ln(1 + g c_i)
-  cosine_l2,    // (f - g) c_i
-  cube_root,    // the sum of (((f - g) c_i)^2)^(1/3)
-  log_relative  // ln((f c_i c_o + e)/(g c_i c_o + e)), e = 1e-3
+  log,           // ln(1 + f c_i) - ln(1 + g c_i)
+  cosine_l2,     // (f - g) c_i
+  cube_root,     // the sum of (((f - g) c_i)^2)^(1/3)
+  log_relative,  // ln((f c_i c_o + e)/(g c_i c_o + e)), e = 1e-3
+  automatic      // the one of them whose noise is the most even on the data (fit/assess/metric_choice.h)
 };
 inline constexpr double kLogRelativeFloor = 1e-3;
 
@@ -35,8 +36,8 @@ enum class Weighting { automatic, uniform, sigma, solid_angle };
 namespace brdf {
 
 template <>
-inline constexpr std::array<std::string_view, 4> kNames<fit::Metric>{"log", "cosine_l2", "cube_root",
-                                                                     "log_relative"};
+inline constexpr std::array<std::string_view, 5> kNames<fit::Metric>{"log", "cosine_l2", "cube_root",
+                                                                     "log_relative", "auto"};
 template <>
 inline constexpr std::array<std::string_view, 3> kNames<fit::Loss>{"none", "huber", "cauchy"};
 template <>

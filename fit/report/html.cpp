@@ -288,10 +288,10 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   if (best.solved()) report.paragraph("Lack of fit: " + in_words(best.lack_of_fit) + ".");
   std::string about = std::to_string(result.rows) + " rows of " + std::to_string(table.rows()) +
                       " fitted, both polar angles at most " + io::short_number(options.max_theta) +
-                      " degrees; residual " + std::string(name_of(options.metric));
+                      " degrees; residual " + std::string(name_of(result.metric.metric));
+  if (!result.metric.asked) about += ", chosen: " + result.metric.reason;
   if (best.solved()) about += "; median relative error " + io::percent(best.median_relative_error);
-  if (result.noise_floor)
-    about += "; the values scatter about their neighbours by " + io::percent(*result.noise_floor);
+  about += "; " + scatter_text(result);
   if (options.free_scale)
     about += "; values divided by the scale " + io::short_number(table.scale, 6) +
              ", which is unknown: weights are relative";

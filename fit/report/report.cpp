@@ -15,6 +15,8 @@ namespace {
 
 using io::Json;
 
+constexpr std::size_t kListedChannels = 8;
+
 // Infinite or undefined numbers have no JSON.
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
@@ -118,6 +120,18 @@ Json statistics_json(const FormFit& fit) {
   return j;
 }
 
+// How the residual was chosen; null where it was asked for.
+Json choice_json(const MetricChoice& choice) {
+  if (choice.asked) return nullptr;
+  Json j{{"reason", choice.reason}, {"noise_unevenness", Json::object()}};
+  for (const Unevenness& u : choice.unevenness) j["noise_unevenness"][name_of(u.metric)] = number(u.factor);
+  return j;
+}
+
+Json optional_json(const std::optional<double>& x) {
+  return x ? number(*x) : Json(nullptr);
+}
+
 Json samples_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
   Json j{{"file", table.source},
          {"format", table.format},
@@ -130,7 +144,10 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
          {"skipped", table.skipped}};
   if (options.free_scale) j["scale"] = table.scale;
   j["fault"] = result.input_fault.empty() ? Json(nullptr) : Json(result.input_fault);
-  j["noise_floor"] = result.noise_floor ? Json(*result.noise_floor) : Json(nullptr);
+  j["noise_floor"] = optional_json(result.noise_floor);
+  j["noise_floors"] = Json::object();
+  for (std::size_t c = 0; c < result.channel_noise.size(); ++c)
+    j["noise_floors"][result.channels[c]] = optional_json(result.channel_noise[c]);
   return j;
 }
 
@@ -240,6 +257,18 @@ std::string recommendation(const FitResult& result) {
          " and no worse on the rows left out";
 }
 
+std::string scatter_text(const FitResult& result) {
+  if (!result.noise_floor)
+    return "how much the values scatter is not known: rows are too few or too far apart, or computed";
+  std::string text = "values scatter about their neighbours by " + io::percent(*result.noise_floor);
+  if (result.channels.size() == 1 || result.channels.size() > kListedChannels) return text;
+  std::string channels;
+  for (std::size_t c = 0; c < result.channels.size(); ++c)
+    channels += (c ? ", " : "") + result.channels[c] + " " +
+                (result.channel_noise[c] ? io::percent(*result.channel_noise[c]) : "not known");
+  return text + " (" + channels + ")";
+}
+
 Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
   Json ranking = Json::array();
   for (const FormFit& fit : result.ranking) {
@@ -261,7 +290,8 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
     ranking.push_back(std::move(j));
   }
   Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = name_of(options.metric);
+  j["metric"] = name_of(result.metric.metric);
+  j["metric_choice"] = choice_json(result.metric);
   j["samples"] = samples_json(result, table, options);
   j["interrupted"] = result.interrupted;
   const bool any = !result.ranking.empty() && usable(result.ranking[result.recommended].verdict);
@@ -274,7 +304,8 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
 Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
                     const FitOptions& options) {
   Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = name_of(options.metric);
+  j["metric"] = name_of(result.metric.metric);
+  j["metric_choice"] = choice_json(result.metric);
   j["samples"] = samples_json(result, table, options);
   j.update(statistics_json(fit));
   constexpr std::size_t kMostParameters = 100;  // in a file that people read
@@ -286,7 +317,8 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
            const FitOptions& options) {
   out << table.source << ": " << result.rows << " rows, " << result.channels.size() << " channel"
-      << (result.channels.size() == 1 ? "" : "s") << ", residual " << name_of(options.metric) << '\n';
+      << (result.channels.size() == 1 ? "" : "s") << ", residual " << name_of(result.metric.metric) << '\n';
+  if (!result.metric.asked) out << "  residual chosen (--metric auto): " << result.metric.reason << '\n';
   if (result.beyond_max_theta)
     out << "  " << result.beyond_max_theta << " rows beyond " << options.max_theta
         << " degrees left out (--max-theta)\n";
@@ -296,8 +328,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
     out << "  values divided by the scale " << io::short_number(table.scale, 6)
         << ", which is unknown: weights are relative\n";
   if (!result.input_fault.empty()) out << "  the samples: " << result.input_fault << '\n';
-  if (result.noise_floor)
-    out << "  values scatter about their neighbours by " << io::percent(*result.noise_floor) << '\n';
+  out << "  " << scatter_text(result) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
   for (const Step& step : result.steps) out << "  " << in_words(step) << '\n';
   print_ranking(out, result);

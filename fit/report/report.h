@@ -19,6 +19,9 @@ std::string in_words(const Step& step);
 // "recommended: ward, which is simpler and no worse on the rows left out"; empty where that is the first form.
 std::string recommendation(const FitResult& result);
 
+// What the values scatter by, of each channel where they differ, or that it is not known.
+std::string scatter_text(const FitResult& result);
+
 // The shape of `brdf fit --json`.
 io::Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options);
 // The `fit` block of a material file: provenance and statistics of this one fit.

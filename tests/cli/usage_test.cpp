@@ -11,6 +11,7 @@ namespace brdf {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class Cli : public testing::Test {
@@ -246,6 +247,42 @@ TEST_F(Cli, SynthIsReproducibleAndNamesItsCommand) {
       HasSubstr("# command: brdf synth --form ward --set alpha=0.1 --grid in_plane --noise 0.05 --seed 3\n"));
   EXPECT_THAT(run("synth --form ward --set alpha=0.004 --aperture 2 --grid in_plane -o c.csv").err,
               HasSubstr("warning: the lobe is narrower than the aperture"));
+}
+
+// A narrow lobe, the mirror side only. Of values under one light the lobe's shape would count as noise.
+TEST_F(Cli, AMisfitIsOneWhicheverOfLightAndViewerWasScanned) {
+  std::string still_viewer = "theta_i,phi_i,theta_o,phi_o\n", still_light = still_viewer;
+  for (const int still : {15, 20, 30, 40, 45, 50, 60, 70, 80})
+    for (int moved = 1; moved <= 80; ++moved) {
+      still_viewer += std::to_string(moved) + ",180," + std::to_string(still) + ",0\n";
+      still_light += std::to_string(still) + ",180," + std::to_string(moved) + ",0\n";
+    }
+  write("viewer.csv", still_viewer);
+  write("light.csv", still_light);
+  for (const std::string name : {"viewer", "light"}) {
+    ASSERT_EQ(run("synth --form cook_torrance --set kd=0.02 --set ks=0.9 --set f0=0.9 --set alpha=0.02 "
+                  "--noise 0.02 "
+                  "--grid " +
+                  name + ".csv -o s.csv")
+                  .exit_code,
+              0);
+    const Outcome wrong = run("fit s.csv --form lambert --json");
+    EXPECT_EQ(wrong.exit_code, 1) << name;
+    const io::Json json = io::Json::parse(wrong.out);
+    EXPECT_EQ(json.at("ranking").at(0).at("verdict"), "misfit") << name;
+    EXPECT_GT(json.at("samples").at("noise_floor").get<double>(), 0.02 / 1.5) << name;
+    EXPECT_LT(json.at("samples").at("noise_floor").get<double>(), 0.02 * 1.5) << name;
+    const io::Json sheet = io::Json::parse(run("validate s.csv --json").out);
+    for (const io::Json& finding : sheet.at("findings"))
+      if (finding.at("check") == "noise_floor") {
+        EXPECT_NEAR(finding.at("value").get<double>(), 0.02, 0.008) << name;
+        EXPECT_NEAR(finding.at("channels").begin()->get<double>(), 0.02, 0.008) << name;
+      }
+    const Outcome right = run("fit s.csv --form cook_torrance");
+    EXPECT_EQ(right.exit_code, 0) << right.out;
+    EXPECT_THAT(right.out, HasSubstr("residual chosen (--metric auto): its noise is the most even"));
+    EXPECT_THAT(run("fit s.csv --form lambert --metric log").out, Not(HasSubstr("residual chosen")));
+  }
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+// The residual is the one whose noise is the most even on the data, and the choice is told.
+#include "fit/assess/metric_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "fit/fit.h"
+#include "fit/report/report.h"
+#include "io/noise.h"
+#include "tests/fit/samples.h"
+
+namespace brdf::fit {
+namespace {
+
+// Values from 0.003 to 8 /sr.
+io::SampleTable dark_gloss(double share, double floor, bool sigma = false) {
+  Material m = make_material(*find_form("cook_torrance"), {"f"});
+  m.terms[0].shape[0] = {0.15, 0.15};
+  m.terms[0].weights[0] = {0.01, 0.5, 0.5};
+  synth::Instrument instrument;
+  instrument.grid.theta_i = {10, 30, 45, 60, 70};
+  instrument.noise = share;
+  instrument.noise_floor = floor;
+  instrument.sigma_columns = sigma;
+  return synth::measure(m, instrument);
+}
+
+MetricChoice chosen(const io::SampleTable& table, Metric metric = Metric::automatic) {
+  FitOptions options;
+  options.metric = metric;
+  const FitData data = prepare(table, options);
+  return choose_metric(table, data, io::relative_noise(table, data.row).value, options);
+}
+
+double factor_of(const MetricChoice& choice, Metric metric) {
+  for (const Unevenness& u : choice.unevenness)
+    if (u.metric == metric) return u.factor;
+  return kUnknown;
+}
+
+TEST(MetricChoice, NoiseThatIsAShareOfTheValueAsksForALogarithm) {
+  const MetricChoice choice = chosen(dark_gloss(0.03, 0));
+  EXPECT_EQ(choice.metric, Metric::log_relative);
+  EXPECT_LT(factor_of(choice, Metric::log_relative), 1.6);
+  EXPECT_GT(factor_of(choice, Metric::cosine_l2), 3);
+}
+
+TEST(MetricChoice, NoiseThatIsTheSameForAllValuesAsksForDifferences) {
+  const MetricChoice choice = chosen(dark_gloss(0, 0.0005));
+  EXPECT_EQ(choice.metric, Metric::cosine_l2);
+  EXPECT_LT(factor_of(choice, Metric::cosine_l2), 2.2);
+  EXPECT_GT(factor_of(choice, Metric::log_relative), factor_of(choice, Metric::cosine_l2));
+}
+
+TEST(MetricChoice, IsTheLogarithmWhereNothingIsKnownAndSaysWhy) {
+  const MetricChoice exact = chosen(dark_gloss(0, 0));
+  EXPECT_EQ(exact.metric, Metric::log);
+  EXPECT_TRUE(exact.unevenness.empty());
+  EXPECT_FALSE(exact.reason.empty());
+  const MetricChoice weighted = chosen(dark_gloss(0.03, 0, true));
+  EXPECT_EQ(weighted.metric, Metric::log);
+  EXPECT_NE(weighted.reason.find("standard deviations"), std::string::npos);
+}
+
+TEST(MetricChoice, WhatIsAskedForIsUsed) {
+  const MetricChoice choice = chosen(dark_gloss(0.03, 0), Metric::cube_root);
+  EXPECT_EQ(choice.metric, Metric::cube_root);
+  EXPECT_TRUE(choice.asked);
+}
+
+TEST(MetricChoice, IsInTheResultAndInItsJson) {
+  const io::SampleTable table = dark_gloss(0.03, 0);
+  FitOptions options;
+  options.metric = Metric::automatic;
+  options.cross_validation = false;
+  const FitResult automatic = fit(table, {forms({"cook_torrance"})}, options);
+  options.metric = automatic.metric.metric;
+  const FitResult asked = fit(table, {forms({"cook_torrance"})}, options);
+  EXPECT_EQ(automatic.ranking[0].material.terms[0].shape, asked.ranking[0].material.terms[0].shape);
+  const io::Json json = to_json(automatic, table, options);
+  EXPECT_EQ(json.at("metric"), name_of(automatic.metric.metric));
+  EXPECT_EQ(json.at("metric_choice").at("noise_unevenness").size(), 3u);
+  EXPECT_TRUE(to_json(asked, table, options).at("metric_choice").is_null());
+  EXPECT_NEAR(json.at("samples").at("noise_floors").at("f").get<double>(), 0.03, 0.006);
+}
+
+}  // namespace
+}  // namespace brdf::fit
