@@ -1,9 +1,7 @@
 #include "fit/assess/highlight.h"
 
 #include <algorithm>
-#include <boost/math/distributions/hypergeometric.hpp>
 #include <cmath>
-#include <numeric>
 
 #include "fit/assess/half_angles.h"
 #include "io/numbers.h"
@@ -32,26 +30,35 @@ bool is_matt(const std::vector<double>& model, const std::vector<double>& mirror
 }
 
 struct Row {
-  double mirror, excess;  // ln(measured/model)
+  double mirror, excess;  // cosine; ln(measured/model); both times the side
   std::size_t row;
   bool counts;
 };
+
+// At most the probability that, of all rows drawn without regard, so many of the `count` are among the `first`:
+// the hypergeometric tail's bound by relative entropy (Chvatal 1979), from either side.
+double chance_of(double found, double first, double count, double all) {
+  const auto bound = [found](double draws, double share) {
+    const double a = found / draws;
+    if (a <= share) return 0.0;
+    return draws * (a * std::log(a / share) + (a < 1 ? (1 - a) * std::log((1 - a) / (1 - share)) : 0.0));
+  };
+  return std::exp(-std::max(bound(first, count / all), bound(count, first / all)));
+}
 
 // The rows nearest to the mirror direction in which those that count gather; none where chance would do.
 std::vector<Row> gathered(std::vector<Row> rows) {
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
     return a.mirror != b.mirror ? a.mirror > b.mirror : a.row < b.row;
   });
-  const auto all = unsigned(rows.size());
-  const auto count = unsigned(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.counts; }));
-  if (count < kFewest || count == all) return {};
+  const auto count =
+      std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.counts; }));
+  if (count < kFewest) return {};
   double least = kChance / double(count);
-  std::size_t best = 0;
-  unsigned found = 0;
-  for (unsigned k = 0; k < all; ++k) {
+  std::size_t best = 0, found = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
     if (!rows[k].counts || ++found < kFewest) continue;
-    const boost::math::hypergeometric_distribution<> chance(count, k + 1, all);
-    const double p = boost::math::cdf(boost::math::complement(chance, found - 1));
+    const double p = chance_of(double(found), double(k + 1), double(count), double(rows.size()));
     if (p < least) {
       least = p;
       best = k + 1;
@@ -62,22 +69,38 @@ std::vector<Row> gathered(std::vector<Row> rows) {
   return rows;
 }
 
+// `side` 1: values above the model towards the mirror direction; -1: below it away from there, where the fit took the
+// highlight's level for that of the surface.
 std::vector<Row> missing_highlight(const std::vector<double>& measured, const std::vector<double>& model,
-                                   const std::vector<double>& mirror, double noise) {
+                                   const std::vector<double>& mirror, double noise, int side) {
   if (!is_matt(model, mirror)) return {};
   std::vector<Row> rows;
   std::vector<double> excess;
   for (std::size_t k = 0; k < model.size(); ++k) {
     if (!(measured[k] > 0)) continue;
-    rows.push_back({mirror[k], std::log(measured[k] / std::max(model[k], 1e-300)), k, false});
+    rows.push_back({side * mirror[k], side * std::log(measured[k] / std::max(model[k], 1e-300)), k, false});
     excess.push_back(rows.back().excess);
   }
   if (excess.empty()) return {};
-  const double base = io::quantile(std::move(excess), 0.25);
+  const double base = io::quantile(std::move(excess), 0.25), bright = kMatt * io::median(model);
   for (Row& r : rows)
     r.counts = r.excess - base > std::max(std::log(kContrast), 5 * noise) &&
-               r.excess > std::max(std::log(kExcess), 5 * noise);
+               r.excess > std::max(std::log(kExcess), 5 * noise) && model[r.row] <= bright;
   return gathered(std::move(rows));
+}
+
+std::string finding_of(const FitData& data, const std::vector<Row>& rows, int side) {
+  HalfAngleRange range;
+  std::vector<double> excess;
+  for (const Row& r : rows) {
+    range.add(half_angles(data, r.row));
+    excess.push_back(side * r.excess);
+  }
+  return std::string(side > 0 ? "a highlight around the mirror direction that this form cannot make"
+                              : "this form cannot get dark away from the mirror direction") +
+         ": in " + std::to_string(rows.size()) + " rows (" + to_text(range) +
+         ") the values are in the middle " + io::short_number(std::exp(io::median(std::move(excess))), 2) +
+         " times the model's";
 }
 
 }  // namespace
@@ -86,22 +109,15 @@ Misfit judge_highlight(const FitData& data, const std::vector<std::vector<double
                        std::optional<double> noise) {
   std::vector<double> mirror(data.rows());
   for (std::size_t k = 0; k < data.rows(); ++k) mirror[k] = mirror_cosine(data, k);
-  std::vector<Row> most;
-  for (std::size_t c = 0; c < model.size(); ++c)
-    if (auto rows = missing_highlight(data.values[c], model[c], mirror, noise.value_or(0));
-        rows.size() > most.size())
-      most = std::move(rows);
-  if (most.empty()) return {};
-  HalfAngleRange range;
-  std::vector<double> excess;
-  for (const Row& r : most) {
-    range.add(half_angles(data, r.row));
-    excess.push_back(r.excess);
+  for (const int side : {1, -1}) {
+    std::vector<Row> most;
+    for (std::size_t c = 0; c < model.size(); ++c)
+      if (auto rows = missing_highlight(data.values[c], model[c], mirror, noise.value_or(0), side);
+          rows.size() > most.size())
+        most = std::move(rows);
+    if (!most.empty()) return {true, finding_of(data, most, side)};
   }
-  return {true, "a highlight that this form cannot make: in " + std::to_string(most.size()) +
-                    " rows around the mirror direction (" + to_text(range) +
-                    ") the values are in the middle " +
-                    io::short_number(std::exp(io::median(std::move(excess))), 2) + " times the model's"};
+  return {};
 }
 
 }  // namespace brdf::fit

@@ -31,13 +31,13 @@ struct Cell {
   std::vector<double> excess;  // ln(measured/model)
 };
 
-// Whether the middle of a cell is away from 1 by more than five of its standard errors.
+// Whether the middle of a cell is away from 1 by more than five of its standard errors, and by a fifth of its scatter.
 bool is_off(const std::vector<double>& excess, double noise) {
   const double middle = io::median(excess);
   std::vector<double> sizes;
   for (double x : excess) sizes.push_back(std::abs(x - middle));
   const double scatter = std::max(noise, kNormal * io::median(std::move(sizes)));
-  return std::abs(middle) > 5 * 1.2533 * scatter / std::sqrt(double(excess.size()));
+  return std::abs(middle) > scatter * std::max(0.2, 5 * 1.2533 / std::sqrt(double(excess.size())));
 }
 
 LackOfFit of_cells(const SampleStream& stream, const std::vector<std::vector<double>>& model, double noise) {
@@ -74,7 +74,7 @@ LackOfFit of_cells(const SampleStream& stream, const std::vector<std::vector<dou
   return out;
 }
 
-Extent extent(const std::vector<double>& values) {
+Extent range_of(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return {*low, *high};
 }
@@ -88,12 +88,25 @@ std::vector<double> on_interval_scale(const Reported& r, const std::vector<doubl
   return out;
 }
 
-double jackknife_error(const std::vector<double>& values) {
-  const double n = double(values.size());
-  double mean = 0, square = 0;
-  for (double v : values) mean += v / n;
-  for (double v : values) square += (v - mean) * (v - mean);
-  return std::sqrt(square * (n - 1) / n);
+struct Jackknife {
+  double error = 0, freedom = 0;
+};
+
+// Of a value, from what it is without each fold: the root of its variance and its squared bias. The degrees of freedom
+// are those of a variance of values with this kurtosis (Satterthwaite's), where a few folds decide.
+Jackknife jackknife(double value, const std::vector<double>& without) {
+  const double n = double(without.size());
+  double mean = 0, square = 0, fourth = 0;
+  for (double v : without) mean += v / n;
+  for (double v : without) {
+    const double d = (v - mean) * (v - mean);
+    square += d;
+    fourth += d * d;
+  }
+  if (!(square > 0)) return {0, n - 1};
+  const double kurtosis = n * fourth / (square * square);
+  return {std::hypot(std::sqrt(square * (n - 1) / n), (n - 1) * (mean - value)),
+          std::clamp(2 * n / std::max(kurtosis - 1, 1e-9), 1.0, n - 1)};
 }
 
 }  // namespace
@@ -115,7 +128,7 @@ LackOfFit lack_of_fit(const SampleStream& stream, const std::vector<std::vector<
 std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
                                                      std::span<const double> solution,
                                                      const FitOptions& options) {
-  constexpr int kPasses = 20;
+  constexpr int kIterations = 10;
   std::vector<std::vector<double>> out;
   for (std::size_t m = 0; m < kNames<Metric>.size(); ++m) {
     FitOptions other = options;
@@ -131,8 +144,8 @@ std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
       residual.loss.scale = robust_scale(SampleStream(defined, stream.model(), residual, options.aperture),
                                          residual.loss, solution);
     SolveOptions solver;
-    solver.tolerance = 1e-7;
-    solver.max_iterations = kPasses;
+    solver.tolerance = 1e-5;
+    solver.max_iterations = kIterations;
     solver.interrupted = options.interrupted;
     const Solution s =
         refine(SampleStream(defined, stream.model(), residual, options.aperture), solution, solver);
@@ -157,12 +170,13 @@ void add_movement(const Model& model, std::span<const double> solution,
   for (std::size_t k = 0; k < all.size(); ++k) {
     Estimate& e = estimates[k];
     if (e.status != Status::free) continue;
-    if (!metrics.empty()) e.other_metrics = extent(by_metric[k]);
+    if (!metrics.empty()) e.other_metrics = range_of(by_metric[k]);
     if (folds.size() < 2) continue;
-    e.left_out = extent(by_fold[k]);
-    const double error = jackknife_error(on_interval_scale(all[k], by_fold[k], model));
-    const Extent moved = extent_of(all[k], model, solution, t_quantile(double(folds.size()) - 1) * error);
-    e.with_lack_of_fit = {std::min(moved.low, e.low), std::max(moved.high, e.high)};
+    e.left_out = range_of(by_fold[k]);
+    const Jackknife moved = jackknife(on_interval_scale(all[k], {all[k].estimate.value}, model)[0],
+                                      on_interval_scale(all[k], by_fold[k], model));
+    const Extent extent = extent_of(all[k], model, solution, t_quantile(moved.freedom) * moved.error);
+    e.with_lack_of_fit = {std::min(extent.low, e.low), std::max(extent.high, e.high)};
   }
 }
 

@@ -8,8 +8,10 @@
 namespace brdf::fit {
 namespace {
 
-constexpr int kRefits = 8;
-constexpr double kTolerance = 1e-7;  // of the refits' cost: far below what a left-out value's digits show
+// Of the refits. Against a hundred iterations to 1e-10 the left-out values differ by less than 2e-3 of themselves
+// where a fifth of the rows is left out, by less than 2e-4 for an eleventh.
+constexpr int kIterations = 6;
+constexpr double kTolerance = 1e-6;
 
 struct Fold {
   RowRange held;
@@ -70,7 +72,8 @@ std::optional<LeftOut> leave_out(const SampleStream& all, std::span<const double
   std::vector<double> medians;
   SolveOptions solver;
   solver.tolerance = kTolerance;
-  solver.max_iterations = kRefits;
+  solver.max_iterations = kIterations;
+  solver.starts_at_solution = true;
   solver.interrupted = options.interrupted;
   for (const Fold& fold : folds) {
     if (options.stop()) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace brdf::fit {
 
 // Every group of rows (data.groups) is predicted by a fit of the other folds' rows: all of them, however many there
-// are. Each fold is solved from the solution on all rows in at most kRefits passes. `loss_scale`: what the loss is
+// are. Each fold is solved from the solution on all rows in a few iterations. `loss_scale`: what the loss is
 // judged with, the same for all forms; the refits use the stream's own. None where there are fewer than two folds.
 // A fold without a finite cost makes the value infinite.
 std::optional<LeftOut> leave_out(const SampleStream& stream, std::span<const double> solution,

@@ -7,7 +7,8 @@ namespace brdf::fit {
 
 // Sorts best first by the left-out value (where none was asked for, by the median error); equal values (three digits)
 // by whether they are usable, then by number of parameters; forms without a finite cost last. Sets `recommended`:
-// the usable form with the fewest parameters that the paired test does not find worse than the first one.
+// the usable form with the fewest parameters whose left-out value is at most a tenth above the first one's and that
+// the paired test does not find worse.
 void rank(FitResult& result);
 
 }  // namespace brdf::fit

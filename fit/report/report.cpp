@@ -152,7 +152,8 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
 }
 
 std::string error_text(double error) {
-  return std::isfinite(error) ? io::percent(error) : "-";
+  if (!std::isfinite(error)) return "-";
+  return error < 10 ? io::percent(error) : std::to_string(std::llround(100 * error)) + " %";
 }
 
 std::string extent_text(double low, double high) {

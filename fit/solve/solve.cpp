@@ -164,27 +164,29 @@ Solution solve(const Objective& objective, std::span<const double> start, std::s
     s.termination = Termination::converged;
     return s;
   }
-  std::vector<int> held(start.size(), 0);
+  // Held while the cost pushes outward, or does not care.
+  const auto held_now = [&] {
+    const NormalEquations& n = cost.equations(s.p);
+    std::vector<int> next(s.p.size(), 0);
+    const double scale = std::sqrt(2 * n.cost);
+    for (std::size_t k = 0; k < next.size(); ++k) {
+      const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
+      const int side = s.p[k] <= low[k] + reach ? -1 : s.p[k] >= high[k] - reach ? 1 : 0;
+      const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
+      if (side != 0 && side * n.gradient[k] <= noise) next[k] = side;
+    }
+    for (std::size_t k = 0; k < next.size(); ++k)
+      if (next[k] != 0) s.p[k] = next[k] < 0 ? low[k] : high[k];
+    return next;
+  };
+  std::vector<int> held = options.starts_at_solution ? held_now() : std::vector<int>(start.size(), 0);
   const int rounds = 2 * int(start.size()) + 4;
   for (int round = 0; round < rounds; ++round) {
     run_ceres(cost, s.p, low, high, held, options, s);
     if (s.termination == Termination::failed || s.termination == Termination::interrupted) break;
-    const NormalEquations& n = cost.equations(s.p);
-    std::vector<int> next(held.size(), 0);
-    const double scale = std::sqrt(2 * n.cost);
-    for (std::size_t k = 0; k < held.size(); ++k) {
-      const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
-      const int side = s.p[k] <= low[k] + reach ? -1 : s.p[k] >= high[k] - reach ? 1 : 0;
-      if (side == 0) continue;
-      // Held while the cost pushes outward, or does not care.
-      const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
-      if (side * n.gradient[k] <= noise) {
-        next[k] = side;
-        s.p[k] = side < 0 ? low[k] : high[k];
-      }
-    }
+    std::vector<int> next = held_now();
     if (next == held) break;
-    held = next;
+    held = std::move(next);
   }
   s.at_bound = held;
   s.cost = cost.equations(s.p).cost;

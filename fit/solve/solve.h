@@ -15,8 +15,9 @@ using Objective = std::function<NormalEquations(std::span<const double>)>;
 enum class Termination { converged, iteration_limit, failed, interrupted };
 
 struct SolveOptions {
-  int max_iterations = 100;
-  double tolerance = 1e-12;  // relative, on cost and step
+  int max_iterations = 400;         // cube_root converges linearly
+  double tolerance = 1e-12;         // relative, on cost and step
+  bool starts_at_solution = false;  // of nearly the same samples: what is held there is held from the start
   const std::atomic<bool>* interrupted = nullptr;
 };
 

@@ -64,10 +64,10 @@ TEST(LeftOut, IsThePredictionOfAFitWithoutTheIncidence) {
       eval(material, wi, arrays.view().wo(k), f);
       sum += std::pow(std::log1p(f[0] * wi.z) - std::log1p(left.values[0][k] * wi.z), 2);
     }
-    EXPECT_NEAR(left_out.by_group[g] / (sum / double(left.rows())), 1, 1e-3) << group.theta;
+    EXPECT_NEAR(left_out.by_group[g] / (sum / double(left.rows())), 1, 2e-3) << group.theta;
     all += sum;
   }
-  EXPECT_NEAR(left_out.value / (all / double(result.rows)), 1, 1e-3);
+  EXPECT_NEAR(left_out.value / (all / double(result.rows)), 1, 2e-3);
 }
 
 TEST(LeftOut, WhatStoodStillIsLeftOutWhetherLightOrViewer) {
