@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "fit/assess/assess.h"
 #include "fit/assess/derived.h"
+#include "fit/assess/propagation.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/student.h"
 #include "io/numbers.h"
@@ -13,8 +13,6 @@
 
 namespace brdf::fit {
 namespace {
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Eigenvalues of the scaled normal matrix below this share of the largest are directions without effect.
 constexpr double kSingular = 1e-12;
@@ -28,9 +26,6 @@ constexpr const char* kNeverTurned =
     "the sample was never turned (no two azimuths of it were measured under the same angles), so that a "
     "second width "
     "may be the form's own error: turn the sample, or fit without --anisotropic";
-
-// Above this many rows no value has a leverage worth a second pass.
-constexpr std::size_t kManyRows = 100000;
 
 // Covariance of the solver's free parameters, and the directions without effect.
 struct Covariance {
@@ -98,12 +93,6 @@ Covariance covariance(const SampleStream& stream, const Minimum& m) {
   return out;
 }
 
-Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
-  for (const auto& [slot, slope] : r.gradient) g(Eigen::Index(slot)) = slope;
-  return g;
-}
-
 // True where the parameter moves along a direction that changes nothing in the samples.
 bool without_effect(const Reported& r, const Minimum& m, const Covariance& c) {
   double inside = 0, all = 0;
@@ -143,83 +132,10 @@ bool no_information(const Reported& r, const Model& model, double error, double 
 }
 
 // A second width, or the direction of the first: what only a turn of the sample shows.
-bool needs_turn(const Reported& r) {
-  return r.slot != kNoSlot && (r.info == &kTangentInfo || r.info->role == Role::width_across ||
-                               r.info->role == Role::exponent_across);
-}
 bool asks_for_turn(const Reported& r, const Model& model) {
-  return needs_turn(r) && model.slots()[r.slot].members.size() < 2;
-}
-
-// Of what is neither held nor at a bound; parameters that are set together are one. The components are the principal
-// ones of the correlations; each one's degrees of freedom are counted as a parameter's are.
-ParameterCovariance parameter_covariance(const SampleStream& stream, const Minimum& m,
-                                         const std::vector<Reported>& all, const Covariance& c,
-                                         double freedom, bool many) {
-  const Model& model = stream.model();
-  ParameterCovariance out;
-  std::vector<Eigen::VectorXd> scaled;  // gradients, in standard errors
-  std::vector<double> errors;
-  std::set<std::size_t> seen;
-  for (const Reported& r : all) {
-    if (r.slot != kNoSlot && !seen.insert(r.slot).second) continue;
-    const Eigen::VectorXd g = gradient_vector(r, c.matrix.rows());
-    const double variance = g.dot(c.matrix * g);
-    if (!(variance > 0)) continue;
-    out.names.push_back(r.slot == kNoSlot ? label(r.estimate) : model.slots()[r.slot].name);
-    errors.push_back(std::sqrt(variance));
-    scaled.push_back(g / errors.back());
-  }
-  const std::size_t n = scaled.size();
-  out.components = Matrix(n, n);
-  if (n == 0) return out;
-  RowMatrix correlation(n, n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      correlation(Eigen::Index(i), Eigen::Index(j)) = scaled[i].dot(c.matrix * scaled[j]);
-  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(correlation);
-  std::vector<std::vector<double>> influence;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto v = eigen.eigenvectors().col(Eigen::Index(k));
-    const double size = std::sqrt(std::max(eigen.eigenvalues()(Eigen::Index(k)), 0.0));
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(c.matrix.rows());
-    for (std::size_t i = 0; i < n; ++i) {
-      out.components(k, i) = errors[i] * size * v(Eigen::Index(i));
-      g += v(Eigen::Index(i)) * scaled[i];
-    }
-    const Eigen::VectorXd on = c.inverse * g;
-    influence.emplace_back(on.data(), on.data() + on.size());
-  }
-  out.freedom = many ? std::vector<double>(n, freedom) : stream.freedom(m.p, influence);
-  for (double& f : out.freedom) f = std::clamp(f, 1.0, std::max(freedom, 1.0));
-  return out;
-}
-
-// Relative standard error that 95 % of the model's values keep to, and 95 % of the light.
-double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance) {
-  constexpr double kShare = 0.95;
-  Matrix c{stream.model().size(), stream.model().size()};
-  std::copy(covariance.data(), covariance.data() + covariance.size(), c.a.begin());
-  const auto errors = stream.value_errors(p, c), values = stream.values(p);
-  struct Value {
-    double error, light;
-  };
-  std::vector<Value> all;
-  double light = 0;
-  for (std::size_t channel = 0; channel < values.size(); ++channel)
-    for (std::size_t k = 0; k < values[channel].size(); ++k) {
-      const double f = values[channel][k];
-      if (!(f > 0)) continue;
-      all.push_back({errors[channel][k] / f, f * stream.data().wi_z[k]});
-      light += all.back().light;
-    }
-  std::sort(all.begin(), all.end(), [](const Value& a, const Value& b) { return a.error < b.error; });
-  double below = 0;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    below += all[k].light;
-    if (below >= kShare * light && double(k + 1) >= kShare * double(all.size())) return all[k].error;
-  }
-  return 0;
+  if (r.slot == kNoSlot || model.slots()[r.slot].members.size() > 1) return false;
+  return r.info == &kTangentInfo || r.info->role == Role::width_across ||
+         r.info->role == Role::exponent_across;
 }
 
 // The unknowns that one channel's values depend on: its own, and those that it shares.
@@ -313,7 +229,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
 
   const std::size_t channels = model.channels().size();
   if (c.null_space.cols() == 0 && !few)
-    out.covariance = parameter_covariance(stream, m, all, c, freedom, many);
+    out.covariance = parameter_covariance(stream, m.p, all, {c.matrix, c.inverse}, freedom);
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
   if (!many || std::any_of(all.begin(), all.end(), unidentified))
     out.prediction_error = prediction_error(stream, m.p, c.matrix);

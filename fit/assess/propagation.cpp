@@ -1,0 +1,84 @@
+#include "fit/assess/propagation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace brdf::fit {
+
+Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  for (const auto& [slot, slope] : r.gradient) g(Eigen::Index(slot)) = slope;
+  return g;
+}
+
+ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
+                                         const std::vector<Reported>& all, const SlotCovariance& c,
+                                         double freedom) {
+  const Model& model = stream.model();
+  ParameterCovariance out;
+  std::vector<Eigen::VectorXd> scaled;  // gradients, in standard errors
+  std::vector<double> errors;
+  std::set<std::size_t> seen;
+  for (const Reported& r : all) {
+    if (r.slot != kNoSlot && !seen.insert(r.slot).second) continue;
+    const Eigen::VectorXd g = gradient_vector(r, c.matrix.rows());
+    const double variance = g.dot(c.matrix * g);
+    if (!(variance > 0)) continue;
+    out.names.push_back(r.slot == kNoSlot ? label(r.estimate) : model.slots()[r.slot].name);
+    errors.push_back(std::sqrt(variance));
+    scaled.push_back(g / errors.back());
+  }
+  const std::size_t n = scaled.size();
+  out.components = Matrix(n, n);
+  if (n == 0) return out;
+  RowMatrix correlation(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      correlation(Eigen::Index(i), Eigen::Index(j)) = scaled[i].dot(c.matrix * scaled[j]);
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(correlation);
+  std::vector<std::vector<double>> influence;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto v = eigen.eigenvectors().col(Eigen::Index(k));
+    const double size = std::sqrt(std::max(eigen.eigenvalues()(Eigen::Index(k)), 0.0));
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(c.matrix.rows());
+    for (std::size_t i = 0; i < n; ++i) {
+      out.components(k, i) = errors[i] * size * v(Eigen::Index(i));
+      g += v(Eigen::Index(i)) * scaled[i];
+    }
+    const Eigen::VectorXd on = c.inverse * g;
+    influence.emplace_back(on.data(), on.data() + on.size());
+  }
+  out.freedom =
+      stream.data().rows() > kManyRows ? std::vector<double>(n, freedom) : stream.freedom(p, influence);
+  for (double& f : out.freedom) f = std::clamp(f, 1.0, std::max(freedom, 1.0));
+  return out;
+}
+
+double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance) {
+  constexpr double kShare = 0.95;
+  Matrix c{stream.model().size(), stream.model().size()};
+  std::copy(covariance.data(), covariance.data() + covariance.size(), c.a.begin());
+  const auto errors = stream.value_errors(p, c), values = stream.values(p);
+  struct Value {
+    double error, light;
+  };
+  std::vector<Value> all;
+  double light = 0;
+  for (std::size_t channel = 0; channel < values.size(); ++channel)
+    for (std::size_t k = 0; k < values[channel].size(); ++k) {
+      const double f = values[channel][k];
+      if (!(f > 0)) continue;
+      all.push_back({errors[channel][k] / f, f * stream.data().wi_z[k]});
+      light += all.back().light;
+    }
+  std::sort(all.begin(), all.end(), [](const Value& a, const Value& b) { return a.error < b.error; });
+  double below = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    below += all[k].light;
+    if (below >= kShare * light && double(k + 1) >= kShare * double(all.size())) return all[k].error;
+  }
+  return 0;
+}
+
+}  // namespace brdf::fit
