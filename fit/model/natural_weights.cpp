@@ -144,21 +144,39 @@ void NaturalWeights::add_alone(const Place& place, std::span<const double> most)
   }
 }
 
+// Where all else is held, a dielectric's f0 is at most what that leaves of 1.
 void NaturalWeights::add_f0s() {
+  std::vector<double> most;
+  if (physical_ == Physical::dielectric)
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      most.push_back(2 - held(c));  // 1 is the specular weight
   for (std::size_t t = 0; t < forms_.size(); ++t)
     if (const int f0 = forms_[t].info().weight_index(Role::f0); f0 >= 0)
-      if (const Place place{t, std::size_t(f0)}; !constraint(place).is_fixed()) add_alone(place, {});
+      if (const Place place{t, std::size_t(f0)}; !constraint(place).is_fixed()) {
+        for (const double limit : most)
+          if (limit <= constraint(place).low)
+            throw InputError("--physical: what --fix holds leaves nothing for " +
+                             std::string(info_of(place).name));
+        add_alone(place, most);
+      }
+}
+
+// The sum of a channel's weights that are held.
+double NaturalWeights::held(std::size_t channel) const {
+  double sum = 0;
+  for (std::size_t t = 0; t < forms_.size(); ++t)
+    for (std::size_t k = 0; k < weights_[t][channel].size(); ++k)
+      if (!is_f0({t, k}) && constraint({t, k}).is_fixed()) sum += weights_[t][channel][k].scale;
+  return sum;
 }
 
 // What the weights that are held leave of 1, [channel]; the least of it for all where some weight is shared.
 std::vector<double> NaturalWeights::room(const std::vector<Place>& free) const {
   std::vector<double> room(channels_.size(), 1);
   for (std::size_t c = 0; c < channels_.size(); ++c) {
-    for (std::size_t t = 0; t < forms_.size(); ++t)
-      for (std::size_t k = 0; k < weights_[t][c].size(); ++k)
-        if (!is_f0({t, k}) && constraint({t, k}).is_fixed()) room[c] -= weights_[t][c][k].scale;
+    room[c] -= held(c);
     if (room[c] < -kRounding)
-      throw InputError("--physical: the weights that --fix holds add up to " + io::to_text(1 - room[c]) +
+      throw InputError("--physical: the weights that --fix holds add up to " + io::to_text(held(c)) +
                        ", which is more than 1");
   }
   const double least = *std::min_element(room.begin(), room.end());
@@ -259,6 +277,16 @@ bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& co
   const std::vector<Constraint>& weights = constraints.terms[at->term].weights;
   const Constraint &specular = weights[at->weight], &f0 = weights[at->f0];
   if (specular.is_fixed() ? !held_at_one(specular) : specular.low > 1 || specular.high < 1) return false;
+  // What is held beside a weight that is free would have to be taken off the share of both.
+  bool free = false, held = false;
+  for (std::size_t t = 0; t < forms.size(); ++t)
+    for (std::size_t k = 0; k < constraints.terms[t].weights.size(); ++k) {
+      const Constraint& c = constraints.terms[t].weights[k];
+      if (&c == &specular || &c == &f0) continue;
+      free = free || !c.is_fixed();
+      held = held || std::any_of(c.fixed.begin(), c.fixed.end(), [](double value) { return value != 0; });
+    }
+  if (held && (free || f0.is_fixed())) return false;
   // A weight that all channels share cannot follow from an f0 that they do not.
   for (const TermConstraints& term : constraints.terms)
     for (const Constraint& c : term.weights)

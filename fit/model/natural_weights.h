@@ -61,6 +61,7 @@ class NaturalWeights {
     std::size_t term, weight;
   };
   void add_f0s();
+  double held(std::size_t channel) const;
   void add_bounded(std::vector<Place> free);
   void add_alone(const Place& place, std::span<const double> most);
   std::size_t add_slot(const Place& place, std::size_t group, double low, double high);

@@ -214,6 +214,18 @@ TEST(PhysicalWeights, OfWhatIsNoDielectricAddUpToLessThanOne) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(f.material.terms[0].weights[c][1], 0.5, 0.05);
 }
 
+// What is held is not f0's.
+TEST(PhysicalWeights, OfADielectricLeaveF0WhatIsHeld) {
+  const Material metal = paint({{0.3, 1, 0.9}, {0.3, 1, 0.9}, {0.3, 1, 0.9}});
+  FitOptions options = physical(Physical::dielectric);
+  options.fix = {{"kd", {0.3, 0.05, 0}}};
+  const FormFit f = fit_one(measured(metal), {"cook_torrance"}, options);
+  EXPECT_DOUBLE_EQ(f.material.terms[0].weights[0][2], 0.7);
+  EXPECT_EQ(estimate(f, "f0", "r")->status, Status::at_bound);
+  EXPECT_NEAR(f.material.terms[0].weights[1][2], 0.95, 0.06);
+  EXPECT_LE(f.material.terms[0].weights[1][2], 0.95);
+}
+
 TEST(PhysicalWeights, AndSharedOnes) {
   Material truth = make_material(*find_form("ward"));
   truth.terms[0].shape[0] = {0.2, 0.2};
