@@ -183,8 +183,10 @@ std::optional<double> over_bands(std::vector<std::vector<Scale>> bands) {
   for (std::vector<Scale>& ways : bands)
     if (const auto scale = lowest_agreeing(ways, 2, 0)) known.push_back(*scale);
   if (4 * known.size() < bands.size()) return std::nullopt;
-  const auto scale = lowest_agreeing(known, 1, kShareOfBands);
-  return scale ? std::optional(scale->value) : std::nullopt;
+  if (const auto scale = lowest_agreeing(known, 1, kShareOfBands)) return scale->value;
+  // Noise that is no share of the value differs from band to band: the middle one, where nearly all are known.
+  if (4 * known.size() < 3 * bands.size()) return std::nullopt;
+  return known[known.size() / 2].value;
 }
 
 std::vector<std::uint32_t> every_row(const SampleTable& t) {

@@ -50,7 +50,7 @@ void name_once(std::vector<Finding>& findings) {
                        [&](const Finding& f) { return f.check == check && f.outcome == Outcome::fail; });
   };
   if (failed("cosine_factor"))
-    mislead(findings, {"reciprocity", "noise_floor", "quantity", "energy"},
+    mislead(findings, {"reciprocity", "quantity", "energy"},
             "light and viewer cannot be exchanged while a cosine is left in the values");
   if (failed("quantity")) mislead(findings, {"energy"}, "the values are no f_r");
   if (failed("azimuth"))
@@ -65,8 +65,9 @@ void name_once(std::vector<Finding>& findings) {
 
 void add_scan_findings(const io::SampleTable& t, double max_theta, DataSheet& sheet) {
   const auto pairs = io::interpolated_pairs(t);
-  const Finding noise = noise_floor(t);
   const io::CosineFactor cosine = io::cosine_factor(t, pairs);
+  const Finding noise =
+      noise_floor(t, cosine.found == io::Cosine::none ? pairs : std::vector<io::ReciprocalPair>{});
   // Integrals at up to 60 angles of the light: a large table has thousands.
   const auto groups = by_light(t);
   const std::size_t stride = (groups.size() + 59) / 60;

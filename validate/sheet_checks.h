@@ -30,7 +30,7 @@ Finding saturation(const io::SampleTable& table);
 Finding quantity(const io::SampleTable& table, const std::vector<MeasuredAlbedo>& albedo);
 // Light and viewer exchanged, and the sample turned.
 Finding exact_reciprocity(const io::SampleTable& table);
-Finding noise_floor(const io::SampleTable& table);
+Finding noise_floor(const io::SampleTable& table, const std::vector<io::ReciprocalPair>& pairs);
 Finding cosine_factor(const io::SampleTable& table, const io::CosineFactor& cosine);
 Finding isotropy(const io::SampleTable& table);
 // Integrals, one for each angle of the light.

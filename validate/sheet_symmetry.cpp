@@ -31,17 +31,24 @@ Finding exact_reciprocity(const io::SampleTable& t) {
   return f;
 }
 
-Finding noise_floor(const io::SampleTable& t) {
+// The pairs say what an instrument adds that is no noise, but also what is lost by interpolating.
+Finding noise_floor(const io::SampleTable& t, const std::vector<io::ReciprocalPair>& pairs) {
+  std::string exchanged;
+  if (pairs.size() >= 8)
+    exchanged = "; light and viewer exchanged by interpolation differ by " +
+                io::percent_to_tenths(io::median(differences_of(pairs))) + " in the median of " +
+                plural(pairs.size(), "pair");
   const io::Noise noise = io::relative_noise(t);
   if (!noise.value)
-    return not_applicable(t.source, "noise_floor",
-                          "rows are too few or too far apart to tell noise from the sample's shape");
+    return not_applicable(
+        t.source, "noise_floor",
+        "rows are too few, too far apart or too smooth to tell noise from the sample's shape" + exchanged);
   Finding f = start(t, "noise_floor");
   f.value = *noise.value;
   f.bound = 0.2;
   f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
   f.statement = "values scatter by " + io::percent_to_tenths(f.value) +
-                " about what their neighbours say: no model can be judged more finely";
+                " about what their neighbours say: no model can be judged more finely" + exchanged;
   for (std::size_t c = 0; c < t.channels.size(); ++c)
     f.channels.emplace_back(t.channels[c], noise.channels[c].value_or(NAN));
   return f;

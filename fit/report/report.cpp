@@ -260,7 +260,7 @@ std::string recommendation(const FitResult& result) {
 
 std::string scatter_text(const FitResult& result) {
   if (!result.noise_floor)
-    return "how much the values scatter is not known: rows are too few or too far apart, or computed";
+    return "how much the values scatter is not known: rows are too few, too far apart or too smooth";
   std::string text = "values scatter about their neighbours by " + io::percent(*result.noise_floor);
   if (result.channels.size() == 1 || result.channels.size() > kListedChannels) return text;
   std::string channels;

@@ -11,11 +11,11 @@
 namespace brdf::fit {
 namespace {
 
-// Values from 0.003 to 8 /sr.
-io::SampleTable dark_gloss(double share, double floor, bool sigma = false) {
+// Values from 0.003 to 8 /sr, or so many times that.
+io::SampleTable dark_gloss(double share, double floor, bool sigma = false, double scale = 1) {
   Material m = make_material(*find_form("cook_torrance"), {"f"});
   m.terms[0].shape[0] = {0.15, 0.15};
-  m.terms[0].weights[0] = {0.01, 0.5, 0.5};
+  m.terms[0].weights[0] = {0.01 * scale, 0.5 * scale, 0.5};
   synth::Instrument instrument;
   instrument.grid.theta_i = {10, 30, 45, 60, 70};
   instrument.noise = share;
@@ -45,7 +45,7 @@ TEST(MetricChoice, NoiseThatIsAShareOfTheValueAsksForALogarithm) {
 }
 
 TEST(MetricChoice, NoiseThatIsTheSameForAllValuesAsksForDifferences) {
-  const MetricChoice choice = chosen(dark_gloss(0, 0.0005));
+  const MetricChoice choice = chosen(dark_gloss(0, 0.05, false, 100));
   EXPECT_EQ(choice.metric, Metric::cosine_l2);
   EXPECT_LT(factor_of(choice, Metric::cosine_l2), 2.2);
   EXPECT_GT(factor_of(choice, Metric::log_relative), factor_of(choice, Metric::cosine_l2));
