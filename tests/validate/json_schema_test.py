@@ -1,7 +1,9 @@
 """Output of `brdf validate --json` against docs/validate.schema.json: schema_test.py EXECUTABLE SCHEMA"""
 import json
+import pathlib
 import subprocess
 import sys
+import tempfile
 
 try:
     import jsonschema
@@ -19,6 +21,24 @@ findings = json.loads(run.stdout)
 jsonschema.validate(findings, schema)
 verdicts = {f["verdict"] for f in findings["findings"]}
 assert {"pass", "known_violation", "not_applicable"} <= verdicts, verdicts
+
+# A table in one plane, with an outlier: rows, and what is undecided.
+with tempfile.TemporaryDirectory() as folder:
+    table = pathlib.Path(folder) / "s.csv"
+    subprocess.run([executable, "synth", "--form", "lambert", "--grid", "in_plane", "-o", str(table)], check=True,
+                   capture_output=True)
+    lines = table.read_text().splitlines()
+    *angles, value = lines[200].split(",")
+    lines[200] = ",".join([*angles, str(10 * float(value))])
+    table.write_text("\n".join(lines) + "\n")
+    sheet = subprocess.run([executable, "validate", str(table), "--json"], capture_output=True, text=True, check=False)
+assert sheet.returncode == 1, sheet.stderr
+findings = json.loads(sheet.stdout)
+jsonschema.validate(findings, schema)
+by_check = {f["check"]: f for f in findings["findings"]}
+assert by_check["coverage"]["verdict"] == by_check["energy"]["verdict"] == "undecided", by_check
+assert [row["line"] for row in by_check["outliers"]["rows"]] == [201], by_check["outliers"]
+
 required = subprocess.run([executable, "validate", "--form", "blinn_phong_n8", "--require", "energy"],
                           capture_output=True, text=True, check=False)
 assert required.returncode == 1, required.returncode
