@@ -209,7 +209,9 @@ void add_validate(CLI::App& app) {
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
   verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(',');
-  verb->add_option("--max-theta", o->max_theta, "largest angle of the energy check, degrees")
+  verb->add_option(
+          "--max-theta", o->max_theta,
+          "degrees: largest angle of the energy check; outliers of samples beyond it are named apart")
       ->capture_default_str();
   verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
   add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
