@@ -201,7 +201,9 @@ TEST(Picture, TheNamesOfChannelsDecideWhatIsRed) {
   table.channels = material.channels;
   table.values = {{0.1}, {0.2}, {0.3}};
   table.add_directions(30, 180, 30, 0);
-  const glm::vec3 shown = interpolate(table)({0, 0, 1}, {0, 0, 1});
+  const Vec3<double> i = io::unit_vector(30, 180), o = io::unit_vector(30, 0);
+  const glm::vec3 wi(glm::dvec3(i.x, i.y, i.z)), wo(glm::dvec3(o.x, o.y, o.z));
+  const glm::vec3 shown = interpolate(table)(wi, wo) / wi.z;
   EXPECT_NEAR(shown.r, 0.3f, 1e-5f);
   EXPECT_NEAR(shown.b, 0.1f, 1e-5f);
   ViewState state;
