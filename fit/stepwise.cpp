@@ -12,6 +12,7 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kSignificant = 0.05;
+constexpr int kStartsOfSums = 6;
 constexpr double kAsGood = 1.1;  // times the best left-out value: few groups find nothing significantly worse
 
 using Forms = std::vector<Reflectance>;
@@ -80,10 +81,14 @@ Stage second_lobe(const Forms& model) {
   return stage;
 }
 
-// One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell.
+// One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell. Every
+// start of a sum is tried again with each lobe at every width, so that a few starts do where a grid would take minutes.
 FitOptions options_for(const Forms& model, std::size_t channels, const FitOptions& options) {
   FitOptions out = options;
-  if (model.size() < 2 || channels < 2 || !options.tie.empty()) return out;
+  if (model.size() < 2) return out;
+  out.grid_starts = false;
+  out.random_starts = std::max(options.random_starts, kStartsOfSums);
+  if (channels < 2 || !options.tie.empty()) return out;
   for (const Reflectance& form : model) {
     const int f0 = info(form).weight_index(Role::f0);
     if (f0 < 0) continue;
