@@ -34,7 +34,7 @@ struct Row {
   double theta;
   std::string channel;
   AlbedoResult result;
-  std::optional<fit::Interval> interval;  // of the fit that the material came from
+  std::optional<fit::Extent> interval;  // of the fit that the material came from
 };
 
 AlbedoOptions checked(const Options& o) {
@@ -84,10 +84,10 @@ void print(const Row& row) {
 }
 
 // 95 % intervals of the albedo from the fit that the material came from: the delta method on its parameters.
-std::vector<std::optional<fit::Interval>> fitted_intervals(const io::MaterialFile& file, double theta,
-                                                           const Options& o, AlbedoOptions options,
-                                                           const std::vector<AlbedoResult>& results) {
-  std::vector<std::optional<fit::Interval>> out(results.size());
+std::vector<std::optional<fit::Extent>> fitted_intervals(const io::MaterialFile& file, double theta,
+                                                         const Options& o, AlbedoOptions options,
+                                                         const std::vector<AlbedoResult>& results) {
+  std::vector<std::optional<fit::Extent>> out(results.size());
   const auto covariance = fit::covariance_of(file.fit);
   if (!covariance) return out;
   options.tolerance = std::min(options.tolerance, kDifferenceTolerance);

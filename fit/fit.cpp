@@ -20,7 +20,7 @@ namespace brdf::fit {
 namespace {
 
 constexpr std::size_t kListedMinima = 10;
-constexpr double kRounding = 1e-18;   // of a squared residual, as a share of that of a black surface
+constexpr double kRounding = 1e-18;    // of a squared residual, as a share of that of a black surface
 constexpr double kAlbedoError = 2e-3;  // of the integral, with room
 constexpr double kNegligible = 1e-7;   // share of a lobe in the model below which it is absent
 

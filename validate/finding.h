@@ -47,9 +47,9 @@ struct Finding {
   double bound = 0;  // what it may be
   std::string statement;
   std::optional<Witness> witness;
-  std::optional<Restricted> tied;   // of an anisotropic form's energy: equal widths
-  long evaluations = 0;             // of the subject's f
-  std::vector<NamedRow> rows = {};  // of a table: all of them
+  std::optional<Restricted> tied;                        // of an anisotropic form's energy: equal widths
+  long evaluations = 0;                                  // of the subject's f
+  std::vector<NamedRow> rows = {};                       // of a table: all of them
   std::vector<std::pair<std::string, double>> channels;  // the value of each, where it is judged by channels
 
   // Passes or fails, and says why.

@@ -1,9 +1,9 @@
 #include "fit/assess/derived.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "fit/assess/student.h"
 #include "fit/model/constraints.h"
 
 namespace brdf::fit {
@@ -61,13 +61,8 @@ double step_of(Material m, const std::string& name, double error) {
 
 }  // namespace
 
-double t_quantile(double freedom) {
-  if (freedom < 1) return std::numeric_limits<double>::infinity();
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
-}
-
-std::optional<std::vector<Interval>> intervals(const Material& material, const ParameterCovariance& c,
-                                               std::span<const double> values, const Derived& f) {
+std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& c,
+                                             std::span<const double> values, const Derived& f) {
   std::vector<std::vector<double>> slope;  // [parameter][value]
   for (std::size_t k = 0; k < c.names.size(); ++k) {
     const double step = step_of(material, c.names[k], standard_error(c, k));
@@ -78,7 +73,7 @@ std::optional<std::vector<Interval>> intervals(const Material& material, const P
     for (std::size_t j = 0; j < values.size(); ++j) above[j] = (above[j] - below[j]) / (2 * step);
     slope.push_back(std::move(above));
   }
-  std::vector<Interval> out;
+  std::vector<Extent> out;
   for (std::size_t j = 0; j < values.size(); ++j) {
     double variance = 0, uncertain = 0;
     for (std::size_t k = 0; k < c.components.rows; ++k) {

@@ -11,19 +11,14 @@
 
 namespace brdf::fit {
 
-struct Interval {
-  double low, high;  // 95 %
-};
-
 // Values computed from a material, always as many.
 using Derived = std::function<std::vector<double>(const Material&)>;
 
-// Intervals of f(material) = values: the standard error is that of the first order in the parameters (central
+// 95 % intervals of f(material) = values: the standard error is that of the first order in the parameters (central
 // differences). Its degrees of freedom are those of the components together, whose variances, coming from the same
 // residuals, are taken to err alike. None where a name is no parameter of the material's.
-std::optional<std::vector<Interval>> intervals(const Material& material,
-                                               const ParameterCovariance& covariance,
-                                               std::span<const double> values, const Derived& f);
+std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& covariance,
+                                             std::span<const double> values, const Derived& f);
 
 // As a material's `fit` block keeps it. None where it holds no covariance, or one that cannot be one.
 io::Json to_json(const ParameterCovariance& covariance);
@@ -31,8 +26,5 @@ std::optional<ParameterCovariance> covariance_of(const io::Json& fit);
 
 // A matrix as an array of its rows.
 io::Json rows_json(const Matrix& matrix);
-
-// 97.5 % quantile of Student's t; infinite below one degree of freedom.
-double t_quantile(double freedom);
 
 }  // namespace brdf::fit

@@ -15,8 +15,8 @@ namespace {
 constexpr double kThetaH[] = {0, 2, 5, 10, 20, 30, 45, 60, 90}, kThetaD[] = {0, 15, 30, 45, 60, 75, 90};
 constexpr std::size_t kFewestRows = 3;
 constexpr double kNormal = 1.4826;  // standard deviation over median deviation of the normal distribution
-constexpr double kBeyond =
-    1.3;  // the residual over a scatter that is itself known to a factor of 1.5 at best
+// Of the residual over a scatter that is itself known to a factor of 1.5 at best.
+constexpr double kBeyond = 1.3;
 
 template <std::size_t n>
 std::size_t cell(const double (&edges)[n], double angle) {

@@ -90,8 +90,8 @@ struct WorstRegion {
 };
 
 struct LackOfFit {
-  std::optional<double>
-      residual_over_scatter;  // normalised median deviation of ln(measured/model) over the noise
+  // Normalised median deviation of ln(measured/model) over the noise.
+  std::optional<double> residual_over_scatter;
   std::optional<WorstRegion> worst;
   bool beyond_scatter = false;  // the residual is 1.3 times the scatter, or some cell is off beyond it
 };
@@ -167,11 +167,11 @@ struct FitResult {
   MetricChoice metric;                // the residual in use
   std::optional<double> noise_floor;  // relative, from the table itself (io/noise.h)
   std::vector<std::optional<double>> channel_noise;
-  RowGroups groups;                   // what was left out together
-  double left_out_rounding = 0;       // left-out values below are 0 but for rounding
-  std::vector<Step> steps;            // of --form auto; empty otherwise
-  std::vector<FormFit> ranking;       // best first: by the left-out value (else the median error)
-  std::size_t recommended = 0;  // the simplest usable one that is not worse than the best; else the best
+  RowGroups groups;              // what was left out together
+  double left_out_rounding = 0;  // left-out values below are 0 but for rounding
+  std::vector<Step> steps;       // of --form auto; empty otherwise
+  std::vector<FormFit> ranking;  // best first: by the left-out value (else the median error)
+  std::size_t recommended = 0;   // the simplest usable one that is not worse than the best; else the best
   bool interrupted = false;
 };
 
