@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t kListedMinima = 10;
 constexpr double kRounding = 1e-18;    // of a squared residual, as a share of that of a black surface
+constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 1995)
 constexpr double kAlbedoError = 2e-3;  // of the integral, with room
 constexpr double kNegligible = 1e-7;   // share of a lobe in the model below which it is absent
 
@@ -124,7 +125,7 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   out.covariance = u.covariance;
   out.prediction_error = u.prediction_error;
   out.largest_albedo = largest_albedo(out.material);
-  if (out.largest_albedo->value > 1 + kAlbedoError)
+  if (out.largest_albedo->value > 1 + kAlbedoError && !options.free_scale)
     out.findings.push_back(energy_text(*out.largest_albedo, options));
   out.condition = u.condition;
   out.bic = information_criterion(stream, best);
@@ -168,15 +169,14 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
   if (must_be_dielectric(forms, constraints)) return dielectric;
   options.physical = Physical::bounded;
   Solved bounded = fit_model(data, forms, options, noise);
-  const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic);
-  const std::string difference = io::short_number(std::abs(bounded.fit.bic - dielectric.fit.bic));
+  const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic - kStrongEvidence);
+  const std::string of_others = io::short_number(bounded.fit.bic), own = io::short_number(dielectric.fit.bic);
   Solved chosen = std::move(keeps ? dielectric : bounded);
   chosen.fit.findings.push_back(
-      "--physical: " +
-      (keeps ? "taken for a dielectric, whose specular weight is 1; with weights that add up "
-               "to at most 1 instead BIC is higher by " +
-                   difference
-             : "no dielectric, whose specular weight would be 1: BIC would be higher by " + difference));
+      keeps ? "--physical: taken for a dielectric, whose specular weight is 1 (BIC " + own +
+                  "); with weights that add up to at most 1 instead BIC is " + of_others
+            : "--physical: no dielectric, whose specular weight would be 1: BIC would be " + own +
+                  " in place of " + of_others);
   return chosen;
 }
 

@@ -68,14 +68,16 @@ void add_scan_findings(const io::SampleTable& t, double max_theta, DataSheet& sh
   const io::CosineFactor cosine = io::cosine_factor(t, pairs);
   const Finding noise =
       noise_floor(t, cosine.found == io::Cosine::none ? pairs : std::vector<io::ReciprocalPair>{});
+  constexpr double kUnknownNoise = 0.1;
+  const double scatter = noise.outcome == Outcome::not_applicable
+                             ? exchanged_difference(pairs).value_or(kUnknownNoise)
+                             : noise.value;
   // Integrals at up to 60 angles of the light: a large table has thousands.
   const auto groups = by_light(t);
   const std::size_t stride = (groups.size() + 59) / 60;
   std::size_t index = 0;
   for (const auto& [light, rows] : groups)
-    if (index++ % stride == 0)
-      sheet.albedo.push_back(
-          integrate(t, rows, noise.outcome == Outcome::not_applicable ? 0.1 : noise.value));
+    if (index++ % stride == 0) sheet.albedo.push_back(integrate(t, rows, scatter));
   for (Finding& f : std::vector<Finding>{
            duplicates(t), angle_unit(t), polar_angle(t, cosine), azimuth(t), directions(t),
            outliers(t, max_theta), saturation(t), exact_reciprocity(t), noise, cosine_factor(t, cosine),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,8 @@ Finding saturation(const io::SampleTable& table);
 Finding quantity(const io::SampleTable& table, const std::vector<MeasuredAlbedo>& albedo);
 // Light and viewer exchanged, and the sample turned.
 Finding exact_reciprocity(const io::SampleTable& table);
+// The median relative difference of interpolated pairs; none where they are too few.
+std::optional<double> exchanged_difference(const std::vector<io::ReciprocalPair>& pairs);
 Finding noise_floor(const io::SampleTable& table, const std::vector<io::ReciprocalPair>& pairs);
 Finding cosine_factor(const io::SampleTable& table, const io::CosineFactor& cosine);
 Finding isotropy(const io::SampleTable& table);

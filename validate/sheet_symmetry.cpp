@@ -31,13 +31,18 @@ Finding exact_reciprocity(const io::SampleTable& t) {
   return f;
 }
 
+std::optional<double> exchanged_difference(const std::vector<io::ReciprocalPair>& pairs) {
+  constexpr std::size_t kFewest = 8;
+  if (pairs.size() < kFewest) return std::nullopt;
+  return io::median(differences_of(pairs));
+}
+
 // The pairs say what an instrument adds that is no noise, but also what is lost by interpolating.
 Finding noise_floor(const io::SampleTable& t, const std::vector<io::ReciprocalPair>& pairs) {
   std::string exchanged;
-  if (pairs.size() >= 8)
+  if (const auto difference = exchanged_difference(pairs))
     exchanged = "; light and viewer exchanged by interpolation differ by " +
-                io::percent_to_tenths(io::median(differences_of(pairs))) + " in the median of " +
-                plural(pairs.size(), "pair");
+                io::percent_to_tenths(*difference) + " in the median of " + plural(pairs.size(), "pair");
   const io::Noise noise = io::relative_noise(t);
   if (!noise.value)
     return not_applicable(

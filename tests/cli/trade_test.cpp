@@ -86,7 +86,8 @@ TEST_F(Trade, MeasuresWhatTheLedgerLacks) {
     const auto of_form = [&](const io::Json& row) { return row["choice"] == c.at("form"); };
     const bool kept = std::any_of(rows.begin(), rows.end(), of_form);
     EXPECT_EQ(c.at("cost_measured").get<bool>(), !kept) << c.at("form");
-    EXPECT_EQ(now.find(c.at("form").get<std::string>()) != now.npos, !kept) << c.at("form");
+    const std::string word = " " + c.at("form").get<std::string>() + ",";
+    EXPECT_EQ((now + ",").find(word) != now.npos, !kept) << c.at("form") << " in " << now;
   }
 }
 

@@ -114,7 +114,10 @@ void Integrand::look() {
   features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;
   const double reach = kReach * std::max(features_.width_x, features_.width_y);
   const Vec3<double> normal{0, 0, 1};
-  features_.compact = reach < 0.9 && sum_at(normal, at_slope(reach)) < 1e-24 * sum_at(normal, normal);
+  // Along either axis: a power of many widths of the smaller one is small, too.
+  const Vec3<double> x = at_slope(kReach * features_.width_x), y = at_slope(kReach * features_.width_y);
+  features_.compact = reach < 0.9 && std::max(sum_at(normal, x), sum_at(normal, {y.y, y.x, y.z})) <
+                                         1e-24 * sum_at(normal, normal);
 }
 
 std::vector<double> Integrand::combine(std::span<const double> sums) const {
