@@ -68,7 +68,7 @@ MetricChoice choose_metric(const io::SampleTable& table, const FitData& data, st
   const std::vector<io::NoiseAtLevel> levels =
       noise && *noise > kLeastNoise ? io::noise_by_level(table, data.row) : std::vector<io::NoiseAtLevel>();
   if (levels.empty()) {
-    choice.reason = noise && *noise <= kLeastNoise ? "the values do not scatter"
+    choice.reason = noise && *noise <= kLeastNoise ? "the values scatter too little for it to matter"
                                                    : "how much the values scatter is not known";
     return choice;
   }

@@ -1,5 +1,6 @@
 #include "fit/report/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
@@ -202,7 +203,9 @@ void print_ranking(std::ostream& out, const FitResult& result) {
     for (const auto& [width, text] : cells) out << std::setw(width) << text;
     out << '\n';
   };
-  row({{28, "form"},
+  int widest = 26;  // a form of the catalogue; sums are longer
+  for (const FormFit& fit : result.ranking) widest = std::max(widest, int(fit.form.size()));
+  row({{widest + 2, "form"},
        {18, "verdict"},
        {11, "left out"},
        {9, "median"},
@@ -214,7 +217,7 @@ void print_ranking(std::ostream& out, const FitResult& result) {
     const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
     const double value = fit.left_out ? fit.left_out->value : kUnknown,
                  over = fit.lack_of_fit.residual_over_scatter.value_or(kUnknown);
-    row({{28, fit.form},
+    row({{widest + 2, fit.form},
          {18, std::string(name_of(fit.verdict))},
          {11, std::isfinite(value) ? io::short_number(value, 3) : "-"},
          {9, error_text(e.median)},
