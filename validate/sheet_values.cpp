@@ -47,16 +47,20 @@ std::vector<std::size_t> at_ceiling(const io::SampleTable& t, const std::vector<
   return distinct >= kFewest && top.size() > 3 * longest && !all ? top : std::vector<std::size_t>{};
 }
 
-// The largest reflected fraction that the samples prove, and the largest that they allow.
+// The largest reflected fraction that the samples prove, the largest that they allow, and the likeliest one where
+// most is proven.
 struct Reflected {
-  double least = 0, most = 0;
+  double least = 0, most = 0, likely = 0;
 };
 
 Reflected reflected(const std::vector<MeasuredAlbedo>& albedo) {
   Reflected r;
   for (const MeasuredAlbedo& a : albedo)
     for (std::size_t c = 0; c < a.value.size(); ++c) {
-      r.least = std::max(r.least, proven(a, c));
+      if (const double least = proven(a, c); least > r.least) {
+        r.least = least;
+        r.likely = a.coverage < kEnoughCoverage ? least : a.value[c];
+      }
       r.most = std::max(r.most, a.value[c] + a.bound[c]);
     }
   return r;
@@ -85,7 +89,7 @@ Finding saturation(const io::SampleTable& t) {
 
 // The largest reflected fraction tells the scale: 1 of a white f_r, pi of a white reflectance factor, a hundred of a
 // percentage of f_r, 100 pi of a percentage of the factor, and anything of counts. Between 1 and pi the nearer one, in
-// ratio, is meant: up to their geometric mean it is a matter of energy.
+// ratio, is meant: up to their geometric mean, and where a white surface cannot be excluded, it is a matter of energy.
 Finding quantity(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
   constexpr double kMargin = 1.1, kDarkest = 1e-4;  // the blackest coatings reflect 2e-4
   const Reflected r = reflected(albedo);
@@ -97,7 +101,7 @@ Finding quantity(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& al
       whole = whole && v == std::floor(v);
     }
   Finding f = start(t, "quantity");
-  f.value = r.least;
+  f.value = r.likely;
   f.bound = std::sqrt(kPi);
   f.statement = "values are as large as those of f_r can be";
   const auto fail = [&](const std::string& what) {
@@ -118,7 +122,7 @@ Finding quantity(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& al
   else if (r.least > kMargin * kPi)
     fail("values look like percent: " + as_f_r + ", over 100 " + divided(100) +
          ", as a reflectance factor in percent (over 100 pi) " + divided(100 * kPi));
-  else if (r.least > f.bound)
+  else if (r.least > 1 && r.likely > f.bound)
     fail("values look like BRF, the reflectance factor pi f_r: " + as_f_r + ", over pi " + divided(kPi));
   return f;
 }
