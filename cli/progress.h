@@ -5,8 +5,14 @@
 
 namespace brdf::cli {
 
+// Whether somebody watches stderr: progress is for a terminal only.
+bool shows_progress();
+
 // A line on a terminal that counts finished parts ("brdf synth: 3 of 16"), rewritten in place and removed
 // after the last; nothing where stderr is no terminal.
 std::function<void(int done, int total)> progress_line(std::string what);
+
+// The same for long work of parts that differ: " 18 %  albedo of GGX"; nothing where stderr is no terminal.
+std::function<void(double fraction, const std::string& what)> percent_line();
 
 }  // namespace brdf::cli

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fit/file_batch.h"
 #include "fit/fit.h"
@@ -102,7 +103,8 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   io::SampleTable table = io::read_samples(o.samples[0]);
   if (options.free_scale) io::make_relative(table);
   watch_for_interrupt();
-  const auto progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
+  fit::Progress progress;
+  if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
   const auto models = models_of(o.form);
   const fit::FitResult result =
       models.empty() ? fit::fit_stepwise(table, options, progress) : fit::fit(table, models, options);

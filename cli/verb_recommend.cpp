@@ -1,10 +1,9 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
+#include "cli/progress.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
@@ -19,11 +18,6 @@ struct RecommendArguments {
   std::string compare;  // the folder with scenes and materials
   bool json = false;
 };
-
-void show_progress(double fraction, const std::string& what) {
-  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str());
-  if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
-}
 
 Exit run_comparison(const RecommendArguments& a) {
   const std::filesystem::path data = a.compare;
@@ -92,7 +86,7 @@ void add_recommend(CLI::App& app) {
       "data/materials/ivory_plastic.json --tolerance 0.05 -o out\nExit code 1: no model meets the "
       "tolerance.");
   on_run(*verb, [a] {
-    if (isatty(STDERR_FILENO)) a->options.progress = show_progress;
+    a->options.progress = percent_line();
     a->options.judge = a->metric == "image" ? trade::Judge::image : trade::Judge::brdf;
     if (!a->compare.empty() && !a->output.empty())
       throw InputError("-o " + a->output + ": --compare-weightings writes to stdout");

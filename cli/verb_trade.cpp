@@ -1,11 +1,10 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
+#include "cli/progress.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
@@ -22,11 +21,6 @@ struct TradeArguments {
   std::vector<std::string> compared;  // two ledgers
   bool json = false;
 };
-
-void show_progress(double fraction, const std::string& what) {
-  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str());
-  if (fraction >= 1) std::fprintf(stderr, "\r\033[K");
-}
 
 constexpr std::string_view kSuffixes[] = {".json", ".csv", ".html"};
 
@@ -84,7 +78,7 @@ void add_trade(CLI::App& app) {
   on_run(*verb, [arguments] {
     check_outputs(*arguments);
     if (!arguments->compared.empty()) return run_comparison(*arguments);
-    if (isatty(STDERR_FILENO)) arguments->options.progress = show_progress;
+    arguments->options.progress = percent_line();
     const trade::Ledger ledger = trade::measure_ledger(arguments->options);
     if (ledger.rows.empty())
       throw InputError("--only " + arguments->options.only +

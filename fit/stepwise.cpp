@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "fit/assess/paired.h"
+#include "fit/assess/select.h"
 #include "fit/fit.h"
+#include "fit/model/constraints.h"
 #include "io/error.h"
 
 namespace brdf::fit {
@@ -13,7 +15,6 @@ namespace {
 
 constexpr double kSignificant = 0.05;
 constexpr int kStartsOfSums = 6;
-constexpr double kAsGood = 1.1;  // times the best left-out value: few groups find nothing significantly worse
 
 using Forms = std::vector<Reflectance>;
 
@@ -98,12 +99,6 @@ FitOptions options_for(const Forms& model, std::size_t channels, const FitOption
     return out;
   }
   return out;
-}
-
-std::string name_of_sum(const Forms& model) {
-  std::string name;
-  for (const Reflectance& form : model) name += (name.empty() ? "" : "+") + std::string(info(form).name);
-  return name;
 }
 
 class Stepwise {

@@ -50,8 +50,9 @@ class Contrasts {
 
   using Use = std::function<void(std::size_t order, const Contrast&)>;
   // Calls use(order, contrast) for every order that the scans are long enough for; a pair is of order 1, the
-  // difference of neighbouring pairs of order 2. Rows that repeat directions and values are copies, no pair. At most about `most` rows are used, whole scans of them. Which ones,
-  // and which of several rows of the same directions, follows from angles and values alone, not from the order of rows.
+  // difference of neighbouring pairs of order 2. Rows that repeat directions and values are copies, no pair. At most
+  // about `most` rows are used, whole scans of them. Which ones, and which of several rows of the same directions,
+  // follows from angles and values alone, not from the order of rows.
   void for_each(Neighbours neighbours, std::size_t most, const Use& use);
 
  private:

@@ -87,6 +87,7 @@ const TensorFile::Field& TensorFile::require(const std::string& name, std::uint8
 std::vector<float> TensorFile::floats(const std::string& name) const {
   const Field& field = require(name, kFloat32, "32-bit floats");
   std::vector<float> values(field.count);
+  if (values.empty()) return values;  // nothing may be copied to no place
   std::memcpy(values.data(), content_.bytes.data() + field.offset, values.size() * sizeof(float));
   if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
     fail("field \"" + name + "\" holds a value that is not finite");

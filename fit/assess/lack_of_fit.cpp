@@ -130,14 +130,14 @@ std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
                                                      const FitOptions& options) {
   constexpr int kIterations = 10;
   std::vector<std::vector<double>> out;
-  for (std::size_t m = 0; m < kNames<Metric>.size(); ++m) {
+  for (const Metric metric : kResiduals) {
     FitOptions other = options;
-    other.metric = Metric(m);
+    other.metric = metric;
     other.loss_scale = 0;
-    if (other.metric == options.metric || options.stop()) continue;
-    if (other.metric == Metric::cube_root) other.loss = Loss::none;
+    if (metric == options.metric || options.stop()) continue;
+    if (metric == Metric::cube_root) other.loss = Loss::none;
     const FitData& data = stream.data();
-    const FitData part = within_domain(data, other.metric);
+    const FitData part = within_domain(data, metric);
     const FitData& defined = part.rows() > 0 ? part : data;
     Residual residual = chosen_residual(defined, other);
     if (other.loss != Loss::none)

@@ -9,7 +9,6 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kPerfect = 1e-9;  // median errors below this are rounding
-constexpr double kAsGood = 0.1;    // above the least left-out value by more is never as good
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What forms are ranked by. Without a solution nothing is known: such a form ranks last, and so does one that was
@@ -43,7 +42,7 @@ bool as_good(const FitResult& result, const Value& value, const FormFit& f, cons
   if (std::isinf(value(f))) return false;
   if (rounded(value(f)) <= rounded(value(best))) return true;
   // Few incidences that differ much decide nothing: that the test is silent is not enough.
-  if (!f.left_out || !best.left_out || value(f) > (1 + kAsGood) * value(best)) return false;
+  if (!f.left_out || !best.left_out || value(f) > kAsGood * value(best)) return false;
   return !paired_test(result.groups.groups, f.left_out->by_group, best.left_out->by_group).worse();
 }
 

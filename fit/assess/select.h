@@ -5,6 +5,9 @@
 
 namespace brdf::fit {
 
+// Times the least left-out value: what lies above is never as good, however few the groups that tell them apart.
+inline constexpr double kAsGood = 1.1;
+
 // Sorts best first by the left-out value (where none was asked for, by the median error); equal values (three digits)
 // by whether they are usable, then by number of parameters; forms without a finite cost last. Sets `recommended`:
 // the usable form with the fewest parameters whose left-out value is at most a tenth above the first one's and that

@@ -122,7 +122,7 @@ class Resolver {
       set(given, target, said);
       effective = true;
     }
-    if (!effective) given.refuse(reason.empty() ? names() + " has no such parameter" : reason);
+    if (!effective) given.refuse(reason.empty() ? name_of_sum(forms_) + " has no such parameter" : reason);
   }
 
   void set(const Given& given, const Target& target, const NamedValues& said) {
@@ -161,12 +161,6 @@ class Resolver {
     target.constraint->tied = true;
   }
 
-  std::string names() const {
-    std::string text;
-    for (const Reflectance& form : forms_) (text += text.empty() ? "" : "+") += form.info().name;
-    return text;
-  }
-
   std::span<const Reflectance> forms_;
   std::size_t channels_;
   const FitOptions& options_;
@@ -178,6 +172,12 @@ class Resolver {
 
 Constraints resolve(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options) {
   return Resolver(forms, channels, options).run();
+}
+
+std::string name_of_sum(std::span<const Reflectance> forms) {
+  std::string name;
+  for (const Reflectance& form : forms) (name += name.empty() ? "" : "+") += form.info().name;
+  return name;
 }
 
 std::string name_in_sum(std::size_t terms, std::size_t term, std::string_view parameter) {

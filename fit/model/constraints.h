@@ -44,6 +44,9 @@ struct Constraints {
 // values out of range or in the wrong number, and on what has no effect.
 Constraints resolve(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options);
 
+// "ward", "oren_nayar+ward".
+std::string name_of_sum(std::span<const Reflectance> forms);
+
 // A parameter's name in a sum of so many terms: "alpha_x", or "terms[1].alpha_x".
 std::string name_in_sum(std::size_t terms, std::size_t term, std::string_view parameter);
 

@@ -9,7 +9,7 @@
 namespace brdf::fit {
 
 Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options)
-    : channels_(std::move(channels)) {
+    : name_(name_of_sum(forms)), channels_(std::move(channels)) {
   groups_ = options.per_channel ? channels_.size() : 1;
   for (const Reflectance& form : forms) add_term(form);
   constraints_ = resolve(forms, channels_.size(), options);
@@ -57,7 +57,6 @@ void Model::add_term(const Reflectance& form) {
   term.lobes = term.info->lobes.size();
   term.first_lobe = lobes_;
   lobes_ += term.lobes;
-  name_ += (name_.empty() ? "" : "+") + name;
   terms_.push_back(std::move(term));
 }
 

@@ -1,6 +1,7 @@
 // What a fit can be told.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <limits>
@@ -19,6 +20,8 @@ enum class Metric {
   log_relative,  // ln((f c_i c_o + e)/(g c_i c_o + e)), e = 1e-3
   automatic      // the one of them whose noise is the most even on the data (fit/assess/metric_choice.h)
 };
+inline constexpr std::array kResiduals{Metric::log, Metric::cosine_l2, Metric::cube_root,
+                                       Metric::log_relative};
 inline constexpr double kLogRelativeFloor = 1e-3;
 
 enum class Loss { none, huber, cauchy };

@@ -3,8 +3,11 @@
 #include <sstream>
 
 #include "brdf/geometry.h"
+#include "fit/assess/lack_of_fit.h"
+#include "fit/model/model.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
+#include "fit/solve/minima.h"
 #include "samples.h"
 
 namespace brdf::fit {
@@ -117,6 +120,17 @@ TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
   EXPECT_NE(text.str().find("worst at theta_h 5 to 10, theta_d 30 to 45 degrees"), std::string::npos)
       << text.str();
   EXPECT_NE(html_report(result, table, {}).find("Lack of fit: residual"), std::string::npos);
+}
+
+TEST(LackOfFit, OtherMetricsAreTheThreeOthers) {
+  const io::SampleTable table = hemisphere(cook_torrance(0.2, 0.3, 0.5, 0.1), 0.03);
+  for (const Metric metric : kResiduals) {
+    const FitOptions options = with(metric);
+    const FitData data = prepare(table, options);
+    const Model model(forms({"ward"}), table.channels, options);
+    const SampleStream stream(data, model, chosen_residual(data, options), options.aperture);
+    EXPECT_EQ(under_other_metrics(stream, model.initial(), options).size(), 3u);
+  }
 }
 
 TEST(LackOfFit, IntervalsSayWhichIsWhich) {

@@ -22,6 +22,17 @@ inline io::SampleTable measured(const Material& material, std::vector<std::strin
   return synth::measure(material, instrument);
 }
 
+// Eight incidences over a hemisphere of viewers, for the steps of --form auto.
+inline io::SampleTable fine_hemisphere(const Material& material, double noise, std::uint64_t seed) {
+  synth::Instrument instrument;
+  instrument.grid.parts = {"hemisphere"};
+  instrument.grid.step = 15;
+  instrument.grid.theta_i = {5, 15, 25, 35, 45, 55, 65, 75};
+  instrument.noise = noise;
+  instrument.seed = seed;
+  return synth::measure(material, instrument);
+}
+
 inline std::vector<Reflectance> forms(std::initializer_list<const char*> names) {
   std::vector<Reflectance> out;
   for (const char* name : names) out.push_back(*find_form(name));

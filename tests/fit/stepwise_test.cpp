@@ -24,16 +24,6 @@ Material two_lobes(double narrow, double wide) {
   return m;
 }
 
-io::SampleTable samples_of(const Material& material, double noise, std::uint64_t seed) {
-  synth::Instrument instrument;
-  instrument.grid.parts = {"hemisphere"};
-  instrument.grid.step = 15;
-  instrument.grid.theta_i = {5, 15, 25, 35, 45, 55, 65, 75};
-  instrument.noise = noise;
-  instrument.seed = seed;
-  return synth::measure(material, instrument);
-}
-
 const Step& last_kept(const FitResult& result) {
   return *std::find_if(result.steps.rbegin(), result.steps.rend(), [](const Step& s) { return s.kept; });
 }
@@ -41,14 +31,14 @@ const Step& last_kept(const FitResult& result) {
 TEST(Stepwise, MattSamplesKeepADiffuseTerm) {
   Material matt = make_material(*find_form("lambert"), {"f"});
   matt.terms[0].weights = {{0.5}};
-  const FitResult result = fit_stepwise(samples_of(matt, 0.03, 1), {});
+  const FitResult result = fit_stepwise(fine_hemisphere(matt, 0.03, 1), {});
   EXPECT_EQ(result.ranking.front().form, "lambert");
   ASSERT_EQ(result.steps.size(), 2u);
   EXPECT_FALSE(result.steps[1].kept);
 }
 
 TEST(Stepwise, OneLobeStaysOne) {
-  const FitResult result = fit_stepwise(samples_of(one_lobe(0.3, 0.5, 0.2, 0.25), 0.02, 2), {});
+  const FitResult result = fit_stepwise(fine_hemisphere(one_lobe(0.3, 0.5, 0.2, 0.25), 0.02, 2), {});
   EXPECT_EQ(result.ranking.front().form, "cook_torrance");
   ASSERT_EQ(result.steps.size(), 4u);
   EXPECT_TRUE(result.steps[1].kept);
@@ -58,7 +48,7 @@ TEST(Stepwise, OneLobeStaysOne) {
 }
 
 TEST(Stepwise, ASecondLobeIsFoundAndWhatItBoughtIsSaid) {
-  const FitResult result = fit_stepwise(samples_of(two_lobes(0.08, 0.4), 0.02, 3), {});
+  const FitResult result = fit_stepwise(fine_hemisphere(two_lobes(0.08, 0.4), 0.02, 3), {});
   const Step& step = last_kept(result);
   EXPECT_EQ(step.added, "a second lobe");
   EXPECT_EQ(step.model, result.ranking.front().form);
@@ -71,13 +61,13 @@ TEST(Stepwise, ATailOfItsOwnIsPreferredWhereItIsSeen) {
   Material m = make_material(*find_form("cook_torrance_student"), {"f"});
   m.terms[0].shape[0] = {0.3, 0.3, 6};
   m.terms[0].weights = {{0.02, 0.8, 0.4}};
-  const FormFit best = fit_stepwise(samples_of(m, 0.02, 4), {}).ranking.front();
+  const FormFit best = fit_stepwise(fine_hemisphere(m, 0.02, 4), {}).ranking.front();
   ASSERT_EQ(best.form, "cook_torrance_student");
   EXPECT_NEAR(best.material.terms[0].shape[0][2], 6, 1);
 }
 
 TEST(Stepwise, TheOrderOfRowsDecidesNothing) {
-  io::SampleTable table = samples_of(two_lobes(0.1, 0.5), 0.03, 5);
+  io::SampleTable table = fine_hemisphere(two_lobes(0.1, 0.5), 0.03, 5);
   const FitResult ordered = fit_stepwise(table, {});
   std::vector<std::size_t> order(table.rows());
   std::iota(order.begin(), order.end(), std::size_t(0));

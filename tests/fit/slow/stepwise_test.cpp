@@ -17,16 +17,6 @@ double between(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * uniform01(random);
 }
 
-io::SampleTable hemisphere(const Material& material, double noise, std::uint64_t seed) {
-  synth::Instrument instrument;
-  instrument.grid.parts = {"hemisphere"};
-  instrument.grid.step = 15;
-  instrument.grid.theta_i = {5, 15, 25, 35, 45, 55, 65, 75};
-  instrument.noise = noise;
-  instrument.seed = seed;
-  return synth::measure(material, instrument);
-}
-
 std::size_t lobes_of(const FitResult& result) {
   std::size_t n = 0;
   for (const Term& term : result.ranking.front().material.terms)
@@ -42,7 +32,7 @@ TEST(StepwiseInFifty, NoSecondLobeWhereThereIsOne) {
   for (int k = 0; k < kTables; ++k) {
     const Material truth = random_material(families[std::size_t(k) % families.size()], random);
     const FitResult found =
-        fit_stepwise(hemisphere(truth, between(random, 0.01, 0.05), std::uint64_t(k + 1)), {});
+        fit_stepwise(fine_hemisphere(truth, between(random, 0.01, 0.05), std::uint64_t(k + 1)), {});
     if (lobes_of(found) < 2) continue;
     ++wrong;
     std::cout << "table " << k << ", " << info(truth.terms[0].form).name << ": " << found.ranking.front().form
@@ -65,7 +55,7 @@ TEST(StepwiseInFifty, TheSecondOfTwoIsFound) {
     truth.terms[1].shape[0] = {wide, wide};
     truth.terms[1].weights = {{0, between(random, 0.3, 0.6), 0.3}};
     const FitResult result =
-        fit_stepwise(hemisphere(truth, between(random, 0.01, 0.03), std::uint64_t(k + 1)), {});
+        fit_stepwise(fine_hemisphere(truth, between(random, 0.01, 0.03), std::uint64_t(k + 1)), {});
     found += lobes_of(result) == 2;
     if (lobes_of(result) != 2)
       std::cout << "table " << k << ": widths " << narrow << ", " << wide << ": "
