@@ -49,6 +49,7 @@ TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
   }
   EXPECT_TRUE(grazing);
   EXPECT_TRUE(anisotropy);
+  for (const Candidate& c : r.candidates) EXPECT_FALSE(c.anisotropic) << c.label();
   for (std::size_t k = 1; k < r.candidates.size(); ++k)
     EXPECT_LE(r.candidates[k - 1].cost_ns, r.candidates[k].cost_ns);
   for (const Candidate& c : r.candidates) EXPECT_FALSE(c.reason.empty()) << c.label();

@@ -31,6 +31,16 @@ TEST(SceneFit, LitPointsLieAboveBothHorizons) {
   EXPECT_LT(coverage.most_theta_o, 90);
 }
 
+TEST(SceneFit, KnowsWhetherTurningTheReferenceChangesIt) {
+  Material brushed = glossy(0.2);
+  EXPECT_TRUE(is_isotropic(rgb_function(brushed)));
+  brushed.terms[0].shape[0] = {0.2, 0.21};
+  EXPECT_FALSE(is_isotropic(rgb_function(brushed)));
+  // Interpolated without regard to azimuth.
+  const io::SampleTable table = hemisphere_samples(rgb_function(glossy(0.2)), 3000);
+  EXPECT_TRUE(is_isotropic(rgb_function(table)));
+}
+
 TEST(SceneFit, RenderingBothGivesTheErrorOfTheDirections) {
   const SceneView view = view_of(material_ball(48));
   const RgbFunction a = rgb_function(glossy(0.2)), b = rgb_function(glossy(0.3));

@@ -79,7 +79,9 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   const double anisotropic = with([](const Candidate& c) { return c.anisotropic; });
   if (diffuse <= options.tolerance)
     say("a diffuse model already has error " + number(diffuse) + ": no specular lobe is needed");
-  if (isotropic <= options.tolerance && anisotropic < 1e300 &&
+  if (r.isotropic_reference)
+    say("the reference does not change when it is turned: anisotropy is not needed");
+  else if (isotropic <= options.tolerance && anisotropic < 1e300 &&
       !(r.chosen && r.candidates[*r.chosen].anisotropic))
     say("two widths instead of one change the best error from " + number(isotropic) + " to " +
         number(std::min(anisotropic, isotropic)) + ": anisotropy is not needed");

@@ -45,14 +45,15 @@ Candidate fitted_candidate(const Reflectance& model, bool anisotropic, const io:
   return c;
 }
 
-// Every model with one width, and with two where it has them.
+// Every model with one width, and with two where it has them and the reference asks for them.
 std::vector<Candidate> fitted_candidates(const std::vector<Reflectance>& models, const Costs& costs,
-                                         const io::SampleTable& table, const RecommendOptions& options) {
+                                         const io::SampleTable& table, bool isotropic,
+                                         const RecommendOptions& options) {
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < models.size(); ++k) {
     options.progress(0.05 + 0.8 * double(k) / double(models.size()), std::string(info(models[k]).name));
     for (const bool anisotropic : {false, true}) {
-      if (anisotropic && !info(models[k]).anisotropic()) continue;
+      if (anisotropic && (isotropic || !info(models[k]).anisotropic())) continue;
       candidates.push_back(fitted_candidate(models[k], anisotropic, table));
       candidates.back().cost_ns = costs.ns[k];
       candidates.back().cost_measured = costs.measured[k];
@@ -140,8 +141,9 @@ Recommendation recommend(const RecommendOptions& options) {
       throw InputError(std::string(info(model).name) + " cannot be fitted, so it cannot be recommended");
   const std::optional<Ledger> ledger = ledger_of(options);
   r.costs_from = options.ledger.empty() ? "measured now" : options.ledger.filename().string();
-  r.candidates =
-      fitted_candidates(models, costs_of(models, ledger), scene_samples(view, reference, kFitRows), options);
+  r.isotropic_reference = is_isotropic(reference);
+  r.candidates = fitted_candidates(models, costs_of(models, ledger), scene_samples(view, reference, kFitRows),
+                                   r.isotropic_reference, options);
   for (Candidate& c : r.candidates) {
     c.image_error = image_error(view, c.values, reference);
     c.brdf_error = brdf_error(c.values, reference);

@@ -63,6 +63,23 @@ RgbFunction rgb_function(const Material& material) {
   };
 }
 
+bool is_isotropic(const RgbFunction& reference) {
+  constexpr double kSame = 1e-4;  // of the light: what is interpolated is so in single precision
+  const Points points = sample(direction_domain(0, 85), 1024);
+  double difference = 0, total = 0;
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    const auto row = row_at<DirectionRow>(points.columns, k);
+    const double phi = 1 + double(k);  // radians: no two turns are alike
+    const double c = std::cos(phi), s = std::sin(phi);
+    const auto f = reference(row.wi, row.wo), turned = reference(turn(row.wi, c, s), turn(row.wo, c, s));
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      difference += std::abs(f[channel] - turned[channel]);
+      total += f[channel];
+    }
+  }
+  return difference <= kSame * total;
+}
+
 RgbFunction rgb_function(const io::SampleTable& table) {
   const render::Measured measured = render::interpolate(table);
   return [measured](const Vec3<double>& wi, const Vec3<double>& wo) {

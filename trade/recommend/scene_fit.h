@@ -14,6 +14,9 @@ using RgbFunction = std::function<std::array<double, 3>(const Vec3<double>& wi, 
 RgbFunction rgb_function(const Material& material);
 RgbFunction rgb_function(const io::SampleTable& table);  // interpolated
 
+// Whether values stay the same, to a ten-thousandth on average, when the surface is turned under light and viewer.
+bool is_isotropic(const RgbFunction& reference);
+
 // The scene's lit points, the surface frames free of any material's own tangent.
 struct SceneView {
   render::PreparedScene scene;
@@ -21,9 +24,8 @@ struct SceneView {
 };
 SceneView view_of(render::Scene scene);
 
-// The lit points as samples of the reference, at most about
-// `rows` of them, weighted as they shine: sigma is 1/(irradiance cos_i), and a fit's residual then is what a
-// pixel differs by.
+// The lit points as samples of the reference, at most about `rows` of them, weighted as they shine: sigma is
+// 1/(irradiance cos_i), and a fit's residual then is what a pixel differs by.
 io::SampleTable scene_samples(const SceneView& view, const RgbFunction& reference, std::size_t rows);
 
 // Samples of the reference over both hemispheres, every direction alike (the additive recurrence in equal
