@@ -139,6 +139,14 @@ TEST(Tensor, NumbersThatAreNoneAreRefused) {
   EXPECT_THAT(message(equal.bytes()), HasSubstr("sizes do not belong together"));
 }
 
+// Found by fuzzing: an array of no values was copied from and to no place.
+TEST(Tensor, ArraysOfNoValuesAreRefused) {
+  TensorBytes tensor;
+  tensor.field("theta_i").shape = {0};
+  tensor.field("theta_i").data.clear();
+  EXPECT_THAT(message(tensor.bytes()), HasSubstr("sizes do not belong together"));
+}
+
 TEST(Tensor, DirectionsWithoutAValueAreLeftOutAndCounted) {
   TensorBytes tensor;
   tensor.field("vndf").data = TensorBytes::floats(std::vector<float>(8, 0));
