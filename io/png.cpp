@@ -4,12 +4,14 @@
 
 namespace brdf::io {
 
-std::string png_of_pixels(std::size_t width, std::size_t height, const std::vector<unsigned char>& rgb) {
+std::string png_of_pixels(std::size_t width, std::size_t height, const std::vector<unsigned char>& pixels) {
+  const int channels = pixels.size() == 4 * width * height ? 4 : 3;
   std::string png;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
   };
-  stbi_write_png_to_func(append, &png, int(width), int(height), 3, rgb.data(), int(3 * width));
+  stbi_write_png_to_func(append, &png, int(width), int(height), channels, pixels.data(),
+                         channels * int(width));
   return png;
 }
 

@@ -1,81 +1,141 @@
-"""The HTML reports in a headless browser without a network: no console message, every plot drawn; screenshots in
-FOLDER: browser_test.py EXECUTABLE BROWSER FOLDER"""
-import html
-import json
+"""The pages of fit, validate, trade and recommend in a headless browser without a network, at 1280 and 400 pixels, light
+and dark: no console message, nothing wider than the screen, every plot and picture drawn in colours that stand out from
+the ground, words explained by the keyboard, on paper dark on white. Screenshots of all lie in FOLDER:
+browser_test.py EXECUTABLE BROWSER FOLDER"""
 import pathlib
-import re
 import shutil
-import subprocess
 import sys
 
-from html_report import make_reports, plots_of
+from browser import Browser
+from html_report import make_pages, plots_of
 
-# Put into a copy of the report: what the page's canvases hold, as an attribute that --dump-dom shows.
-PROBE = """<script>
-document.documentElement.dataset.probe = JSON.stringify([...document.querySelectorAll("canvas")].map(canvas => {
-  const box = canvas.getBoundingClientRect();
-  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-  let drawn = 0;
-  for (let k = 3; k < pixels.length; k += 4) drawn += pixels[k] > 0;
-  return {id: canvas.id, width: box.width, height: box.height, drawn: drawn};
-}));
-document.documentElement.dataset.pictures =
-  [...document.images].filter(image => image.complete && image.naturalWidth > 0).length;
-</script>"""
-# Not one address can be reached, and none is looked for.
-WORDS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-sync",
-         "--disable-extensions", "--no-first-run", "--hide-scrollbars", "--proxy-server=127.0.0.1:9",
-         "--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr", "--v=0", "--virtual-time-budget=5000"]
+WIDTHS = (1280, 400)
 
+# What the page holds once every fold is open: canvases with their pixels, pictures, what reaches beyond the edge.
+PROBE = """(async () => {
+  for (const fold of document.querySelectorAll("details")) fold.open = true;
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const ground = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).map(Number);
+  const brightness = (r, g, b) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  const back = brightness(...ground);
+  const canvases = [...document.querySelectorAll("canvas")].map(canvas => {
+    const box = canvas.getBoundingClientRect();
+    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    let drawn = 0, clear = 0;
+    for (let k = 0; k < pixels.length; k += 4) {
+      drawn += pixels[k + 3] > 0;
+      clear += pixels[k + 3] > 200 && Math.abs(brightness(pixels[k], pixels[k + 1], pixels[k + 2]) - back) > 60;
+    }
+    return {id: canvas.id, width: box.width, height: box.height, drawn, clear};
+  });
+  const inBox = element => { while ((element = element.parentElement)) if (element.matches(".scroll")) return true; };
+  const wide = [...document.body.querySelectorAll("*")].filter(e => !inBox(e) && !e.matches("[popover]")
+      && e.getBoundingClientRect().right > innerWidth + 0.5).map(e => e.outerHTML.slice(0, 120));
+  return {canvases, wide, ground: back, inner: innerWidth, scroll: document.scrollingElement.scrollWidth,
+    pictures: [...document.images].filter(image => image.complete && image.naturalWidth > 0).length};
+})()"""
 
-def browse(browser, profile, page, *words):
-    done = subprocess.run([browser, *WORDS, f"--user-data-dir={profile}", *words, page.as_uri()], timeout=240,
-                          capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-2000:]
-    return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
-
-
-def probe(browser, folder, page):
-    """Canvases, pictures and console messages of a page."""
-    copy = folder / f"probe_{page.name}"
-    text = page.read_text(encoding="utf-8")
-    copy.write_text(text.replace("</body>", PROBE + "</body>"), encoding="utf-8")
-    dom, console = browse(browser, folder / "profile", copy, "--window-size=1000,1400", "--dump-dom")
-    root = re.search(r"<html[^>]*>", dom).group(0)
-    found = json.loads(html.unescape(re.search(r'data-probe="([^"]*)"', root).group(1)))
-    return found, int(re.search(r'data-pictures="(\d+)"', root).group(1)), console
+# A text of every kind against its own ground: the contrast of WCAG 2.
+CONTRAST = """(() => {
+  const linear = c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  const rgb = text => text.match(/[\\d.]+/g).map(Number);
+  const luminance = ([r, g, b]) => 0.2126 * linear(r / 255) + 0.7152 * linear(g / 255) + 0.0722 * linear(b / 255);
+  const ground = e => { for (; e; e = e.parentElement) { const c = rgb(getComputedStyle(e).backgroundColor);
+    if (c.length < 4 || c[3] > 0) return c; } return [255, 255, 255]; };
+  let least = [99, ""];
+  for (const e of document.body.querySelectorAll("*")) {
+    if (![...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()) || e.matches("script")) continue;
+    const a = luminance(rgb(getComputedStyle(e).color)), b = luminance(ground(e));
+    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (ratio < least[0]) least = [ratio, e.outerHTML.slice(0, 120)];
+  }
+  return least;
+})()"""
 
 
 def check_the_probe(browser, folder):
-    """An error on the page must be seen, and a canvas that nobody drew on."""
-    page = folder / "broken.html"
-    page.write_text("<!DOCTYPE html><html><body><canvas id='c' width='9' height='9'></canvas>"
-                    "<script>undefined_function();</script></body></html>", encoding="utf-8")
-    canvases, _, console = probe(browser, folder, page)
-    assert console and canvases[0]["drawn"] == 0, (canvases, console)
+    """An error on the page must be seen, a canvas that nobody drew on, what is wider than the screen."""
+    path = folder / "broken.html"
+    path.write_text("<!DOCTYPE html><html><body><canvas id='c' width='9' height='9'></canvas><hr style='width:900px'>"
+                    "<p style='color:#eee'>pale</p><script>undefined_function();</script></body></html>", encoding="utf-8")
+    with browser.open(path, 400) as page:
+        found = page.evaluate(PROBE)
+        assert page.console and found["canvases"][0]["drawn"] == 0, (found, page.console)
+        assert found["wide"] and found["scroll"] > 400, found
+        assert page.evaluate(CONTRAST)[0] < 1.5
+
+
+def check_look(page, path, width):
+    """Everything drawn and nothing beyond the edge; how many plots and pictures."""
+    text = path.read_text(encoding="utf-8")
+    found = page.evaluate(PROBE)
+    assert not page.console, (path, page.console)
+    assert found["inner"] == width and found["scroll"] <= width, (path, found["inner"], found["scroll"], found["wide"])
+    assert not found["wide"], (path, found["wide"])
+    plots = plots_of(text)
+    assert [c["id"] for c in found["canvases"]] == [f"plot{k}" for k in range(len(plots))], found["canvases"]
+    for canvas in found["canvases"]:
+        assert canvas["width"] > 200 and canvas["height"] > 100, canvas
+        assert canvas["drawn"] > 2000 and canvas["clear"] > 500, (path, canvas)
+    assert found["pictures"] == text.count("<img "), f"{found['pictures']} pictures shown of {text.count('<img ')}"
+    contrast = page.evaluate(CONTRAST)
+    assert contrast[0] >= 4.5, (path, contrast)
+    return len(plots), found["pictures"], found["ground"]
+
+
+def check_keyboard(page, path):
+    """Tab reaches the first explained word, Enter shows what it says, Escape hides it."""
+    page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = false")
+    for _ in range(60):
+        page.key("Tab")
+        if page.evaluate("document.activeElement.matches('button.term')"):
+            break
+    assert page.evaluate("document.activeElement.matches('button.term:focus-visible')"), (path, "no word is reached")
+    assert page.evaluate("getComputedStyle(document.activeElement).outlineStyle") != "none", path
+    shown = "document.querySelectorAll('[popover]:popover-open').length"
+    page.key("Enter")
+    assert page.evaluate(shown) == 1, (path, "Enter shows nothing")
+    page.key("Escape")
+    assert page.evaluate(shown) == 0, (path, "Escape hides nothing")
+
+
+def check_paper(page, path):
+    """On paper folds are open, commands are left out, and curves that were drawn for the dark are dark on white."""
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.scheme(True, "print")
+    closed = page.evaluate("document.querySelectorAll('details:not(.commands):not([open])').length")
+    assert closed == 0, (path, closed)
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") in ("rgb(255, 255, 255)", "rgba(0, 0, 0, 0)")
+    assert page.evaluate("[...document.querySelectorAll('details.commands')].every(e => !e.offsetHeight)"), path
+    if page.evaluate("document.querySelector('canvas') !== null"):
+        assert page.evaluate("charts[0].options.scales.x.ticks.color") == "#555", path
+
+
+def check_page(browser, folder, path):
+    grounds = []
+    for width in WIDTHS:
+        for dark in (False, True):
+            with browser.open(path, width, dark=dark) as page:
+                page.screenshot(folder / f"{path.stem}_{width}_{'dark' if dark else 'light'}.png")
+                plots, pictures, ground = check_look(page, path, width)
+                grounds.append(ground)
+                page.scheme(not dark)  # redrawn as the scheme changes
+                assert check_look(page, path, width)[2] != ground, path
+                check_keyboard(page, path)
+                page.scheme(dark)
+                check_paper(page, path)
+    assert max(grounds) > 250 and min(grounds) < 40, grounds
+    print(f"{path.name}: {plots} plots and {pictures} pictures drawn at {WIDTHS}, light and dark")
 
 
 def main():
-    executable, browser, folder = sys.argv[1], shutil.which(sys.argv[2]), pathlib.Path(sys.argv[3])
-    if not browser:
-        sys.exit(f"{sys.argv[2]} is not installed: tools/setup test")
+    executable, name, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    check_the_probe(browser, folder)
-    for page in make_reports(executable, folder):
-        text = page.read_text(encoding="utf-8")
-        canvases, pictures, console = probe(browser, folder, page)
-        assert not console, console
-        assert [c["id"] for c in canvases] == [f"plot{k}" for k in range(len(plots_of(text)))], canvases
-        for canvas in canvases:
-            assert canvas["width"] > 200 and canvas["height"] > 100, canvas
-            assert canvas["drawn"] > 2000, canvas
-        assert pictures == text.count("<img "), f"{pictures} pictures shown of {text.count('<img ')}"
-        shot = folder / f"{page.stem}.png"
-        browse(browser, folder / "profile", page, "--window-size=1000,4500", f"--screenshot={shot}")
-        assert shot.stat().st_size > 50000, shot
-        print(f"{page.name}: {len(canvases)} plots and {pictures} pictures drawn, no console message; {shot}")
-    shutil.rmtree(folder / "profile")
+    with Browser(name) as browser:
+        check_the_probe(browser, folder)
+        for path in make_pages(executable, folder):
+            check_page(browser, folder, path)
 
 
 main()

@@ -47,9 +47,10 @@ def check_plots(text, document):
             for low, y, high in zip(series.get("low", []), series["y"], series.get("high", [])):
                 assert low <= y <= high, plot["title"]
     assert any("low" in s for p in plots for s in p["series"]), "no plot has a band"
-    for k in document.places("canvas"):  # <figure><div><canvas>...</figure><pre>
-        following = [tag for tag, _ in document.elements[k + 1:k + 3]]
-        assert "pre" in following, f"{document.elements[k][1]['id']} lacks the command that reproduces it"
+    figures = [k for k in document.places("figure")] + [len(document.elements)]
+    for k in document.places("canvas"):  # folded, in the figure
+        rest = [tag for tag, _ in document.elements[k:next(f for f in figures if f > k)]]
+        assert "details" in rest and "pre" in rest, f"{document.elements[k][1]['id']} lacks its command"
     for k in document.places("img"):
         png = base64.b64decode(document.elements[k][1]["src"].split(",", 1)[1], validate=True)
         assert png.startswith(b"\x89PNG\r\n\x1a\n") and len(png) > 200, "a picture without a picture"

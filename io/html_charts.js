@@ -1,0 +1,99 @@
+// Draws every plot, without animation, and leaves a mark that a test can wait for. What belongs together has a colour,
+// a dash and a shape of its own: colour alone tells nothing.
+const kDashes = [[], [11, 3], [7, 3, 2, 3], [2, 3], [14, 4, 3, 4], [5, 5], [1, 4], [9, 3, 2, 3, 2, 3]];
+const kShapes = ["circle", "triangle", "rect", "rectRot", "crossRot", "star", "cross", "dash"];
+const kMostInLegend = 8;
+Chart.defaults.font.family = 'system-ui, "DejaVu Sans", sans-serif';
+Chart.defaults.animation = false;
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+
+// Ticks of a logarithmic axis: 1, 2 and 5 times a power of ten, in few digits.
+const decade = (value) => {
+  const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+  if (![1, 2, 5].includes(digit)) return "";
+  return value >= 1e-3 && value < 1e4 ? String(Number(value.toPrecision(2))) : value.toExponential(0);
+};
+
+// Names beside points, where there is room: right of the point, else left, above or below it, else none (the tooltip
+// has it).
+const pointNames = {
+  id: "pointNames",
+  afterDatasetsDraw(chart) {
+    const { ctx, chartArea: area } = chart, taken = [];
+    const spots = chart.data.datasets.flatMap((set, k) => (set.names ?? []).map((name, j) => {
+      const at = chart.getDatasetMeta(k).data[j];
+      return { name, x: at.x, y: at.y, strong: set.strong };
+    }));
+    for (const spot of spots) taken.push([spot.x - 4, spot.y - 4, spot.x + 4, spot.y + 4]);
+    ctx.save();
+    ctx.font = "11px " + Chart.defaults.font.family;
+    ctx.textBaseline = "middle";
+    ctx.fillStyle = colour("text");
+    for (const { name, x, y } of spots) {
+      const width = ctx.measureText(name).width;
+      const free = [[x + 7, y], [x - 7 - width, y], [x - width / 2, y - 12], [x - width / 2, y + 12]].find(([left, middle]) => {
+        const box = [left - 1, middle - 7, left + width + 1, middle + 7];
+        if (box[0] < area.left || box[2] > chart.width || box[1] < 0 || box[3] > area.bottom + 8) return false;
+        return taken.every((t) => t[2] <= box[0] || t[0] >= box[2] || t[3] <= box[1] || t[1] >= box[3]);
+      });
+      if (!free) continue;
+      ctx.fillText(name, free[0], free[1]);
+      taken.push([free[0], free[1] - 7, free[0] + width, free[1] + 7]);
+    }
+    ctx.restore();
+  },
+};
+
+const axisOf = (log, range, edge) => ({
+  type: log ? "logarithmic" : "linear",
+  min: edge ? edge.at : range?.[0],
+  max: range?.[1],
+  grid: { color: colour("line") },
+  border: { color: colour("faint") },
+  ticks: {
+    color: colour("dim"),
+    ...(log ? { callback: (value) => edge && value <= edge.at * 1.001 ? edge.label
+      : edge && value < edge.least ? "" : decade(value) } : {}),
+  },
+});
+
+const datasetsOf = (plot) => plot.series.flatMap((s, k) => {
+  const faint = s.style.startsWith("faint"), points = s.style.endsWith("points"), index = (s.colour ?? k) % 8;
+  const drawn = colour(faint ? "faint" : "c" + index);
+  const line = {
+    label: s.label, data: s.x.map((x, j) => ({ x, y: s.y[j] })), names: s.names, borderColor: drawn,
+    backgroundColor: faint && points ? "transparent" : drawn, borderWidth: faint ? 1 : 2, showLine: !points,
+    borderDash: s.style === "dashed" ? [6, 4] : faint ? [] : kDashes[index], clip: 6, spanGaps: false,
+    pointStyle: !points ? "line" : faint ? "circle" : kShapes[index], pointRadius: points ? 3.5 : 0, pointBorderWidth: 1.5,
+  };
+  const edge = (values, fill) => ({ label: "", data: s.x.map((x, j) => ({ x, y: values[j] })), showLine: true,
+    borderWidth: 0, pointRadius: 0, fill, backgroundColor: drawn + "38" });
+  return s.low ? [edge(s.low, false), edge(s.high, "-1"), line] : [line];
+});
+
+const chartOf = (plot, index) => {
+  const labelled = plot.series.filter((s) => s.label !== "").length;
+  return new Chart(document.getElementById("plot" + index), {
+    type: "scatter", data: { datasets: datasetsOf(plot) }, plugins: [pointNames],
+    options: {
+      maintainAspectRatio: false, responsive: true,
+      plugins: {
+        legend: { display: labelled > 1 && labelled <= kMostInLegend,
+          labels: { color: colour("text"), usePointStyle: true, pointStyleWidth: 34, filter: (item) => item.text !== "" } },
+        tooltip: { filter: (item) => item.dataset.label !== "" || item.dataset.names, callbacks: {
+          label: (item) => (item.dataset.names?.[item.dataIndex] || item.dataset.label) + ": "
+            + Number(item.parsed.x.toPrecision(4)) + ", " + Number(item.parsed.y.toPrecision(4)) } },
+      },
+      scales: { x: axisOf(plot.log_x, plot.range_x), y: axisOf(plot.log_y, plot.range_y, plot.bottom_edge) },
+    },
+  });
+};
+
+let charts = [];
+const drawAll = () => {
+  for (const chart of charts) chart.destroy();
+  charts = plots.map(chartOf);
+  document.documentElement.dataset.plots = charts.length;
+};
+drawAll();
+document.addEventListener("scheme", drawAll);

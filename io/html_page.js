@@ -1,0 +1,46 @@
+// What a page does beside its charts: printing, tables that scroll or sort. Sends the event "scheme" to the document
+// when the colours of the page change (dark, light, paper): whoever draws on a canvas draws anew.
+const printing = (on) => {
+  document.documentElement.toggleAttribute("data-printing", on);
+  for (const part of document.querySelectorAll("details:not(.commands)")) {
+    if (on) part.dataset.was = part.open ? "open" : "";
+    part.open = on || part.dataset.was === "open";
+  }
+  document.dispatchEvent(new Event("scheme"));
+};
+addEventListener("beforeprint", () => printing(true));
+addEventListener("afterprint", () => printing(false));
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => document.dispatchEvent(new Event("scheme")));
+
+// A box that scrolls can be reached by the keyboard; one that does not is no stop.
+const boxes = () => {
+  for (const box of document.querySelectorAll(".scroll"))
+    if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+    else box.removeAttribute("tabindex");
+};
+addEventListener("resize", boxes);
+document.addEventListener("toggle", boxes, true);
+boxes();
+
+// A click on a column's sign sorts by it, a second one the other way round; numbers by size, gaps last.
+for (const table of document.querySelectorAll("table.sortable")) {
+  const body = table.tBodies[0], heads = [...table.tHead.rows[0].cells];
+  const key = (row, k) => {
+    const cell = row.cells[k], text = cell.dataset.value ?? cell.textContent.trim(), number = Number.parseFloat(text);
+    return Number.isFinite(number) ? number : text;
+  };
+  const before = (a, b) => typeof a === typeof b ? (a < b ? -1 : a > b ? 1 : 0) : typeof a === "number" ? -1 : 1;
+  for (const [k, head] of heads.entries()) {
+    const button = document.createElement("button");
+    button.className = "sort";
+    button.textContent = "\u2195";
+    button.ariaLabel = "sort by " + head.textContent;
+    button.addEventListener("click", () => {
+      const down = head.ariaSort === "ascending";
+      for (const other of heads) other.ariaSort = null;
+      head.ariaSort = down ? "descending" : "ascending";
+      body.append(...[...body.rows].sort((a, b) => before(key(a, k), key(b, k)) * (down ? -1 : 1)));
+    });
+    head.append(button);
+  }
+}
