@@ -21,6 +21,7 @@ import textwrap
 ORDER = [
     ["libbrdf"],
     ["io"],
+    ["measured"],
     ["synth", "fit", "validate", "render", "micro"],
     ["trade"],
     ["cli", "docs", "bench"],

@@ -1,0 +1,77 @@
+// Measured samples as a reflectance: what was measured, filled in between, and where it was not measured it says so.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+#include "io/samples.h"
+#include "measured/coordinates.h"
+#include "measured/field.h"
+
+namespace brdf::measured {
+
+// What is known of one pair of directions.
+struct Seen {
+  std::vector<double> f;  // per channel, f_r in 1/sr
+  double known = 0;       // [0, 1]: the share of the ratio's variance that the samples near by leave known
+  bool measured =
+      false;  // known to kLeastKnown or more, and within the range of polar angles that was scanned
+};
+
+// Below this the samples are too far away to say what is there.
+constexpr double kLeastKnown = 0.7;
+
+// f_r of a table's channels at any pair of directions: the fitted material's value times the ratio measured/fitted,
+// whose logarithm is interpolated (by the ratio itself where a sample near by is 0 or below). The ratio is taken as the
+// same for light and viewer exchanged, and as isotropic unless the samples were turned (several azimuths of the light)
+// and are likelier so. It is a Gaussian process about 1 in half-vector coordinates (coordinates.h, field.h): lengths
+// and noise are the likeliest, the noise not below the sheet's (io/noise.h). Away from all samples the ratio goes to 1,
+// so the fitted value remains, and `measured` is false. Channels without a counterpart in the material (of the same
+// name, or the same colour; a material of one channel serves all), and all where there is none, are interpolated about
+// their geometric mean instead: slowly where f_r is not smooth.
+// Domain: unit vectors; 0 below the horizon.
+class MeasuredReflectance final : public ReflectanceModel {
+ public:
+  // Throws InputError where the table has no row above the horizon with a value.
+  explicit MeasuredReflectance(const io::SampleTable& table, const Material* fitted = nullptr);
+
+  const ReflectanceInfo& info() const override { return info_; }
+  void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override;
+  using ReflectanceModel::eval;
+
+  Seen at(const Vec3<double>& wi, const Vec3<double>& wo) const;
+  const std::vector<std::string>& channels() const { return channels_; }
+  // How the ratio varies, and whether azimuths are told apart.
+  const Variation& variation() const { return variation_; }
+  Turning turning() const { return turning_; }
+  double core() const { return core_; }
+  // The largest polar angles that were scanned: the smaller one of a pair is within `inner`, the larger within `outer`.
+  struct Range {
+    double inner = 0, outer = 0;  // degrees
+  };
+  const Range& range() const { return range_; }
+
+ private:
+  void choose_variation(const Directions<double>& d, const std::vector<std::size_t>& rows,
+                        const std::vector<std::vector<double>>& ratios, bool turned, double noise);
+  void fitted_values(const Vec3<double>& wi, const Vec3<double>& wo, std::vector<double>& out) const;
+
+  std::vector<std::string> channels_;
+  ReflectanceInfo info_;
+  std::optional<Material> fitted_;
+  std::vector<int> counterpart_;                    // of each channel, in the fitted material; -1: none
+  std::vector<double> level_;                       // of each channel without one
+  std::vector<std::vector<double>> logs_, ratios_;  // [channel][place]
+  Variation variation_;
+  Turning turning_ = Turning::isotropic;
+  double core_ = 0.1;
+  Range range_;
+  std::unique_ptr<const Field> field_;
+};
+
+// The same as a material: a term without parameters, for whoever takes materials.
+Material material_of(std::shared_ptr<const MeasuredReflectance> measured);
+
+}  // namespace brdf::measured
