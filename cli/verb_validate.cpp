@@ -12,7 +12,8 @@
 #include "cli/verbs.h"
 #include "io/content.h"
 #include "io/error.h"
-#include "io/material_file.h"
+#include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "io/samples.h"
 #include "io/text.h"
@@ -70,6 +71,13 @@ validate::MeasuredTable measured(io::Content content, double max_theta) {
   }
 }
 
+// What a material's file says of the fit that it came from; empty where it says nothing.
+std::string fit_text(const io::Json& fit) {
+  const char* const key = "median_relative_error";
+  if (!fit.is_object() || !fit.contains(key) || !fit[key].is_number()) return "";
+  return "half of the samples within " + io::percent(fit[key].get<double>(), 2);
+}
+
 // Forms, materials and tables with their findings.
 validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
@@ -81,7 +89,9 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
   for (const std::string& file : o.files) {
     io::Content bytes = io::read_content(file);
     if (io::is_json(bytes)) {
-      content.subjects.push_back(validate::Subject::material(file, io::read_material(bytes)));
+      io::MaterialFile material = io::read_material_file(bytes);
+      if (std::string fit = fit_text(material.fit); !fit.empty()) content.fits[file] = std::move(fit);
+      content.subjects.push_back(validate::Subject::material(file, std::move(material.material)));
     } else {
       content.tables.push_back(measured(std::move(bytes), o.max_theta));
     }

@@ -20,9 +20,9 @@ const pointNames = {
   id: "pointNames",
   afterDatasetsDraw(chart) {
     const { ctx, chartArea: area } = chart, taken = [];
-    const spots = chart.data.datasets.flatMap((set, k) => (set.names ?? []).map((name, j) => {
+    const spots = chart.data.datasets.flatMap((set, k) => set.faint ? [] : (set.names ?? []).map((name, j) => {
       const at = chart.getDatasetMeta(k).data[j];
-      return { name, x: at.x, y: at.y, strong: set.strong };
+      return { name, x: at.x, y: at.y };
     }));
     for (const spot of spots) taken.push([spot.x - 4, spot.y - 4, spot.x + 4, spot.y + 4]);
     ctx.save();
@@ -61,14 +61,40 @@ const datasetsOf = (plot) => plot.series.flatMap((s, k) => {
   const faint = s.style.startsWith("faint"), points = s.style.endsWith("points"), index = (s.colour ?? k) % 8;
   const drawn = colour(faint ? "faint" : "c" + index);
   const line = {
-    label: s.label, data: s.x.map((x, j) => ({ x, y: s.y[j] })), names: s.names, borderColor: drawn,
+    label: s.label, data: s.x.map((x, j) => ({ x, y: s.y[j] })), names: s.names, faint, borderColor: drawn,
     backgroundColor: faint && points ? "transparent" : drawn, borderWidth: faint ? 1 : 2, showLine: !points,
     borderDash: s.style === "dashed" ? [6, 4] : faint ? [] : kDashes[index], clip: 6, spanGaps: false,
-    pointStyle: !points ? "line" : faint ? "circle" : kShapes[index], pointRadius: points ? 3.5 : 0, pointBorderWidth: 1.5,
+    pointStyle: faint ? "circle" : kShapes[index], pointRadius: !points ? 0 : index < 4 ? 3.5 : 5, pointBorderWidth: 1.5,
   };
   const edge = (values, fill) => ({ label: "", data: s.x.map((x, j) => ({ x, y: values[j] })), showLine: true,
     borderWidth: 0, pointRadius: 0, fill, backgroundColor: drawn + "38" });
   return s.low ? [edge(s.low, false), edge(s.high, "-1"), line] : [line];
+});
+
+// The legend's sign: the line with its dash, and the shape of the points that go with it.
+const signOf = (drawn, dash, shape, width) => {
+  const sign = Object.assign(document.createElement("canvas"), { width: 34, height: 11 });
+  const ctx = sign.getContext("2d");
+  Object.assign(ctx, { strokeStyle: drawn, fillStyle: drawn, lineWidth: width });
+  if (dash) {
+    ctx.setLineDash(dash);
+    ctx.beginPath();
+    ctx.moveTo(0, 5.5);
+    ctx.lineTo(34, 5.5);
+    ctx.stroke();
+    ctx.setLineDash([]);
+  }
+  if (shape) Chart.helpers.drawPoint(ctx, { pointStyle: shape, radius: 4, borderWidth: 1.5, rotation: 0 }, 17, 5.5);
+  return sign;
+};
+
+// Of the series with a label; points without one that have its colour lend it their shape.
+const legendOf = (chart) => chart.data.datasets.flatMap((set, k) => {
+  if (set.label === "") return [];
+  const points = set.showLine
+    ? chart.data.datasets.find((d) => !d.showLine && d.label === "" && d.borderColor === set.borderColor) : set;
+  return [{ text: set.label, datasetIndex: k, hidden: !chart.isDatasetVisible(k), fontColor: colour("text"),
+    pointStyle: signOf(set.borderColor, set.showLine && set.borderDash, points?.pointStyle, set.borderWidth) }];
 });
 
 const chartOf = (plot, index) => {
@@ -79,7 +105,8 @@ const chartOf = (plot, index) => {
       maintainAspectRatio: false, responsive: true,
       plugins: {
         legend: { display: labelled > 1 && labelled <= kMostInLegend,
-          labels: { color: colour("text"), usePointStyle: true, pointStyleWidth: 34, filter: (item) => item.text !== "" } },
+          onClick: null,
+          labels: { usePointStyle: true, pointStyleWidth: 34, generateLabels: legendOf } },
         tooltip: { filter: (item) => item.dataset.label !== "" || item.dataset.names, callbacks: {
           label: (item) => (item.dataset.names?.[item.dataIndex] || item.dataset.label) + ": "
             + Number(item.parsed.x.toPrecision(4)) + ", " + Number(item.parsed.y.toPrecision(4)) } },

@@ -55,6 +55,13 @@ void HtmlReport::verdict(Mark mark, std::string_view text) {
   body_ += "<p class=\"verdict" + after_space(css_class(mark)) + "\">" + running_text(text) + "</p>\n";
 }
 
+void HtmlReport::remarks(const std::vector<Remark>& remarks) {
+  if (remarks.empty()) return;
+  body_ += "<ul class=\"remarks\">\n";
+  for (const Remark& r : remarks) body_ += "<li" + class_of(r.mark) + ">" + running_text(r.text) + "</li>\n";
+  body_ += "</ul>\n";
+}
+
 void HtmlReport::picture(std::string_view png, std::string_view caption, std::string_view made_by) {
   body_ += "<figure>" + image(png, caption) + "<figcaption>" + running_text(caption) + "</figcaption>";
   command(made_by);

@@ -25,7 +25,7 @@ struct Series {
   enum class Style { line, dashed, points, faint, faint_points } style = Style::line;
   std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: none
   int colour = -1;                          // of the palette; -1: the next one. Equal ones belong together
-  std::vector<std::string> names = {};  // of the points, drawn beside them where there is room; empty: none
+  std::vector<std::string> names = {};  // of the points: in the tooltip, and beside those that are not faint
 };
 
 // Where a logarithmic axis ends below: what is exact, 0 or nothing but rounding. It is drawn at the bottom edge, a decade
@@ -74,6 +74,13 @@ struct Matrix {
     Row cells;  // one for each subject
   };
   std::vector<Property> rows;
+  bool fold_notes = true;  // of more than two columns, unless the mark is warn or bad
+};
+
+// A sentence with its mark.
+struct Remark {
+  Mark mark = Mark::none;
+  std::string text;
 };
 
 // One picture of a row.
@@ -109,6 +116,9 @@ class HtmlReport {
   void paragraph(std::string_view text);
   // One line that says how it stands, in colour and with a sign.
   void verdict(Mark mark, std::string_view text);
+  // What else must be known at once, one line each; nothing where there is none.
+  void remarks(const std::vector<Remark>& remarks);
+  // An empty header is left out. Sortable: a sign in each column's head sorts by it.
   void table(const std::vector<std::string>& header, const std::vector<Row>& rows, bool sortable = false);
   void matrix(const Matrix& matrix);
   void plot(const Plot& plot);
@@ -142,10 +152,9 @@ class HtmlReport {
  private:
   std::string term(std::string_view word);          // with its explanation, if it has one
   std::string running_text(std::string_view text);  // symbols that stand first explained
-  std::string content_of(const Cell& cell, bool fold_note = false);
   std::string cell_of(const Cell& cell, bool fold_note = false);
   void append_matrix(const std::string& corner, const std::vector<std::string>& columns,
-                     const std::vector<Matrix::Property>& rows);
+                     const std::vector<Matrix::Property>& rows, bool fold_notes);
   void append_terms(std::string& html) const;
   const std::string* meaning(std::string_view word) const;
 

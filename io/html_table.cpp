@@ -16,11 +16,12 @@ bool is_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// A number stays on one line, a sentence gets room.
+// What begins with a number and is short stays on one line ("22.1 %"), a sentence gets room.
 const char* css_class(const Cell& cell) {
-  constexpr std::size_t kSentence = 40;
+  constexpr std::size_t kShort = 24, kSentence = 40;
   double value;
-  if (parse_number(cell.text, value)) return "number";
+  const std::string_view first = std::string_view(cell.text).substr(0, cell.text.find(' '));
+  if (cell.text.size() <= kShort && parse_number(first, value)) return "number";
   return cell.text.size() + cell.note.size() > kSentence ? "long" : "";
 }
 
@@ -78,33 +79,32 @@ std::string HtmlReport::running_text(std::string_view text) {
   return html;
 }
 
-std::string HtmlReport::content_of(const Cell& cell, bool fold_note) {
+std::string HtmlReport::cell_of(const Cell& cell, bool fold_note) {
   std::string text = cell.code && !cell.text.empty() ? "<code>" + html_escaped(cell.text) + "</code>"
                                                      : linked(cell.link, html_escaped(cell.text));
   if (!cell.png.empty()) text = linked(cell.link, image(cell.png, cell.text)) + text;
-  std::string more;
-  if (!cell.note.empty()) more += "<span class=\"note\">" + html_escaped(cell.note) + "</span>";
-  if (fold_note && !more.empty() && cell.mark != Mark::warn && cell.mark != Mark::bad)
-    more = "<details><summary>why</summary>" + more + "</details>";
-  if (!cell.command.empty())
-    more += "<details class=\"commands\"><summary>command</summary><pre>" + html_escaped(cell.command) +
-            "</pre></details>";
-  return text + more;
-}
-
-std::string HtmlReport::cell_of(const Cell& cell, bool fold_note) {
-  const std::string_view mark = css_class(cell.mark), kind = css_class(cell);
+  const std::string note =
+      cell.note.empty() ? "" : "<span class=\"note\">" + html_escaped(cell.note) + "</span>";
+  const bool fold = fold_note && !note.empty() && cell.mark != Mark::warn && cell.mark != Mark::bad;
+  const std::string_view mark = fold ? "" : css_class(cell.mark), kind = css_class(cell);
   const std::string classes = std::string(mark) + (mark.empty() ? std::string(kind) : after_space(kind));
+  if (fold)
+    text = "<details><summary><span" + class_of(cell.mark) + ">" + text + "</span></summary>" + note +
+           "</details>";
+  else
+    text += note;
+  if (!cell.command.empty())
+    text += "<details class=\"commands\"><summary>command</summary><pre>" + html_escaped(cell.command) +
+            "</pre></details>";
   return "<td" + (classes.empty() ? "" : " class=\"" + classes + "\"") +
-         (cell.sorted_by ? " data-value=\"" + to_text(*cell.sorted_by) + "\"" : "") + ">" +
-         content_of(cell, fold_note) + "</td>";
+         (cell.sorted_by ? " data-value=\"" + to_text(*cell.sorted_by) + "\"" : "") + ">" + text + "</td>";
 }
 
 void HtmlReport::table(const std::vector<std::string>& header, const std::vector<Row>& rows, bool sortable) {
-  body_ +=
-      std::string("<div class=\"scroll\"><table") + (sortable ? " class=\"sortable\"" : "") + "><thead><tr>";
+  body_ += std::string("<div class=\"scroll\"><table") + (sortable ? " class=\"sortable\"" : "") + ">";
+  if (!header.empty()) body_ += "<thead><tr>";
   for (const std::string& h : header) body_ += "<th>" + term(h) + "</th>";
-  body_ += "</tr></thead><tbody>\n";
+  body_ += std::string(header.empty() ? "" : "</tr></thead>") + "<tbody>\n";
   for (const Row& row : rows) {
     body_ += "<tr>";
     for (const Cell& cell : row) body_ += cell_of(cell);
@@ -114,8 +114,7 @@ void HtmlReport::table(const std::vector<std::string>& header, const std::vector
 }
 
 void HtmlReport::append_matrix(const std::string& corner, const std::vector<std::string>& columns,
-                               const std::vector<Matrix::Property>& rows) {
-  const bool fold_notes = columns.size() > 2;
+                               const std::vector<Matrix::Property>& rows, bool fold_notes) {
   body_ += "<div class=\"scroll\"><table class=\"matrix\"><thead><tr><th>" + term(corner) + "</th>";
   for (const std::string& column : columns) body_ += "<th>" + term(column) + "</th>";
   body_ += "</tr></thead><tbody>\n";
@@ -131,10 +130,11 @@ void HtmlReport::matrix(const Matrix& m) {
   std::vector<Matrix::Property> apply, rest;
   for (const Matrix::Property& row : m.rows) (applies(row) ? apply : rest).push_back(row);
   const auto append = [&](const std::vector<Matrix::Property>& rows) {
-    if (m.subjects.size() <= kMostColumns) return append_matrix(m.properties, m.subjects, rows);
+    if (m.subjects.size() <= kMostColumns)
+      return append_matrix(m.properties, m.subjects, rows, m.fold_notes && m.subjects.size() > 2);
     std::vector<std::string> names;
     for (const Matrix::Property& row : rows) names.push_back(row.name);
-    append_matrix("", names, turned(m, rows));
+    append_matrix("", names, turned(m, rows), m.fold_notes);
   };
   if (!apply.empty()) append(apply);
   if (rest.empty()) return;

@@ -27,7 +27,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable&
                      io::to_text(*std::max_element(t.theta_o.begin(), t.theta_o.end())) + " degrees");
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const auto [low, high] = std::minmax_element(t.values[c].begin(), t.values[c].end());
-    facts.emplace_back("f_r of " + t.channels[c], io::to_text(*low) + " to " + io::to_text(*high) + " /sr");
+    facts.emplace_back("f_r of " + t.channels[c],
+                       io::short_number(*low) + " to " + io::short_number(*high) + " /sr");
   }
   for (const char* key : {"sample", "instrument", "source", "licence"})
     if (const auto value = t.find_metadata(key)) facts.emplace_back(key, *value);

@@ -10,23 +10,23 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   if (t.rows() == 0) return;
   std::vector<std::vector<io::Cell>> rows;
   for (const auto& [name, value] : sheet.facts) rows.push_back({{name}, {value}});
-  report.table({"table", t.source}, rows);
+  report.table({}, rows);
   io::Plot plane;
-  plane.title = "In the plane of incidence: " + t.source;
-  plane.x_label = "polar angle of the viewer, degrees (mirror side positive)";
-  plane.y_label = "f_r of " + t.channels.front() + ", 1/sr";
+  plane.title = "In the plane of incidence: " + io::file_name(t.source);
+  plane.x_label = "theta_o, degrees: the viewer's angle, positive on the mirror side";
+  plane.y_label = "f_r of channel " + t.channels.front() + ", 1/sr";
   plane.log_y = true;
   plane.caption = "The values as they were measured, one colour for each angle of the light.";
   plane.command = "grep -v '^#' " + io::shell_file(t.source);
   if (is_of_cells(t))
     for (const double theta_i : {15.0, 30.0, 45.0, 60.0, 75.0}) {
       plane.series.push_back(cells_in_plane(t, theta_i));
-      plane.series.back().label = "light at " + io::to_text(theta_i);
+      plane.series.back().label = "light at " + io::to_text(theta_i) + " degrees";
       plane.series.back().style = io::Series::Style::points;
     }
   const auto groups = is_of_cells(t) ? decltype(by_light(t)){} : by_light(t);
   for (const auto& [light, members] : groups) {
-    io::Series s{"light at " + io::to_text(light.first), {}, {}, io::Series::Style::points};
+    io::Series s{"light at " + io::to_text(light.first) + " degrees", {}, {}, io::Series::Style::points};
     for (const std::size_t k : members) {
       const double phi = std::abs(std::remainder(t.phi_o[k] - light.second, 360.0));
       if (t.theta_o[k] != 0 && phi != 0 && phi != 180) continue;
@@ -37,7 +37,7 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   }
   if (!plane.series.empty()) report.plot(plane);
   io::Plot albedo;
-  albedo.title = "Reflected fraction by integrating the samples: " + t.source;
+  albedo.title = "Reflected fraction by integrating the samples: " + io::file_name(t.source);
   albedo.x_label = "polar angle of the light, degrees";
   albedo.y_label = "reflected fraction";
   const std::vector<int> palette = io::channel_palette(t.channels);

@@ -28,11 +28,6 @@ bool shows_witness(const Finding& f) {
   return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
 }
 
-io::Mark mark_of(Outcome outcome) {
-  constexpr std::array marks{io::Mark::good, io::Mark::warn, io::Mark::bad, io::Mark::none, io::Mark::warn};
-  return marks[std::size_t(outcome)];
-}
-
 io::Json to_json(const Witness& w) {
   io::Json json = io::Json::object();
   for (const auto& [name, value] : w.parameters) json[name] = value;
@@ -151,19 +146,6 @@ std::string to_markdown(const std::vector<Finding>& findings) {
     text += " |\n";
   }
   return text;
-}
-
-void add_tables(io::HtmlReport& report, const std::vector<Finding>& findings) {
-  std::vector<std::vector<io::Cell>> rows;
-  for (std::size_t k = 0; k < findings.size(); ++k) {
-    const Finding& f = findings[k];
-    rows.push_back({{f.check},
-                    {plain(f.outcome), mark_of(f.outcome)},
-                    {f.statement, io::Mark::none, false, shows_witness(f) ? f.witness->command : ""}});
-    if (k + 1 < findings.size() && findings[k + 1].subject == f.subject) continue;
-    report.table({f.subject, "verdict", "finding"}, rows);
-    rows.clear();
-  }
 }
 
 }  // namespace brdf::validate

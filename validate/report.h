@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -32,16 +33,18 @@ struct ReportContent {
   std::vector<Subject> subjects;
   std::vector<MeasuredTable> tables;
   std::vector<Picture> pictures;
-  double max_theta = 89.5;  // degrees, to which plots go
+  std::map<std::string, std::string> fits;  // by subject: a clause on the fit that the material came from
+  double max_theta = 89.5;                  // degrees, to which plots go
 };
 
-// Verdicts first, then the plots of each subject and table, with the command that prints the same numbers.
+// Verdict, pictures in a row with a line each, properties as a matrix, then the plots of each table and subject, with the
+// command that prints the same numbers folded beneath.
 std::string to_html(const ReportContent& content);
 
 // The verdict over all: "all 12 checks passed", or how many did not.
 std::string summary(const std::vector<Finding>& findings);
 
-// A table of verdicts for each subject.
-void add_tables(io::HtmlReport& report, const std::vector<Finding>& findings);
+// A row for each check, a column for each subject; what applies to none is folded away.
+void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings);
 
 }  // namespace brdf::validate

@@ -1,249 +1,155 @@
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <set>
 
-#include "brdf/integrals.h"
+#include "io/glossary.h"
 #include "io/numbers.h"
-#include "io/text.h"
-#include "validate/extremes.h"
-#include "validate/pair_search.h"
+#include "validate/check_words.h"
 #include "validate/report.h"
+#include "validate/report_plots.h"
 
 namespace brdf::validate {
 namespace {
 
-// The material that a subject's plots show: its own, or a form's table defaults; where it is all diffuse, at
-// full weight.
-Material shown(const Subject& subject) {
-  Material m = subject.own();
-  if (!subject.of_form()) return m;
-  const ReflectanceInfo& f = info(*subject.of_form());
-  if (std::all_of(f.weights.begin(), f.weights.end(),
-                  [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
-    for (auto& weights : m.terms.front().weights) weights = lobe_alone(f);
-  return m;
+io::Mark mark_of(Outcome outcome) {
+  constexpr std::array marks{io::Mark::good, io::Mark::warn, io::Mark::bad, io::Mark::absent, io::Mark::warn};
+  return marks[std::size_t(outcome)];
 }
 
-std::string listed(const std::vector<double>& values, const std::string& separator) {
+io::Mark mark_of(const std::vector<Finding>& findings) {
+  io::Mark mark = io::Mark::good;
+  for (const Finding& f : findings)
+    if (f.outcome != Outcome::not_applicable) mark = std::max(mark, mark_of(f.outcome));
+  return mark;
+}
+
+std::vector<Finding> findings_of(const std::vector<Finding>& all, const std::string& subject) {
+  std::vector<Finding> own;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+               [&](const Finding& f) { return f.subject == subject; });
+  return own;
+}
+
+// "copper" of "/data/copper.material.json" and of "copper.png".
+std::string stem(const std::string& path) {
+  const std::string name = io::file_name(path);
+  return name.substr(0, name.find('.', 1));
+}
+
+// "cook_torrance, surface roughness 0.2".
+std::string model_text(const Material& m) {
   std::vector<std::string> words;
-  for (const double value : values) words.push_back(io::to_text(value));
-  return io::joined(words, separator);
-}
-
-// Commands that first write a table of directions; empty where the second is.
-std::string with_table(const std::string& table, const std::string& command) {
-  return command.empty() ? "" : table + " && " + command;
-}
-
-io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta, double phi = 0) {
-  io::Plot plot;
-  plot.title = "Albedo against angle: " + subject.name();
-  plot.x_label = "polar angle of the light, degrees";
-  plot.y_label = "reflected fraction";
-  std::vector<double> angles;
-  for (double theta = 0; theta < max_theta; theta += theta < 85 ? 2.5 : 0.25) angles.push_back(theta);
-  angles.push_back(max_theta);
-  double widest = 0, lowest = HUGE_VAL, highest = 0;
-  const std::vector<int> palette = io::channel_palette(m.channels);
-  for (std::size_t c = 0; c < m.channels.size(); ++c) {
-    plot.series.push_back({m.channels[c], angles, {}, io::Series::Style::line});
-    plot.series.back().colour = palette[c];
-  }
-  for (const double theta : angles) {
-    AlbedoOptions options;
-    options.tolerance = 1e-5;
-    const auto results = directional_albedo(m, degrees(theta), degrees(phi), options);
-    for (std::size_t c = 0; c < results.size(); ++c) {
-      const AlbedoResult& r = results[c];
-      io::Series& s = plot.series[c];
-      s.y.push_back(r.value);
-      s.low.push_back(r.value - r.error_bound);
-      s.high.push_back(r.value + r.error_bound);
-      widest = std::max(widest, r.error_bound);
-      lowest = std::min(lowest, r.value);
-      highest = std::max(highest, r.value);
+  for (const Term& term : m.terms) {
+    const ReflectanceInfo& form = info(term.form);
+    words.emplace_back(form.name);
+    const auto [along, across] = form.axes();
+    for (std::size_t k = 0; k < form.shape.size(); ++k) {
+      const bool one =
+          across >= 0 && term.shape.front()[std::size_t(along)] == term.shape.front()[std::size_t(across)];
+      if (one && int(k) == across) continue;
+      const std::string name = int(k) == across ? "across" : io::plain_name(form, form.shape[k], one);
+      words.push_back(name + " " + io::short_number(term.shape.front()[k], 2));
     }
   }
-  plot.log_y = lowest > 0 && highest > 30 * lowest;
-  plot.series.push_back({"1: all of it", {0, max_theta}, {1, 1}, io::Series::Style::faint});
-  plot.caption =
-      "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
-      "would give off more than it receives. The band is the error bound, at most " +
-      io::short_number(widest, 2) + ".";
-  plot.command = subject.command(
-      "albedo", m, "--theta " + listed(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
-  return plot;
+  return io::joined(words);
 }
 
-io::Plot polar_plot(const Subject& subject, const Material& m) {
-  io::Plot plot;
-  plot.title = "Reflected lobes in the plane of incidence: " + subject.name();
-  plot.x_label = "f cos, along the surface";
-  plot.y_label = "f cos, along the normal";
-  plot.equal_axes = true;
-  std::vector<double> f(m.channels.size());
-  for (const double theta_i : {0.0, 30.0, 60.0}) {
-    io::Series lobe{"light at " + io::to_text(theta_i) + " degrees", {}, {}, io::Series::Style::line};
-    for (double theta = -89; theta <= 89; theta += 0.5) {
-      const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
-      eval(m, wi, wo, f);
-      const double r = *std::max_element(f.begin(), f.end()) * wo.z;
-      lobe.x.push_back(r * std::sin(degrees(theta).radians()));
-      lobe.y.push_back(r * std::cos(degrees(theta).radians()));
-    }
-    plot.series.push_back(std::move(lobe));
+// What does not hold, or that all does.
+std::string state_text(const std::vector<Finding>& findings) {
+  std::vector<std::string> failed, known;
+  for (const Finding& f : findings) {
+    if (f.outcome == Outcome::fail) failed.push_back(f.check);
+    if (f.outcome == Outcome::known_violation) known.push_back(f.check);
   }
-  plot.caption =
-      "How bright the surface sends light on to each side, the light coming from the left; the brightest "
-      "channel.";
-  plot.command = with_table(
-      "(echo theta_i,phi_i,theta_o,phi_o; for i in 0 30 60; do for o in $(seq -89 0.5 89); do echo "
-      "$i,180,$o,0; done; done) > lobes.csv",
-      subject.command("eval", m, "lobes.csv   # f; the plot shows f cos(theta_o)"));
-  return plot;
+  if (failed.empty() && known.empty()) return "every property holds";
+  std::string text = failed.empty() ? "" : "fails: " + io::joined(failed);
+  if (!known.empty())
+    text += (text.empty() ? "known to violate: " : "; known to violate: ") + io::joined(known);
+  return text;
 }
 
-// The parameters with which a form reflects most, where that is too much.
-void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const ReportContent& content) {
-  if (!subject.of_form()) return;
-  const auto found = std::find_if(content.findings.begin(), content.findings.end(), [&](const Finding& f) {
-    return f.subject == subject.name() && f.check == "energy" && f.witness && f.outcome != Outcome::pass;
-  });
-  if (found == content.findings.end()) return;
-  Material worst = subject.own();
-  Term& term = worst.terms.front();
-  const ReflectanceInfo& f = info(*subject.of_form());
-  for (const auto& [name, value] : found->witness->parameters) {
-    const int weight = f.weight_index(name), shape = f.shape_index(name);
-    if (shape >= 0) term.shape.front()[std::size_t(shape)] = value;
-    if (weight >= 0)
-      for (auto& weights : term.weights) weights[std::size_t(weight)] = value;
-  }
-  io::Plot plot = albedo_plot(subject, worst, content.max_theta, found->witness->angles.back().second);
-  plot.title = "Albedo against angle at the worst parameters: " + subject.name();
-  plot.caption = "With the parameters of the largest violation: " + found->statement + ".";
-  report.plot(plot);
-}
-
-// The parameters that say how wide the lobe is (two of an anisotropic form), or what comes nearest to that.
-std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
-  if (const auto [along, across] = form.axes(); across >= 0) return {std::size_t(along), std::size_t(across)};
-  for (const Role role :
-       {Role::width, Role::exponent, Role::slope, Role::other, Role::index, Role::extinction})
-    if (const int k = form.shape_index(role); k >= 0) return {std::size_t(k)};
-  return {};
-}
-
-// White furnace: reflected fraction of uniform light against the lobe's width.
-void add_furnace(io::HtmlReport& report, const Subject& subject, const Material& m) {
-  if (!subject.of_form() || subject.shape_dimensions() == 0) return;
-  const ReflectanceInfo& f = info(*subject.of_form());
-  const std::vector<std::size_t> tied = width_parameters(f);
-  const ParameterInfo& width = f.shape[tied.front()];
-  io::Plot plot;
-  plot.title = "White furnace: " + subject.name();
-  plot.log_x = width.log_scale && width.min > 0;
-  plot.x_label = tied.size() == 1 ? std::string(width.name) : tied_name(f) + " (both widths)";
-  plot.y_label = "albedo of the lobe at full weight";
-  std::vector<double> values;
-  for (int k = 0; k <= 40; ++k) values.push_back(parameter_value(width, k / 40.0, width.usual_max));
-  Material full = m;
-  Term& term = full.terms.front();
-  std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
-  for (const double theta : {0.0, 60.0, 80.0}) {
-    io::Series s{"light at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
-    for (const double value : values) {
-      for (const std::size_t k : tied) term.shape.front()[k] = value;
-      AlbedoOptions options;
-      options.tolerance = 1e-4;
-      s.y.push_back(directional_albedo(full, degrees(theta), {}, options).front().value);
-    }
-    plot.series.push_back(std::move(s));
-  }
-  plot.series.push_back(
-      {"1: nothing lost", {values.front(), values.back()}, {1, 1}, io::Series::Style::faint});
-  plot.caption =
-      "In a room that is equally bright everywhere a lossless surface would be invisible (1). What is "
-      "missing is lost by the model.";
-  if (std::string command = subject.command("albedo", full, "--theta 0,60,80"); !command.empty()) {
-    for (const std::size_t k : tied) {
-      const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
-      command.replace(command.find(set + last) + set.size(), last.size(), "$x");
-    }
-    plot.command = "for x in " + listed(values, " ") + "; do " + command + "; done";
-  }
-  report.plot(plot);
-}
-
-// Relative difference of f under exchange of light and viewer, over pairs of polar angles; worst azimuth.
-void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const Material& m) {
-  constexpr std::size_t kCells = 60, kScale = 6;
-  std::vector<double> cells(kCells * kCells);
-  double worst = 0;
-  std::vector<double> f(m.channels.size()), g(f.size());
-  for (std::size_t i = 0; i < kCells; ++i)
-    for (std::size_t o = 0; o < kCells; ++o)
-      for (const double phi : {0.0, 40.0, 86.0, 138.0, 180.0}) {
-        const Vec3<double> wi = direction(degrees((double(i) + 0.5) * 1.5), degrees(17));
-        const Vec3<double> wo = direction(degrees((double(o) + 0.5) * 1.5), degrees(17 + phi));
-        eval(m, wi, wo, f);
-        eval(m, wo, wi, g);
-        for (std::size_t c = 0; c < f.size(); ++c)
-          cells[o * kCells + i] = std::max(cells[o * kCells + i], difference(f[c], g[c]));
-        worst = std::max(worst, cells[o * kCells + i]);
+// A picture's line is of the subject whose file has its name.
+void add_pictures(io::HtmlReport& report, const ReportContent& content) {
+  std::vector<io::Figure> row;
+  for (const Picture& p : content.pictures) {
+    io::Figure figure{p.png, stem(p.name)};
+    for (const Subject& s : content.subjects)
+      if (stem(s.name()) == figure.title) {
+        const std::vector<Finding> own = findings_of(content.findings, s.name());
+        const auto fit = content.fits.find(s.name());
+        figure.text = model_text(s.own()) + (fit == content.fits.end() ? "" : "; " + fit->second) + "; " +
+                      state_text(own);
+        figure.mark = mark_of(own);
+        break;
       }
-  std::vector<unsigned char> rgb(3 * kCells * kScale * kCells * kScale);
-  for (std::size_t y = 0; y < kCells * kScale; ++y)
-    for (std::size_t x = 0; x < kCells * kScale; ++x) {
-      const double v = cells[(kCells - 1 - y / kScale) * kCells + x / kScale];
-      // From 1e-16 (dark) to 1 (bright), logarithmic.
-      io::map_colour(v > 0 ? 1 + std::log10(v) / 16 : 0, &rgb[3 * (y * kCells * kScale + x)]);
-    }
-  const std::vector<std::string> ticks{"0", "30", "60", "90"};
-  report.map(
-      {io::png_of_pixels(kCells * kScale, kCells * kScale, rgb), "polar angle of the light, degrees",
-       "polar angle of the viewer, degrees", ticks, ticks, "1e-16: rounding", "1: as large as f itself",
-       "Reciprocity of " + subject.name() +
-           ": the relative difference when light and viewer change places, for every pair of polar "
-           "angles, at the worst of five azimuths. At most " +
-           io::short_number(worst, 2) + " here.",
-       with_table(
-           "(echo theta_i,phi_i,theta_o,phi_o; for i in $(seq 0.75 1.5 89.25); do for o in $(seq 0.75 1.5 "
-           "89.25); do for p in 17 57 103 155 197; do echo $i,17,$o,$p; echo $o,$p,$i,17; done; done; done) "
-           "> pairs.csv",
-           subject.command("eval", m, "pairs.csv   # every second row is the one before, exchanged"))});
+    row.push_back(std::move(figure));
+  }
+  if (!row.empty()) report.pictures(row);
+}
+
+bool shows_command(const Finding& f) {
+  return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
 }
 
 }  // namespace
 
+void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings) {
+  io::Matrix matrix{.properties = "", .subjects = {}, .rows = {}};
+  std::vector<std::string> names;
+  for (const Finding& f : findings)
+    if (std::ranges::find(names, f.subject) == names.end()) names.push_back(f.subject);
+  std::multiset<std::string> files;
+  for (const std::string& name : names) files.insert(io::file_name(name));
+  for (const std::string& name : names)
+    matrix.subjects.push_back(files.count(io::file_name(name)) > 1 ? name : io::file_name(name));
+  for (const Finding& f : findings) {
+    report.explain(f.check, std::string(check_meaning(f.check)));
+    auto row = std::ranges::find(matrix.rows, f.check, &io::Matrix::Property::name);
+    if (row == matrix.rows.end())
+      row = matrix.rows.insert(row, {f.check, io::Row(names.size(), {.text = "", .mark = io::Mark::absent})});
+    std::string outcome(name_of(f.outcome));
+    std::ranges::replace(outcome, '_', ' ');
+    row->cells[std::size_t(std::ranges::find(names, f.subject) - names.begin())] = {
+        .text = outcome,
+        .mark = mark_of(f.outcome),
+        .command = shows_command(f) ? f.witness->command : "",
+        .note = f.statement};
+  }
+  report.matrix(matrix);
+}
+
 std::string to_html(const ReportContent& content) {
   const std::size_t count = content.subjects.size() + content.tables.size();
   const std::string what = count != 1               ? std::to_string(count) + " subjects"
-                           : content.tables.empty() ? content.subjects.front().name()
-                                                    : content.tables.front().table.source;
+                           : content.tables.empty() ? io::file_name(content.subjects.front().name())
+                                                    : io::file_name(content.tables.front().table.source);
   io::HtmlReport report("Validation of " + what);
-  const auto any = [&](Outcome outcome) {
-    return std::any_of(content.findings.begin(), content.findings.end(),
-                       [&](const Finding& f) { return f.outcome == outcome; });
-  };
-  report.verdict(any(Outcome::fail)              ? io::Mark::bad
-                 : any(Outcome::known_violation) ? io::Mark::warn
-                                                 : io::Mark::good,
-                 summary(content.findings));
-  report.heading("Verdicts");
-  add_tables(report, content.findings);
-  for (const Picture& p : content.pictures) report.picture(p.png, p.name);
-  for (const MeasuredTable& measured : content.tables) {
-    report.heading(measured.table.source);
-    add_to_report(report, measured.table, measured.sheet);
-  }
+  report.verdict(mark_of(content.findings), summary(content.findings));
+  add_pictures(report, content);
+  std::vector<Finding> of_subjects, of_tables = content.findings;
   for (const Subject& subject : content.subjects) {
-    report.heading(subject.name());
-    const Material m = shown(subject);
-    report.plot(albedo_plot(subject, m, content.max_theta));
-    add_worst_albedo(report, subject, content);
-    report.plot(polar_plot(subject, m));
-    add_furnace(report, subject, m);
-    add_reciprocity_map(report, subject, m);
+    const std::vector<Finding> own = findings_of(content.findings, subject.name());
+    of_subjects.insert(of_subjects.end(), own.begin(), own.end());
+    std::erase_if(of_tables, [&](const Finding& f) { return f.subject == subject.name(); });
+    report.footnote("subject", subject.name());
+  }
+  if (!of_subjects.empty()) report.heading("Properties");
+  add_properties(report, of_subjects);
+  if (!of_tables.empty()) report.heading("Are the samples sound?");
+  add_properties(report, of_tables);
+  for (const MeasuredTable& measured : content.tables) {
+    report.heading(io::file_name(measured.table.source));
+    add_to_report(report, measured.table, measured.sheet);
+    report.footnote("samples", measured.table.source);
+  }
+  constexpr std::size_t kOpen = 2;  // of more subjects the plots are folded
+  for (const Subject& subject : content.subjects) {
+    if (content.subjects.size() > kOpen)
+      report.begin_fold("Plots of " + io::file_name(subject.name()));
+    else
+      report.heading(io::file_name(subject.name()));
+    add_subject_plots(report, subject, content.findings, content.max_theta);
+    if (content.subjects.size() > kOpen) report.end_fold();
   }
   return report.document(io::provenance());
 }

@@ -9,8 +9,8 @@
 
 namespace brdf::fit {
 
-// Measured against fitted in-plane slices, residual map over (theta_h, theta_d), parameters with intervals,
-// correlations, minima, metrics, ranking, and the verdict in words.
+// Verdict with its warnings, slices with bands, where the fit deviates, parameters, ranking, samples; correlations and
+// minima folded (fit/report/page.h).
 std::string html_report(const FitResult& result, const io::SampleTable& table, const FitOptions& options);
 
 }  // namespace brdf::fit

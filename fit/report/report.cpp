@@ -7,6 +7,7 @@
 
 #include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
+#include "fit/report/plain_words.h"
 #include "io/material_json.h"
 #include "io/numbers.h"
 #include "io/provenance.h"
@@ -102,6 +103,7 @@ Json statistics_json(const FormFit& fit) {
   Json j{{"form", fit.form},
          {"verdict", name_of(fit.verdict)},
          {"findings", fit.findings},
+         {"weakly_determined", weakly_determined(fit)},
          {"median_relative_error", number(fit.median_relative_error)},
          {"errors", errors_json(fit.errors)},
          {"lack_of_fit", lack_of_fit_json(fit.lack_of_fit)}};
@@ -223,18 +225,21 @@ void print_ranking(std::ostream& out, const FitResult& result) {
          {9, error_text(e.median)},
          {9, error_text(e.ninth_decile)},
          {10, error_text(e.off_by_two)},
-         {11, std::isfinite(over) ? io::short_number(over, 2) : "-"},
+         {11, std::isfinite(over) ? times_text(over) : "-"},
          {0, std::to_string(fit.parameters)}});
   }
 }
 
 }  // namespace
 
+std::string times_text(double factor) {
+  return factor < 100 ? io::short_number(factor, 2) : std::to_string(std::llround(factor));
+}
+
 std::string in_words(const LackOfFit& lack) {
-  std::string text =
-      lack.residual_over_scatter
-          ? "residual " + io::short_number(*lack.residual_over_scatter, 2) + " times the scatter"
-          : std::string("the scatter is not known");
+  std::string text = lack.residual_over_scatter
+                         ? "residual " + times_text(*lack.residual_over_scatter) + " times the scatter"
+                         : std::string("the scatter is not known");
   if (!lack.beyond_scatter) return text + ": no lack of fit beyond it";
   if (const auto& w = lack.worst)
     text += "; worst at " + to_text(w->range) + " (" + std::to_string(w->rows) + " rows, " +
@@ -340,6 +345,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   const FormFit& best = result.ranking.front();
   out << best.form << ", " << name_of(best.verdict) << '\n';
   for (const std::string& finding : best.findings) out << "  " << finding << '\n';
+  if (const std::string weak = weakness_text(best); !weak.empty()) out << "  " << weak << '\n';
   if (best.solved()) out << "  " << in_words(best.lack_of_fit) << '\n';
   for (const Estimate& e : best.estimates)
     out << "  " << estimate_text(e, best.lack_of_fit.beyond_scatter) << '\n';

@@ -10,6 +10,9 @@
 
 namespace brdf::fit {
 
+// "7.4", "110": without a power of ten.
+std::string times_text(double factor);
+
 // "residual 7.4 times the scatter; worst at theta_h 0 to 2, ...".
 std::string in_words(const LackOfFit& lack);
 

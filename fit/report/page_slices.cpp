@@ -1,0 +1,240 @@
+// Measured against fitted: slices through the plane of incidence, and where the fit deviates over the half angles.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "brdf/aperture.h"
+#include "brdf/geometry.h"
+#include "fit/assess/derived.h"
+#include "fit/report/page.h"
+#include "io/channel_colours.h"
+#include "io/numbers.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr std::size_t kSlices = 4, kLeastRows = 4, kMostChannels = 3;
+constexpr double kStep = 0.5;  // degrees, of a curve
+
+// Fitted values [channel][row].
+std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
+                                               double aperture) {
+  std::vector out(material.channels.size(), std::vector<double>(d.count));
+  const std::vector<ApertureNode> detector = aperture_nodes(degrees(aperture), kFitRings);
+  const std::vector<ApertureNode> source = aperture_nodes({});
+  std::vector<double> f(material.channels.size());
+  for (std::size_t k = 0; k < d.count; ++k) {
+    if (aperture > 0)
+      eval_aperture(material, d.wi(k), d.wo(k), source, detector, f);
+    else
+      eval(material, d.wi(k), d.wo(k), f);
+    for (std::size_t c = 0; c < f.size(); ++c) out[c][k] = f[c];
+  }
+  return out;
+}
+
+// Signed detector angle of a row in the plane of incidence (mirror side positive); NaN outside the plane.
+double in_plane_angle(const io::SampleTable& t, std::size_t k) {
+  const double turn = std::remainder(t.phi_o[k] - t.phi_i[k], 360.0);
+  if (t.theta_o[k] == 0 || std::abs(std::abs(turn) - 180) < 0.5) return t.theta_o[k];
+  if (std::abs(turn) < 0.5) return -t.theta_o[k];
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// The rows of one light in the plane of incidence, by the detector's angle.
+struct Slice {
+  double theta_i, phi_i;  // degrees
+  std::vector<std::pair<double, std::size_t>> rows;
+};
+
+// Up to four angles of the light, from the steepest to the flattest; of each the azimuth with most rows.
+std::vector<Slice> slices_of(const io::SampleTable& table) {
+  std::map<double, std::map<double, Slice>> by_light;
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    if (const double angle = in_plane_angle(table, k); std::isfinite(angle)) {
+      Slice& slice = by_light[table.theta_i[k]][table.phi_i[k]];
+      slice.theta_i = table.theta_i[k];
+      slice.phi_i = table.phi_i[k];
+      slice.rows.emplace_back(angle, k);
+    }
+  std::vector<Slice> all, out;
+  for (auto& [theta, azimuths] : by_light) {
+    auto& [phi, most] = *std::max_element(azimuths.begin(), azimuths.end(), [](const auto& a, const auto& b) {
+      return a.second.rows.size() < b.second.rows.size();
+    });
+    if (most.rows.size() < kLeastRows) continue;
+    std::sort(most.rows.begin(), most.rows.end());
+    all.push_back(std::move(most));
+  }
+  const std::size_t count = std::min(kSlices, all.size());
+  for (std::size_t s = 0; s < count; ++s)
+    out.push_back(all[count == 1 ? 0 : s * (all.size() - 1) / (count - 1)]);
+  return out;
+}
+
+// Every half degree between the outermost samples, and where the samples are.
+std::vector<double> angles_of(const Slice& slice) {
+  std::vector<double> angles;
+  for (const auto& [angle, row] : slice.rows) angles.push_back(angle);
+  const double last = angles.back();
+  for (double angle = angles.front(); angle < last; angle += kStep) angles.push_back(angle);
+  std::sort(angles.begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+  return angles;
+}
+
+struct Curve {
+  std::vector<double> angles;
+  std::vector<std::vector<double>> values;  // [channel][angle]
+  std::vector<std::vector<Extent>> bands;   // the same; empty: not known
+};
+
+// With the 95 % band from the parameters' covariance.
+Curve curve_of(const FormFit& fit, const Slice& slice, double aperture) {
+  Curve curve{angles_of(slice), {}, {}};
+  const std::size_t count = curve.angles.size();
+  DirectionArrays<double> directions(count);
+  const Vec3<double> wi = direction(degrees(slice.theta_i), degrees(slice.phi_i));
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = curve.angles[k], turn = angle < 0 ? 0 : 180;
+    directions.set(k, wi, direction(degrees(std::abs(angle)), degrees(slice.phi_i + turn)));
+  }
+  curve.values = fitted_values(fit.material, directions.view(), aperture);
+  if (!fit.covariance) return curve;
+  const auto in_one_row = [](const std::vector<std::vector<double>>& values) {
+    std::vector<double> row;
+    for (const auto& channel : values) row.insert(row.end(), channel.begin(), channel.end());
+    return row;
+  };
+  const auto bands =
+      intervals(fit.material, *fit.covariance, in_one_row(curve.values),
+                [&](const Material& m) { return in_one_row(fitted_values(m, directions.view(), aperture)); });
+  for (std::size_t c = 0; bands && c < curve.values.size(); ++c)
+    curve.bands.emplace_back(bands->begin() + std::ptrdiff_t(c * count),
+                             bands->begin() + std::ptrdiff_t((c + 1) * count));
+  return curve;
+}
+
+// Red, green and blue, where they can be told; else the first ones.
+std::vector<std::size_t> shown_channels(const std::vector<std::string>& channels) {
+  std::vector<std::size_t> shown;
+  const auto colours = io::channel_colours(channels);
+  for (std::size_t c = 0; c < std::min(channels.size(), kMostChannels); ++c)
+    shown.push_back(colours && channels.size() >= kMostChannels ? colours->of[c] : c);
+  return shown;
+}
+
+io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slices,
+                    const std::vector<Curve>& curves, std::size_t channel) {
+  io::Plot plot;
+  plot.title = "Channel " + table.channels[channel] + ": measured (points) and fitted (lines)";
+  plot.x_label = "theta_o, degrees: the viewer's angle, positive on the mirror side";
+  plot.y_label = "f_r, 1/sr";
+  plot.log_y = true;
+  for (std::size_t s = 0; s < slices.size(); ++s) {
+    io::Series points{"", {}, {}, io::Series::Style::points};
+    points.colour = int(s);
+    for (const auto& [angle, row] : slices[s].rows) {
+      points.x.push_back(angle);
+      points.y.push_back(table.values[channel][row]);
+    }
+    io::Series line{"light at " + io::short_number(slices[s].theta_i) + " degrees", curves[s].angles,
+                    curves[s].values[channel], io::Series::Style::line};
+    line.colour = int(s);
+    if (!curves[s].bands.empty())
+      for (const Extent& band : curves[s].bands[channel]) {
+        line.low.push_back(band.low);
+        line.high.push_back(band.high);
+      }
+    plot.series.push_back(std::move(points));
+    plot.series.push_back(std::move(line));
+  }
+  return plot;
+}
+
+constexpr std::size_t kMapCells = 45;  // of two degrees
+
+// Mean ln(fit/value) of every cell over (theta_h, theta_d), row by row from theta_d 0; NaN where nothing was measured.
+std::vector<double> residual_cells(const io::SampleTable& table, const Directions<double>& d,
+                                   const std::vector<std::vector<double>>& fitted) {
+  std::vector<double> sum(kMapCells * kMapCells, 0), count(kMapCells * kMapCells, 0);
+  const auto cell = [](double angle) {
+    return std::min(std::size_t(radians(angle).degrees() / 2), kMapCells - 1);
+  };
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const Geometry<double> g = geometry(d.wi(k), d.wo(k));
+    const std::size_t x = cell(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z));
+    const std::size_t y = cell(std::acos(std::min(g.cos_d, 1.0)));
+    for (std::size_t c = 0; c < fitted.size(); ++c)
+      if (table.values[c][k] > 0 && fitted[c][k] > 0) {
+        sum[y * kMapCells + x] += std::log(fitted[c][k] / table.values[c][k]);
+        count[y * kMapCells + x] += 1;
+      }
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= count[k];  // 0/0: NaN
+  return sum;
+}
+
+// Blue where the fit is too dark, red where too bright, transparent where nothing was measured.
+std::vector<unsigned char> pixels_of(const std::vector<double>& cells, double largest, std::size_t scale) {
+  const std::size_t width = kMapCells * scale;
+  std::vector<unsigned char> rgba(width * width * 4, 0);
+  for (std::size_t py = 0; py < width; ++py)
+    for (std::size_t px = 0; px < width; ++px) {
+      const double v = cells[(kMapCells - 1 - py / scale) * kMapCells + px / scale];
+      if (std::isnan(v)) continue;
+      unsigned char* const pixel = &rgba[(py * width + px) * 4];
+      io::map_colour(0.5 + 0.5 * v / largest, pixel, io::Colours::diverging);
+      pixel[3] = 255;
+    }
+  return rgba;
+}
+
+}  // namespace
+
+void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture) {
+  const std::vector<Slice> slices = slices_of(table);
+  if (slices.empty()) return;
+  report.heading("Measured and fitted in the plane of incidence");
+  std::vector<Curve> curves;
+  for (const Slice& slice : slices) curves.push_back(curve_of(fit, slice, aperture));
+  const std::vector<std::size_t> channels = shown_channels(table.channels);
+  for (const std::size_t c : channels) report.plot(slice_plot(table, slices, curves, c));
+  std::string about;
+  if (!curves[0].bands.empty())
+    about = "Bands: where the fitted values lie with 95 %, if the form is right. ";
+  if (table.channels.size() > channels.size())
+    about += std::to_string(channels.size()) + " of " + std::to_string(table.channels.size()) +
+             " channels are shown.";
+  if (!about.empty()) report.paragraph(about);
+}
+
+void add_deviation(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table,
+                   double aperture) {
+  const DirectionArrays<double> directions = io::unit_directions(table);
+  const std::vector<double> cells =
+      residual_cells(table, directions.view(), fitted_values(fit.material, directions.view(), aperture));
+  std::vector<double> sizes;
+  for (const double v : cells)
+    if (!std::isnan(v)) sizes.push_back(std::abs(v));
+  if (sizes.empty()) return;
+  report.heading("Where the fit deviates");
+  const double largest = io::quantile(std::move(sizes), 0.95);
+  constexpr double kExact = 1e-9;
+  if (largest < kExact) return report.paragraph("Nowhere: the fit gives every sample to rounding.");
+  constexpr std::size_t kPixels = 10, kWidth = kMapCells * kPixels;
+  const std::vector<std::string> angles{"0", "30", "60", "90"};
+  report.map({.png = io::png_of_pixels(kWidth, kWidth, pixels_of(cells, largest, kPixels)),
+              .x_label = "theta_h, degrees: the half vector from the normal",
+              .y_label = "theta_d, degrees: the light from the half vector",
+              .x_ticks = angles,
+              .y_ticks = angles,
+              .low = io::percent(-std::expm1(-largest)) + " too dark",
+              .high = io::percent(std::expm1(largest)) + " too bright",
+              .caption = "Fitted less measured, mean over cells of two degrees; hatched: nothing measured.",
+              .command = {},
+              .colours = io::Colours::diverging});
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,237 @@
+// The verdict and the tables of a fit's page.
+#include <algorithm>
+#include <cmath>
+
+#include "fit/assess/reported.h"
+#include "fit/report/page.h"
+#include "fit/report/plain_words.h"
+#include "fit/report/report.h"
+#include "io/numbers.h"
+
+namespace brdf::fit {
+namespace {
+
+using io::Cell;
+using io::Mark;
+
+Mark mark_of_verdict(Verdict v) {
+  return v == Verdict::converged ? Mark::good : usable(v) ? Mark::warn : Mark::bad;
+}
+
+std::string extent_text(const Extent& e) {
+  return std::isfinite(e.low) ? io::short_number(e.low) + " to " + io::short_number(e.high) : "-";
+}
+
+// The value with its interval, which is the wider one where the form lacks something.
+Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::string>& weak) {
+  switch (e.status) {
+    case Status::unidentified:
+      return {.text = "not identified", .mark = Mark::bad};
+    case Status::fixed:
+      return {.text = io::short_number(e.value), .note = "fixed"};
+    case Status::at_bound:
+      return {.text = io::short_number(e.value), .mark = Mark::warn, .note = "at the end of its range"};
+    default:
+      break;
+  }
+  const bool wrong = fit.lack_of_fit.beyond_scatter && std::isfinite(e.with_lack_of_fit.low);
+  const NamedParameter parameter = named(fit, e);
+  const bool is_weak = std::any_of(weak.begin(), weak.end(), [&](const std::string& w) {
+    const std::size_t bracket = w.find(" (");
+    if (w.substr(0, bracket) != parameter.symbol) return false;
+    if (bracket == w.npos || e.channel.empty()) return true;
+    return (", " + w.substr(bracket + 2, w.size() - bracket - 3) + ",").find(", " + e.channel + ",") !=
+           w.npos;
+  });
+  return {.text = io::short_number(e.value),
+          .mark = is_weak ? Mark::warn : Mark::none,
+          .note = extent_text(wrong ? e.with_lack_of_fit : Extent{e.low, e.high})};
+}
+
+void add_intervals(io::HtmlReport& report, const FormFit& f) {
+  std::vector<io::Row> rows;
+  for (const Estimate& e : f.estimates) {
+    const NamedParameter parameter = named(f, e);
+    if (parameter.repeats) continue;
+    const std::string name = e.channel.empty() ? parameter.symbol : parameter.symbol + " [" + e.channel + "]";
+    const bool free = e.status == Status::free;
+    const auto if_free = [&](const std::string& text) { return Cell{free ? text : "-"}; };
+    rows.push_back({{name, Mark::none, true},
+                    {e.status == Status::unidentified ? "-" : io::short_number(e.value)},
+                    if_free(extent_text({e.low, e.high})),
+                    if_free(extent_text(e.with_lack_of_fit)),
+                    if_free(extent_text(e.left_out)),
+                    if_free(extent_text(e.other_metrics)),
+                    if_free(io::short_number(e.standard_error, 2)),
+                    {std::string(name_of(e.status)), free                               ? Mark::good
+                                                     : e.status == Status::unidentified ? Mark::bad
+                                                                                        : Mark::warn}});
+  }
+  report.begin_fold("Every interval");
+  report.table({"parameter", "value", "95 % (statistical)", "95 % with lack of fit", "folds left out",
+                "other metrics", "standard error", "status"},
+               rows);
+  report.end_fold();
+}
+
+void add_correlations(io::HtmlReport& report, const FormFit& f) {
+  constexpr std::size_t kMost = 16;
+  const Correlations& c = f.correlations;
+  std::vector<std::size_t> shown;
+  for (std::size_t k = 0; k < c.names.size(); ++k) {
+    const auto e = std::find_if(f.estimates.begin(), f.estimates.end(),
+                                [&](const Estimate& estimate) { return label(estimate) == c.names[k]; });
+    if (e == f.estimates.end() || !named(f, *e).repeats) shown.push_back(k);
+  }
+  const std::size_t all = shown.size();
+  if (all < 2) return;
+  shown.resize(std::min(all, kMost));
+  report.begin_fold("Correlations of the parameters");
+  report.paragraph(
+      "Near 1 or -1 two parameters stand in for each other: only a combination of the two is known.");
+  std::vector<std::string> header{""};
+  std::vector<io::Row> rows;
+  for (const std::size_t i : shown) {
+    header.push_back(c.names[i]);
+    io::Row row{{c.names[i], Mark::none, true}};
+    for (const std::size_t j : shown) {
+      const double r = c.matrix(i, j);
+      if (i == j)
+        row.push_back({""});
+      else
+        row.push_back(
+            {io::short_number(std::round(100 * r) / 100, 3), std::abs(r) > 0.95 ? Mark::warn : Mark::none});
+    }
+    rows.push_back(std::move(row));
+  }
+  report.table(header, rows);
+  if (all > kMost)
+    report.paragraph("The first " + std::to_string(kMost) + " of " + std::to_string(all) +
+                     " parameters; the JSON has all.");
+  report.end_fold();
+}
+
+void add_minima(io::HtmlReport& report, const FormFit& f) {
+  report.begin_fold("Minima of the search");
+  report.paragraph("The search began at " + std::to_string(f.starts) +
+                   " places and ended at these. One minimum: the answer does not depend on the start.");
+  std::vector<io::Row> rows;
+  for (const MinimumReport& m : f.minima)
+    rows.push_back({{io::short_number(m.cost, 6)}, {std::to_string(m.basin)}, {shape_text(m.material)}});
+  report.table({"cost", "starts", "shape"}, rows);
+  report.end_fold();
+}
+
+}  // namespace
+
+void add_verdict(io::HtmlReport& report, const FitResult& result) {
+  const FormFit& best = result.ranking.front();
+  report.verdict(result.input_fault.empty() ? mark_of(best) : std::max(mark_of(best), Mark::warn),
+                 verdict_sentence(best));
+  std::vector<io::Remark> remarks = remarks_on(best);
+  if (!result.input_fault.empty())
+    remarks.insert(remarks.begin(), {Mark::warn, "The samples: " + result.input_fault + "."});
+  report.remarks(remarks);
+  if (std::string text = recommendation(result); !text.empty()) {
+    text[0] = 'R';
+    report.paragraph(text + ".");
+  }
+}
+
+void add_parameters(io::HtmlReport& report, const FormFit& fit) {
+  report.heading("Parameters");
+  const std::vector<std::string>& channels = fit.material.channels;
+  const bool one = channels.size() == 1;
+  const std::vector<std::string> weak = weakly_determined(fit);
+  io::Matrix matrix{.properties = "", .subjects = {"symbol"}, .rows = {}, .fold_notes = false};
+  matrix.subjects.push_back(one ? "value" : "all channels");
+  if (!one) matrix.subjects.insert(matrix.subjects.end(), channels.begin(), channels.end());
+  for (const Estimate& e : fit.estimates) {
+    const NamedParameter parameter = named(fit, e);
+    if (parameter.repeats) continue;
+    report.explain(parameter.plain, parameter.meaning + ".");
+    const auto is_row = [&](const io::Matrix::Property& row) {
+      return row.cells[0].text == parameter.symbol;
+    };
+    auto row = std::find_if(matrix.rows.begin(), matrix.rows.end(), is_row);
+    if (row == matrix.rows.end()) {
+      row = matrix.rows.insert(row, {parameter.plain, io::Row(matrix.subjects.size())});
+      row->cells[0] = {parameter.symbol, Mark::none, true};
+    }
+    const auto channel = std::find(channels.begin(), channels.end(), e.channel);
+    const std::size_t column =
+        one || channel == channels.end() ? 1 : 2 + std::size_t(channel - channels.begin());
+    row->cells[column] = value_cell(fit, e, weak);
+  }
+  report.matrix(matrix);
+  report.paragraph(fit.lack_of_fit.beyond_scatter
+                       ? "Small: 95 % intervals with lack of fit, the form not being quite right."
+                       : "Small: 95 % intervals.");
+  add_intervals(report, fit);
+}
+
+void add_ranking(io::HtmlReport& report, const FitResult& result) {
+  if (result.ranking.size() > 1) report.heading("Every form, best first");
+  std::vector<io::Row> rows, more;
+  for (const FormFit& f : result.ranking) {
+    const RelativeErrors& errors = f.left_out ? f.left_out->errors : f.errors;
+    const auto& over = f.lack_of_fit.residual_over_scatter;
+    const auto share = [&](double x) { return Cell{f.solved() ? io::percent(x) : "-"}; };
+    rows.push_back({{f.form, Mark::none, true},
+                    {std::string(name_of(f.verdict)), mark_of_verdict(f.verdict)},
+                    {f.left_out ? io::short_number(f.left_out->value, 3) : "-"},
+                    share(errors.median),
+                    share(errors.ninth_decile),
+                    share(errors.off_by_two),
+                    {over ? times_text(*over) : "-"},
+                    {std::to_string(f.parameters)}});
+    more.push_back({{f.form, Mark::none, true},
+                    {f.lack_of_fit.worst ? to_text(f.lack_of_fit.worst->range) : "-"},
+                    {f.lack_of_fit.worst ? io::short_number(f.lack_of_fit.worst->ratio, 3) : "-"},
+                    {io::short_number(f.bic, 6)},
+                    {io::short_number(f.metrics.log, 3)},
+                    {io::short_number(f.metrics.cosine_l2, 3)},
+                    {io::short_number(f.metrics.cube_root, 3)},
+                    {io::short_number(f.metrics.log_relative, 3)}});
+  }
+  if (result.ranking.size() == 1) report.heading("Errors");
+  report.table({"form", "verdict", "left out", "median", "90 %", "off by 2", "x scatter", "parameters"}, rows,
+               rows.size() > 1);
+  report.begin_fold("Where each is worst, BIC and the four residuals");
+  report.table({"form", "worst at", "ratio there", "BIC", "log", "cosine L2", "cube root", "log-relative"},
+               more, more.size() > 1);
+  report.end_fold();
+}
+
+void add_samples(io::HtmlReport& report, const FitResult& result, const io::SampleTable& table,
+                 const FitOptions& options) {
+  report.heading("The samples");
+  std::string residual(name_of(result.metric.metric));
+  if (!result.metric.asked) residual += ", chosen: " + result.metric.reason;
+  std::vector<io::Row> rows{
+      {{"file"}, {io::file_name(table.name())}},
+      {{"channels"}, {io::joined(table.channels)}},
+      {{"fitted"},
+       {std::to_string(result.rows) + " of " + std::to_string(table.rows()) +
+        " rows, both polar angles at most " + io::short_number(options.max_theta) + " degrees"}},
+      {{"residual"}, {residual}},
+      {{"scatter"}, {scatter_text(result)}}};
+  if (options.free_scale)
+    rows.push_back({{"scale"},
+                    {"values divided by " + io::short_number(table.scale, 6) +
+                     ", which is unknown: weights are relative"}});
+  report.table({}, rows);
+}
+
+void add_workings(io::HtmlReport& report, const FitResult& result) {
+  const FormFit& best = result.ranking.front();
+  if (!result.steps.empty()) {
+    report.begin_fold("How the form was chosen, step by step");
+    for (const Step& step : result.steps) report.paragraph(in_words(step) + ".");
+    report.end_fold();
+  }
+  add_correlations(report, best);
+  add_minima(report, best);
+}
+
+}  // namespace brdf::fit

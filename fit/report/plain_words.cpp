@@ -1,0 +1,173 @@
+#include "fit/report/plain_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/assess/reported.h"
+#include "fit/model/constraints.h"
+#include "fit/report/report.h"
+#include "io/glossary.h"
+#include "io/numbers.h"
+
+namespace brdf::fit {
+namespace {
+
+using io::Mark;
+
+constexpr double kWideFactor = 4;    // of a parameter on a logarithmic scale
+constexpr double kWideShare = 0.5;   // of the value
+constexpr double kWideRange = 0.05;  // of the usual range
+
+// Where a name stands: which term, which table; none of tangent_phi, which belongs to no form.
+struct Place {
+  const ReflectanceInfo* form = nullptr;
+  const ParameterInfo* info = nullptr;
+};
+
+Place place_of(const FormFit& fit, const std::string& name) {
+  const std::size_t terms = fit.material.terms.size();
+  for (std::size_t t = 0; t < terms; ++t) {
+    const ReflectanceInfo& form = info(fit.material.terms[t].form);
+    for (const auto& table : {form.shape, form.weights})
+      for (const ParameterInfo& p : table)
+        if (name_in_sum(terms, t, p.name) == name) return {&form, &p};
+  }
+  return {nullptr, &kTangentInfo};
+}
+
+bool is_weight(Role role) {
+  return role == Role::diffuse || role == Role::specular;
+}
+
+// Both axes of the form have this value, so that one name stands for both.
+bool has_one_width(const FormFit& fit, const Estimate& e, const Place& at) {
+  if (!at.form || !at.form->anisotropic()) return false;
+  const auto [along, across] = at.form->axes();
+  const ParameterInfo &first = at.form->shape[std::size_t(along)],
+                      &second = at.form->shape[std::size_t(across)];
+  if (at.info != &first && at.info != &second) return false;
+  const ParameterInfo& other = at.info == &first ? second : first;
+  const std::string partner =
+      e.name.substr(0, e.name.size() - at.info->name.size()) + std::string(other.name);
+  return std::any_of(fit.estimates.begin(), fit.estimates.end(), [&](const Estimate& o) {
+    return o.name == partner && o.channel == e.channel && o.value == e.value && o.status == e.status &&
+           (o.status != Status::free || (o.low == e.low && o.high == e.high));
+  });
+}
+
+// The sum of all weights of an estimate's channel (of the first for what all share).
+double weights_of_channel(const FormFit& fit, const Estimate& e) {
+  double sum = 0;
+  const Material& m = fit.material;
+  const auto channel = std::find(m.channels.begin(), m.channels.end(), e.channel);
+  const std::size_t c = channel == m.channels.end() ? 0 : std::size_t(channel - m.channels.begin());
+  for (const Term& term : m.terms) {
+    const auto& table = info(term.form).weights;
+    for (std::size_t k = 0; k < table.size(); ++k)
+      if (is_weight(table[k].role)) sum += term.weights[c][k];
+  }
+  return sum;
+}
+
+bool is_weak(const FormFit& fit, const Estimate& e) {
+  if (e.status != Status::free) return false;
+  const bool wrong = fit.lack_of_fit.beyond_scatter && std::isfinite(e.with_lack_of_fit.low);
+  const Extent extent = wrong ? e.with_lack_of_fit : Extent{e.low, e.high};
+  if (!std::isfinite(extent.low)) return false;
+  const ParameterInfo& p = *place_of(fit, e.name).info;
+  if (p.log_scale) return extent.high > kWideFactor * std::max(extent.low, p.min);
+  const double range = is_weight(p.role) ? weights_of_channel(fit, e) : p.usual_max - p.min;
+  return extent.high - extent.low > 2 * std::max(kWideShare * std::abs(e.value), kWideRange * range);
+}
+
+}  // namespace
+
+Mark mark_of(const FormFit& f) {
+  if (!usable(f.verdict)) return Mark::bad;
+  const bool doubt = f.verdict != Verdict::converged || !f.findings.empty() || f.lack_of_fit.beyond_scatter ||
+                     !weakly_determined(f).empty();
+  return doubt ? Mark::warn : Mark::good;
+}
+
+std::string verdict_sentence(const FormFit& f) {
+  const std::string error = io::percent(f.median_relative_error, 2);
+  const std::string how =
+      f.lack_of_fit.beyond_scatter
+          ? f.form + " follows the samples roughly: half of them within " + error + ", more than they scatter"
+          : f.form + " describes the samples: half of them within " + error + ", no more than they scatter";
+  switch (f.verdict) {
+    case Verdict::converged:
+      return how + ".";
+    case Verdict::at_bound:
+      return how + ", with a parameter at the end of its range.";
+    case Verdict::determined:
+      return how + ". What it gives is determined, not every parameter.";
+    case Verdict::not_identifiable:
+      return f.form + " cannot be determined from these samples.";
+    case Verdict::misfit:
+      return f.form + " does not describe the samples: half of them are off by more than " + error + ".";
+    case Verdict::interrupted:
+      return "Interrupted: " + f.form + " with the best parameters so far.";
+    default:
+      return f.form + " could not be fitted.";
+  }
+}
+
+std::vector<std::string> weakly_determined(const FormFit& fit) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> weak;  // name, channels
+  for (const Estimate& e : fit.estimates) {
+    if (!is_weak(fit, e)) continue;
+    const NamedParameter parameter = named(fit, e);
+    if (parameter.repeats) continue;
+    auto at =
+        std::find_if(weak.begin(), weak.end(), [&](const auto& w) { return w.first == parameter.symbol; });
+    if (at == weak.end()) at = weak.insert(at, {parameter.symbol, {}});
+    if (!e.channel.empty()) at->second.push_back(e.channel);
+  }
+  std::vector<std::string> out;
+  for (const auto& [name, channels] : weak)
+    out.push_back(channels.empty() || fit.material.channels.size() == 1
+                      ? name
+                      : name + " (" + io::joined(channels) + ")");
+  return out;
+}
+
+std::string weakness_text(const FormFit& fit) {
+  const std::vector<std::string> weak = weakly_determined(fit);
+  return weak.empty() ? "" : "weakly determined: " + io::joined(weak);
+}
+
+std::vector<io::Remark> remarks_on(const FormFit& f) {
+  std::vector<io::Remark> remarks;
+  const Mark mark = usable(f.verdict) ? Mark::warn : Mark::bad;
+  const auto sentence = [](std::string text) {
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+  };
+  for (const std::string& finding : f.findings) remarks.push_back({mark, sentence(finding)});
+  if (const std::string weak = weakness_text(f); !weak.empty())
+    remarks.push_back({Mark::warn, sentence(weak + "; their intervals stand below")});
+  if (f.solved())
+    remarks.push_back({f.lack_of_fit.beyond_scatter ? Mark::warn : Mark::good,
+                       "Lack of fit: " + in_words(f.lack_of_fit) + "."});
+  return remarks;
+}
+
+NamedParameter named(const FormFit& fit, const Estimate& e) {
+  const Place at = place_of(fit, e.name);
+  NamedParameter out{std::string(at.info->doc), e.name, std::string(at.info->doc), false, at.info};
+  if (at.form) {
+    const bool one = has_one_width(fit, e, at);
+    out.plain = io::plain_name(*at.form, *at.info, one);
+    if (one) {
+      const std::size_t prefix = e.name.size() - at.info->name.size();
+      out.symbol = e.name.substr(0, prefix) + std::string(at.form->tied_name());
+      out.repeats = at.info == &at.form->shape[std::size_t(at.form->axes().across)];
+    }
+    if (fit.material.terms.size() > 1) out.plain += ", " + std::string(at.form->name);
+  }
+  if (!at.info->unit.empty()) out.plain += ", " + std::string(at.info->unit);
+  return out;
+}
+
+}  // namespace brdf::fit
