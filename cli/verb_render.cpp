@@ -7,6 +7,7 @@
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/json.h"
+#include "io/numbers.h"
 #include "render/job.h"
 
 namespace brdf::cli {
@@ -20,7 +21,11 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
   if (report.difference) {
     std::cout << "against " << report.other << ": relative MSE " << report.difference->rel_mse << ", PSNR "
               << report.difference->psnr << " dB, coverage mismatch "
-              << 100 * report.difference->coverage_mismatch << " %\n";
+              << 100 * report.difference->coverage_mismatch << " %";
+    if (report.difference->not_measured > 0)
+      std::cout << ", not measured " << io::short_number(100 * report.difference->not_measured, 3)
+                << " % of the surface";
+    std::cout << '\n';
   }
   for (const auto& [pass, ms] : report.passes) {
     if (times) std::cout << pass << ' ' << ms << " ms\n";
@@ -68,6 +73,7 @@ void print_json(const render::JobReport& report, const render::Job& job) {
     out["rel_mse"] = report.difference->rel_mse;
     out["psnr"] = report.difference->psnr;
     out["coverage_mismatch"] = report.difference->coverage_mismatch;
+    out["not_measured"] = report.difference->not_measured;
   }
   if (report.probe) out["probe"] = json_of(*report.probe, report);
   if (job.validation) out["validation_messages"] = report.validation_messages;
@@ -80,7 +86,7 @@ struct Options {
   std::vector<std::string> forms;
   std::vector<int> probe;
   bool json = false, times = false, split = false, no_labels = false;
-  bool parity = false, all = false, lookup_pictures = false, lobes = false;
+  bool parity = false, all = false, lookup_pictures = false, lobes = false, lobe_body = false;
   int map_size = 256;
   std::uint64_t seed = 1;
 };
@@ -120,15 +126,24 @@ void add_comparison_options(CLI::App& verb, Options& o) {
                   "PNG: picture, split (A|B), flip (B alone), difference (false colours with numbers) or "
                   "gbuffer (the seven targets and the lighting)");
   verb.add_flag("--split", o.split, "The same as --show split");
+  verb.add_option("--split-at", job.split,
+                  "With --show split: share of the width that shows A (default: through the highlight)")
+      ->check(CLI::Range(0.0f, 1.0f));
   verb.add_flag("--gbuffer", job.gbuffer, "The same as --show gbuffer; EXR: the seven targets as layers too");
   verb.add_flag("--no-labels", o.no_labels, "PNG: leave the names and numbers out");
   verb.add_option("--probe", o.probe, "Print what lies under this pixel (from the upper left): X,Y")
       ->delimiter(',')
       ->expected(2);
   verb.add_flag("--times", o.times, "Print the time of each pass");
-  verb.add_flag("--lobes", o.lobes,
-                "PNG: the polar plot of the material's lobe (with --compare FILE: of both) instead");
-  verb.add_option("--theta", job.plot_theta, "With --lobes: angle of the light in degrees (default 45)")
+  verb.add_flag(
+      "--lobes", o.lobes,
+      "PNG: the polar plot of the material's lobe instead (with --compare FILE: of both, with --measured: "
+      "with its points)");
+  verb.add_flag("--lobe3d", o.lobe_body, "PNG: the lobe as a body, with --measured with its points");
+  verb.add_option(
+          "--theta", job.plot_theta,
+          "With --lobes and --lobe3d: angle of the light in degrees (default 45; with --measured the nearest "
+          "to it that was measured)")
       ->check(CLI::Range(0.0, 90.0));
   verb.add_option("--solo", job.solo, "With --lobes: one curve alone, for instance \"A r\"");
 }
@@ -161,8 +176,8 @@ Exit run(Options& o) {
     render::write_maps(o.maps, o.map_size, o.seed, job.output);
   } else if (o.lookup_pictures) {
     render::write_lookup_pictures(job.output);
-  } else if (o.lobes) {
-    render::write_lobes(job);
+  } else if (o.lobes || o.lobe_body) {
+    render::write_lobes(job, o.lobe_body ? render::LobeView::body : render::LobeView::plane);
   } else {
     const render::JobReport report = render::run(job);
     for (const std::string& note : report.notes) std::cerr << "brdf render: " << note << '\n';
@@ -184,6 +199,8 @@ void add_render(CLI::App& app) {
       "Example: brdf render fitted.json --compare embree -o fitted.png\n"
       "         brdf render a.json --compare b.json --split -o a_and_b.png\n"
       "         brdf render a.json --compare b.json --lobes --theta 60 -o lobes.png\n"
+      "         brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
+      "         brdf render fitted.json --measured samples.csv --lobe3d --theta 30 -o lobe.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   on_run(*verb, [options] { return run(*options); });
 }

@@ -184,6 +184,13 @@ void MeasuredReflectance::eval(const ParameterValues<double>& p, const Direction
   for (std::size_t k = 0; k < d.count; ++k) out[k] = at(d.wi(k), d.wo(k)).f[p.channel];
 }
 
+std::shared_ptr<const MeasuredReflectance> likeliest(const io::SampleTable& table, const Material* fitted) {
+  auto plain = std::make_shared<const MeasuredReflectance>(table);
+  if (!fitted) return plain;
+  auto beside = std::make_shared<const MeasuredReflectance>(table, fitted);
+  return plain->variation().likelihood > beside->variation().likelihood ? plain : beside;
+}
+
 Material material_of(std::shared_ptr<const MeasuredReflectance> measured) {
   const std::vector<std::string> channels = measured->channels();
   return make_material(Reflectance(std::move(measured)), channels);

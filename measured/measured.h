@@ -71,6 +71,10 @@ class MeasuredReflectance final : public ReflectanceModel {
   std::unique_ptr<const Field> field_;
 };
 
+// Beside the fitted material, or without one: as the samples are likelier. A material that has little to do with them
+// is no help.
+std::shared_ptr<const MeasuredReflectance> likeliest(const io::SampleTable& table, const Material* fitted);
+
 // The same as a material: a term without parameters, for whoever takes materials.
 Material material_of(std::shared_ptr<const MeasuredReflectance> measured);
 

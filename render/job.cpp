@@ -4,9 +4,12 @@
 
 #include "io/error.h"
 #include "io/material_file.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "io/samples.h"
+#include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"
+#include "render/compare/lobe_points.h"
 #include "render/compare/pictures.h"
 #include "render/gpu/lookup.h"
 #include "render/scene/texture.h"
@@ -101,6 +104,10 @@ ViewState state_of(const Job& job) {
   if (job.show) state.display = named<Display>(*job.show, "--show");
   if (job.state.empty() && needs_other(state.display) && !compared(job))
     throw InputError("--show " + *job.show + " needs --compare or --measured");
+  if (job.split)
+    state.split = *job.split;
+  else if (job.state.empty())
+    state.split = split_at_highlight(state.scene, state.selected);
   if (job.plot_theta) state.plot_theta = float(*job.plot_theta);
   return state;
 }
@@ -188,6 +195,7 @@ JobReport run(const Job& job) {
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
   JobReport report;
   report.notes = colour_notes(state);
+  if (std::string note = left_out_note(state); !note.empty()) report.notes.push_back(std::move(note));
   if (!pictures.samples_note().empty()) report.notes.push_back(pictures.samples_note());
   if (with_other) {
     report.other = pictures.other_name(state);
@@ -212,12 +220,38 @@ JobReport run(const Job& job) {
   return report;
 }
 
-void write_lobes(const Job& job) {
-  const ViewState state = state_of(job);
+namespace {
+
+// The table whose points are drawn, and the angle of its light: the one asked for, or the nearest to the usual one.
+std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
+  if (state.other != Other::samples || state.samples.empty()) return std::nullopt;
+  io::SampleTable table = io::read_samples(state.samples);
+  const double wanted = double(state.plot_theta), nearest = nearest_light(table, wanted);
+  if (!job.plot_theta && job.state.empty() && std::isfinite(nearest)) state.plot_theta = float(nearest);
+  if (!(std::abs(nearest - double(state.plot_theta)) <= kNearLight))
+    throw InputError(table.name() + ": has no row whose light stands within " + io::short_number(kNearLight) +
+                     " degree of --theta " + io::short_number(wanted) + "; the nearest stands at " +
+                     io::short_number(nearest));
+  return table;
+}
+
+}  // namespace
+
+void write_lobes(const Job& job, LobeView view) {
+  ViewState state = state_of(job);
   if (!is_png(job.output))
     throw InputError("-o " + job.output.string() + ": the plot's name must end in .png");
   check_output(job, state);
+  const std::optional<io::SampleTable> table = measured_lobe(job, state);
+  if (view == LobeView::body) {
+    const Object& object = state.scene.objects.at(state.selected);
+    write_png(job.output, lobe_body_picture(object.material, object.material_name, double(state.plot_theta),
+                                            table ? &*table : nullptr, job.width.value_or(640)));
+    return;
+  }
   const std::vector<LobeCurve> curves = lobe_curves(state);
+  const std::vector<LobeDot> dots =
+      table ? lobe_dots(*table, double(state.plot_theta)) : std::vector<LobeDot>{};
   int solo = state.plot_solo;
   if (job.solo) {
     std::string known;
@@ -227,7 +261,7 @@ void write_lobes(const Job& job) {
     }
     if (solo < 0) throw InputError("--solo " + *job.solo + ": must be one of " + known);
   }
-  write_png(job.output, lobe_picture(curves, double(state.plot_theta), solo, job.width.value_or(640)));
+  write_png(job.output, lobe_picture(curves, double(state.plot_theta), solo, job.width.value_or(640), dots));
 }
 
 void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder) {

@@ -24,11 +24,12 @@ struct Job {
   int gbuffer_bits = 16;
   std::uint64_t memory_limit = 0;  // bytes, 0: none
   bool forward = false;
-  bool gbuffer = false;              // EXR: the seven targets as layers too
-  std::string compare;               // B: "embree", or a material's file
-  std::filesystem::path measured;    // B: a sample table, with the same lights
-  std::optional<std::string> show;   // PNG: the name of a Display
-  bool labels = true;                // PNG: names and numbers where it holds several pictures
+  bool gbuffer = false;             // EXR: the seven targets as layers too
+  std::string compare;              // B: "embree", or a material's file
+  std::filesystem::path measured;   // B: a sample table, with the same lights
+  std::optional<std::string> show;  // PNG: the name of a Display
+  std::optional<float> split;  // share of the width that shows A; none: the split cuts through the highlight
+  bool labels = true;          // PNG: names and numbers where it holds several pictures
   std::optional<glm::ivec2> probe;   // pixel whose values are wanted
   std::optional<double> plot_theta;  // lobe plot: angle of the light in degrees
   std::optional<std::string> solo;   // lobe plot: this curve alone
@@ -55,8 +56,10 @@ std::vector<std::string> colour_notes(const ViewState& state);
 // Renders and writes the output, if one is named. Throws
 // InputError or EnvironmentError; nothing is written then.
 JobReport run(const Job& job);
-// Writes the lobe plot of the job's materials (A, and B where it is a material) as PNG.
-void write_lobes(const Job& job);
+// Writes the lobe plot of the job's materials (A, and B where it is a material; measured points where it is a table) as
+// PNG: in the plane of incidence, or as a body.
+enum class LobeView { plane, body };
+void write_lobes(const Job& job, LobeView view = LobeView::plane);
 
 // Writes maps as PNG into a folder, which is made: "rusty_metal"
 // (albedo, normal, roughness, metallic) or "tiles" (albedo).

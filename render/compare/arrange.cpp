@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "io/numbers.h"
 #include "render/gpu/renderer.h"
 #include "render/picture/canvas.h"
 
@@ -18,33 +19,42 @@ BytePicture side(const Comparison& c, bool second) {
 std::string measures(const Difference& d) {
   char text[96];
   std::snprintf(text, sizeof text, "relative MSE %.3g, PSNR %.1f dB", d.rel_mse, d.psnr);
-  return text;
+  std::string words = text;
+  if (d.not_measured > 0) words += ", " + io::short_number(100 * d.not_measured, 2) + " % not measured";
+  return words;
 }
 
-// The scale of the false colours along the upper edge: 1e-6 to 1, a decade per sixth.
-void draw_scale(BytePicture& picture) {
-  const int pixels = label_pixels(picture), bar = std::max(4, pixels / 2), pad = pixels / 2;
+// The scale of the false colours along the upper edge, above a sphere that fills the picture: 1e-6 to 1, a decade per
+// sixth, or -50 to 50 %.
+void draw_scale(BytePicture& picture, Scale scale) {
+  const int pixels = std::max(9, label_pixels(picture) * 3 / 5), bar = std::max(4, pixels / 2), pad = bar / 2;
   const int width = picture.width - 2 * pad;
   if (width < 12 * pixels) return;  // no room for its numbers
-  fill(picture, {0, 0}, {picture.width, bar + 2 * pixels + pad}, {0, 0, 0}, 0.55f);
+  fill(picture, {0, 0}, {picture.width, pad + bar + 3 * pixels / 2}, {0, 0, 0}, 0.55f);
+  const bool log = scale == Scale::logarithmic;
   for (int x = 0; x < width; ++x) {
-    const float decade = -6 + 6 * (float(x) + 0.5f) / float(width);
-    const glm::vec3 color = false_color(std::pow(10.0f, decade)) * 255.0f;
+    const float along = (float(x) + 0.5f) / float(width);
+    const glm::vec3 color =
+        (log ? false_color(std::pow(10.0f, 6 * along - 6)) : signed_color(kMostSigned * (2 * along - 1))) *
+        255.0f;
     fill(picture, {pad + x, pad}, {1, bar},
          {std::uint8_t(color.r), std::uint8_t(color.g), std::uint8_t(color.b)});
   }
-  for (int k = 0; k <= 6; k += 2) {
-    const std::string text = k == 6 ? "1" : "1e-" + std::to_string(6 - k);
-    const float shift = k == 0 ? 0 : k == 6 ? 1 : 0.5f;  // the outermost stay inside
-    const float left = float(pad) + float(width) * float(k) / 6 - shift * text_width(text, pixels);
-    draw_text(picture, {left, float(pad + bar) + 1.2f * float(pixels)}, text, pixels);
+  const std::vector<std::string> words =
+      log ? std::vector<std::string>{"1e-6", "1e-4", "1e-2", "1"}
+          : std::vector<std::string>{"A darker by 50 %", "0", "A brighter by 50 %"};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const float along = float(k) / float(words.size() - 1);  // the outermost stay inside
+    const float left = float(pad) + along * (float(width) - text_width(words[k], pixels));
+    draw_text(picture, {left, float(pad + bar) + 1.15f * float(pixels)}, words[k], pixels);
   }
 }
 
 BytePicture false_colors(const Comparison& c) {
-  BytePicture out = difference_picture(*c.a, *c.b);
+  const Scale scale = c.measured ? Scale::plus_minus : Scale::logarithmic;
+  BytePicture out = difference_picture(*c.a, *c.b, scale);
   if (!c.labels) return out;
-  draw_scale(out);
+  draw_scale(out, scale);
   draw_label(out, measures(c.difference));
   return out;
 }
@@ -77,8 +87,9 @@ BytePicture arranged(const Comparison& c, Display display) {
   BytePicture left = displayed(*c.a, c.tone_map, c.exposure);
   BytePicture right = displayed(*c.b, c.tone_map, c.exposure);
   if (c.labels) {
-    draw_label(left, c.name_a, Corner::left);
-    draw_label(right, c.name_b, Corner::right);
+    const int border = int(c.split * float(left.width));
+    draw_label(left, c.name_a, Corner::left, border - 2);
+    draw_label(right, c.name_b, Corner::right, left.width - border - 2);
   }
   return split(left, right, c.split);
 }

@@ -22,12 +22,13 @@ struct Comparison {
   Difference difference;
   ToneMap tone_map = ToneMap::srgb;
   float exposure = 0;
-  float split = 0.5f;  // share of the width that shows A
+  float split = 0.5f;     // share of the width that shows A
+  bool measured = false;  // B was measured: the difference is signed, up to 50 %
   bool labels = true;
 };
 
-// split: A, a line, B; flip: B; difference: false colours,
-// with the scale and the measures where labelled; otherwise A.
+// split: A, a line, B; flip: B; difference: false colours, with the scale and the measures where labelled;
+// otherwise A. Names that do not fit beside each other lose their middle.
 BytePicture arranged(const Comparison& comparison, Display display);
 // A, B and the difference in one row.
 BytePicture beside(const Comparison& comparison);

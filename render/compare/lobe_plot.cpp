@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/numbers.h"
+#include "render/compare/lobe_points.h"
 
 namespace brdf::render {
 namespace {
@@ -20,6 +21,16 @@ std::vector<glm::vec2> half_circle(float radius) {
   std::vector<glm::vec2> points;
   for (int k = -90; k <= 90; k += 3) points.push_back(at_angle(degrees(k), radius));
   return points;
+}
+
+// Of each channel, in the order of a material's or a table's.
+std::vector<ByteColor> channel_colors(const std::vector<std::string>& channels, bool second) {
+  const auto& shades = second ? kSecond : kFirst;
+  std::vector<ByteColor> out;
+  for (std::size_t c = 0; c < channels.size(); ++c) out.push_back(shades[c % 3]);
+  if (const auto colours = io::channel_colours(channels); colours && channels.size() >= 3)
+    for (std::size_t k = 0; k < 3; ++k) out[colours->of[k]] = shades[k];
+  return out;
 }
 
 bool shown(int solo, std::size_t curve) {
@@ -39,12 +50,12 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
     eval(material, wi, direction(degrees(std::abs(theta)), degrees(theta > 0 ? 180 : 0)), f);
     for (std::size_t c = 0; c < channels; ++c) curves[c].values.push_back(float(f[c]));
   }
+  const std::vector<ByteColor> colors = channel_colors(material.channels, second);
   for (std::size_t c = 0; c < channels; ++c) {
     curves[c].name = name + " " + material.channels[c];
-    curves[c].color = (second ? kSecond : kFirst)[c % 3];
+    curves[c].channel = material.channels[c];
+    curves[c].color = colors[c];
   }
-  if (const auto colours = io::channel_colours(material.channels); colours && channels >= 3)
-    for (std::size_t k = 0; k < 3; ++k) curves[colours->of[k]].color = (second ? kSecond : kFirst)[k];
   return curves;
 }
 
@@ -56,13 +67,28 @@ std::vector<LobeCurve> lobe_curves(const ViewState& state) {
   return curves;
 }
 
-LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo) {
+std::vector<LobeDot> lobe_dots(const io::SampleTable& table, double theta_i_degrees) {
+  const std::vector<ByteColor> colors = channel_colors(table.channels, false);
+  std::vector<LobeDot> dots;
+  for (const LobePoint& point : points_in_plane(table, theta_i_degrees))
+    for (std::size_t c = 0; c < table.channels.size(); ++c)
+      dots.push_back({point.theta, float(table.values[c][point.row]), table.channels[c], colors[c]});
+  return dots;
+}
+
+LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo,
+                   const std::vector<LobeDot>& dots) {
   LobePlot plot;
   plot.largest = 1e-6f;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (!shown(solo, c)) continue;
     for (const float f : curves[c].values) plot.largest = std::max(plot.largest, f);
   }
+  const auto drawn = [&](const LobeDot& dot) {
+    return solo < 0 || std::size_t(solo) >= curves.size() || curves[std::size_t(solo)].channel == dot.channel;
+  };
+  for (const LobeDot& dot : dots)
+    if (drawn(dot)) plot.largest = std::max(plot.largest, dot.value);
   for (const float radius : {0.5f, 1.0f}) plot.paths.push_back({half_circle(radius), kGrid, 1});
   for (int angle = -90; angle <= 90; angle += 30)
     plot.paths.push_back({{{0, 0}, at_angle(degrees(angle), 1)}, kGrid, 1});
@@ -76,22 +102,30 @@ LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees,
     }
     plot.paths.push_back(std::move(path));
   }
+  for (const LobeDot& dot : dots) {
+    const float share = std::max(0.0f, dot.value) / plot.largest;
+    if (drawn(dot)) plot.dots.push_back({at_angle(degrees(dot.theta_o), std::cbrt(share)), dot.color});
+  }
   return plot;
 }
 
-BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width) {
+BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width,
+                         const std::vector<LobeDot>& dots) {
   const int pixels = std::clamp(width / 45, 9, 40), pad = 3 * pixels;
   const float radius = float(width) / 2 - float(pad);
-  BytePicture out(width, int(radius) + 2 * pad + 3 * pixels);
+  const int words = dots.empty() ? 1 : 2;  // lines of them
+  BytePicture out(width, int(radius) + 2 * pad + (1 + 2 * words) * pixels);
   fill(out, {0, 0}, {out.width, out.height}, {28, 28, 32});
   const glm::vec2 origin(float(width) / 2, float(pad) + radius);
   const auto place = [&](glm::vec2 p) { return origin + radius * glm::vec2(p.x, -p.y); };
-  const LobePlot plot = lobe_plot(curves, theta_i_degrees, solo);
+  const LobePlot plot = lobe_plot(curves, theta_i_degrees, solo, dots);
   for (const LobePath& path : plot.paths) {
     std::vector<glm::vec2> points;
     for (const glm::vec2& p : path.points) points.push_back(place(p));
     draw_path(out, points, path.width, path.color);
   }
+  const float dot_size = std::max(4.0f, float(pixels) / 3);
+  for (const LobePlot::Dot& dot : plot.dots) draw_dot(out, place(dot.at), dot_size, dot.color);
   const auto centred = [&](glm::vec2 at, const std::string& text, ByteColor color) {
     draw_text(out, at - glm::vec2(text_width(text, pixels) / 2, 0), text, pixels, color);
   };
@@ -107,7 +141,7 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
   centred({origin.x, below}, "0", kWords);
   centred({origin.x - radius / 2, below}, "f_r in 1/sr, radius its cube root", kWords);
   float left = float(pixels);
-  const float line = origin.y + 4 * float(pixels);
+  float line = origin.y + 4 * float(pixels);
   const auto word = [&](const std::string& text, ByteColor color) {
     draw_text(out, {left, line}, text, pixels, color);
     left += text_width(text, pixels) + 1.5f * float(pixels);
@@ -116,6 +150,12 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (shown(solo, c)) word(curves[c].name, curves[c].color);
   }
+  if (dots.empty()) return out;
+  left = float(pixels);
+  line += 2 * float(pixels);
+  draw_dot(out, {left, line - 0.35f * float(pixels)}, dot_size, kWords);
+  left += float(pixels);
+  word("measured, within " + io::short_number(kNearPlane, 3) + "° of the plane of incidence", kWords);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/samples.h"
 #include "render/compare/state.h"
 #include "render/picture/canvas.h"
 
@@ -14,6 +15,7 @@ namespace brdf::render {
 // Forms that diverge at 90 degrees would show nothing else there.
 struct LobeCurve {
   std::string name;
+  std::string channel;
   std::vector<float> values;
   ByteColor color{};
 };
@@ -26,6 +28,17 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
 // Of the selected object's material, and of B where it is a material.
 std::vector<LobeCurve> lobe_curves(const ViewState& state);
 
+// A measured value in the plane of incidence, by the name of its curve's channel.
+struct LobeDot {
+  double theta_o;  // degrees, mirror side positive
+  float value;     // f_r
+  std::string channel;
+  ByteColor color;
+};
+
+// The rows of a table near the plane of incidence (lobe_points.h), in the colours of the first material's channels.
+std::vector<LobeDot> lobe_dots(const io::SampleTable& table, double theta_i_degrees);
+
 // The plot as lines in the half disc of radius 1 round (0, 0), y upwards: grid, direction of the light,
 // curves. The radius is the cube root of f_r over the largest one, so that a narrow lobe leaves the diffuse
 // part visible. `solo` -1 shows all curves.
@@ -36,11 +49,19 @@ struct LobePath {
 };
 struct LobePlot {
   std::vector<LobePath> paths;
+  struct Dot {
+    glm::vec2 at;
+    ByteColor color;
+  };
+  std::vector<Dot> dots;
   float largest = 0;  // f_r at radius 1
 };
-LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo);
+// Of a curve shown alone: the dots of its channel.
+LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo,
+                   const std::vector<LobeDot>& dots = {});
 
-// The plot as a picture, with angles, values and the curves' names.
-BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width);
+// The plot as a picture, with angles, values and the curves' names; and what the dots are.
+BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width,
+                         const std::vector<LobeDot>& dots = {});
 
 }  // namespace brdf::render

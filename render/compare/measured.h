@@ -1,16 +1,15 @@
-// A sample table as a material: interpolated values where directions fall between its rows.
+// A sample table in place of a material.
 #pragma once
 
+#include "brdf/material.h"
 #include "io/samples.h"
 #include "render/reference/reference.h"
 
 namespace brdf::render {
 
-// f_r cos_i of the table: the weighted mean of the nearest rows in half vector and difference vector
-// coordinates (the surface taken as isotropic, weights falling with the squared distance, so that a row's own
-// directions return its value), in logarithms where the values are positive. Which channels are
-// red, green and blue their names say (io/channel_colours.h). Beyond the table's largest polar angle the
-// nearest rows stand for the missing ones. Throws InputError where the channels are no colours.
-Measured interpolate(const io::SampleTable& table);
+// f_r cos_i of the table, interpolated (measured/measured.h) beside a fitted material or beside each channel's mean,
+// whichever makes the samples likelier; known where the samples are near enough. Which channels are red, green and blue
+// their names say (io/channel_colours.h). Throws InputError where the channels are no colours.
+Measured interpolate(const io::SampleTable& table, const Material* fitted = nullptr);
 
 }  // namespace brdf::render

@@ -2,7 +2,6 @@
 
 #include <tuple>
 
-#include "io/samples.h"
 #include "render/reference/reference.h"
 
 namespace brdf::render {
@@ -113,10 +112,11 @@ void Pictures::update_b(const ViewState& state) {
     PreparedScene scene = prepared_;
     if (state.other == Other::samples && !state.samples.empty()) {
       if (samples_file_ != state.samples) {
-        const io::SampleTable table = io::read_samples(state.samples);
-        samples_ = interpolate(table);
+        io::SampleTable table = io::read_samples(state.samples);
+        samples_ = interpolate(table, &state.scene.objects[state.selected].material);
         const std::string note = require_colours(table.channels, table.source).note;
         samples_note_ = note.empty() ? "" : table.name() + ": " + note;
+        table_ = std::move(table);
         samples_file_ = state.samples;
       }
       options.measured = &samples_;
@@ -152,6 +152,7 @@ Comparison Pictures::comparison(const ViewState& state, bool labels) {
           .tone_map = state.scene.tone_map,
           .exposure = state.scene.exposure,
           .split = state.split,
+          .measured = state.other == Other::samples,
           .labels = labels};
 }
 

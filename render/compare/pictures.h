@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "io/samples.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
 #include "render/compare/state.h"
@@ -37,6 +38,8 @@ class Pictures {
   // The linear pictures; of B when the state's display shows it.
   const Picture& a_picture();
   const Picture& b_picture() const { return b_picture_; }
+  // The samples that were last shown, or null.
+  const io::SampleTable* samples() const { return table_ ? &*table_ : nullptr; }
   // How the samples' channels became colours, where their names do not say it.
   const std::string& samples_note() const { return samples_note_; }
   // What the window shows without the user interface, with names and numbers on it where `labels`.
@@ -61,6 +64,7 @@ class Pictures {
   Picture b_picture_;
   std::filesystem::path samples_file_;
   Measured samples_;
+  std::optional<io::SampleTable> table_;
   std::string samples_note_;
   std::optional<Scene> drawn_a_;  // what the pictures show
   std::optional<ViewState> drawn_b_;

@@ -141,7 +141,37 @@ void open_file(ViewState& state, const std::filesystem::path& file) {
     state.samples = file;
     state.other = Other::samples;
     state.display = Display::split;
+    state.split = split_at_highlight(state.scene, state.selected);
   }
+}
+
+float split_at_highlight(const Scene& scene, std::size_t object) {
+  if (scene.lights.empty() || object >= scene.objects.size()) return 0.5f;
+  const Camera& camera = scene.camera;
+  const Object& o = scene.objects[object];
+  const float radius = std::max({o.scale.x, o.scale.y, o.scale.z});
+  const Light& light = scene.lights[0];
+  glm::vec3 at = o.position;
+  for (int k = 0; k < 8; ++k) {
+    const glm::vec3 to_viewer = glm::normalize(camera.position - at);
+    const glm::vec3 to_light = glm::normalize(light.point ? light.vector - at : -light.vector);
+    const glm::vec3 sum = to_viewer + to_light;
+    if (!(glm::length(sum) > 1e-3f)) return 0.5f;
+    at = o.position + radius * glm::normalize(sum);
+  }
+  const glm::vec3 ahead = glm::normalize(camera.target - camera.position);
+  const glm::vec3 right = glm::normalize(glm::cross(ahead, camera.up));
+  const glm::vec3 offset = at - camera.position;
+  const float half =
+      std::tan(glm::radians(camera.vertical_fov) / 2) * float(camera.width) / float(camera.height);
+  const float along = glm::dot(offset, right) / (half * std::max(glm::dot(offset, ahead), 1e-3f));
+  return glm::clamp(0.5f + along / 2, 0.15f, 0.85f);
+}
+
+std::string left_out_note(const ViewState& state) {
+  const bool compared = state.display != Display::picture && state.display != Display::gbuffer;
+  if (!compared || state.other != Other::samples || state.scene.ambient == glm::vec3(0)) return "";
+  return "ambient light is left out on both sides: samples hold no value for it";
 }
 
 namespace {

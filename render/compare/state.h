@@ -39,6 +39,13 @@ ViewState load_state(const std::filesystem::path& file);
 // leaves the state as it was.
 void open_file(ViewState& state, const std::filesystem::path& file);
 
+// The share of the width at which the split cuts through the selected object's highlight: where the half vector of the
+// first light and the viewer is the normal of a unit sphere in its place. Half without a light; within 0.15 to 0.85.
+float split_at_highlight(const Scene& scene, std::size_t object);
+
+// What is not shown as it is because of what it is compared with, a sentence; empty: nothing.
+std::string left_out_note(const ViewState& state);
+
 // The term gets another form; parameters of the same name or role keep their values.
 void switch_form(Term& term, const Reflectance& form);
 

@@ -90,6 +90,18 @@ void draw_path(BytePicture& picture, const std::vector<glm::vec2>& points, float
   }
 }
 
+void draw_dot(BytePicture& picture, glm::vec2 at, float size, ByteColor color, float share) {
+  constexpr ByteColor kRim{15, 15, 18};
+  const float radius = size / 2;
+  for (int y = int(at.y - radius) - 2; y <= int(at.y + radius) + 2; ++y) {
+    for (int x = int(at.x - radius) - 2; x <= int(at.x + radius) + 2; ++x) {
+      const float d = glm::distance(at, glm::vec2(float(x) + 0.5f, float(y) + 0.5f));
+      blend(picture, x, y, kRim, share * glm::clamp(radius + 1.5f - d, 0.0f, 1.0f));
+      blend(picture, x, y, color, share * glm::clamp(radius + 0.5f - d, 0.0f, 1.0f));
+    }
+  }
+}
+
 float text_width(const std::string& text, int pixels) {
   return for_each_glyph(text, pixels, [](const FT_GlyphSlotRec&, float) {});
 }
@@ -112,10 +124,30 @@ int label_pixels(const BytePicture& picture) {
   return std::clamp(picture.height / 24, 11, 40);
 }
 
-void draw_label(BytePicture& picture, const std::string& text, Corner corner) {
-  int pixels = label_pixels(picture);
-  while (pixels > 8 && int(text_width(text, pixels)) + pixels > picture.width) --pixels;
+std::string elided(const std::string& text, int pixels, float width) {
+  if (text_width(text, pixels) <= width) return text;
+  std::vector<std::string> letters;
+  for (const char c : text) {
+    const bool more = (static_cast<unsigned char>(c) & 0xc0) == 0x80 && !letters.empty();
+    more ? letters.back() += c : letters.emplace_back(1, c);
+  }
+  for (std::size_t kept = letters.size(); kept-- > 2;) {
+    std::string shorter;
+    for (std::size_t k = 0; k < (kept + 1) / 2; ++k) shorter += letters[k];
+    shorter += "\u2026";
+    for (std::size_t k = letters.size() - kept / 2; k < letters.size(); ++k) shorter += letters[k];
+    if (text_width(shorter, pixels) <= width) return shorter;
+  }
+  return "\u2026";
+}
+
+void draw_label(BytePicture& picture, const std::string& words, Corner corner, int most) {
+  if (most <= 0) most = picture.width;
+  const int usual = label_pixels(picture), smallest = std::max(9, 2 * usual / 3);
+  int pixels = usual;
+  while (pixels > smallest && int(text_width(words, pixels)) + pixels > most) --pixels;
   const int pad = pixels / 2, height = 2 * pixels;
+  const std::string text = elided(words, pixels, float(most - 2 * pad));
   const int width = int(std::ceil(text_width(text, pixels))) + 2 * pad;
   const int left = corner == Corner::left ? 0 : picture.width - width;
   fill(picture, {left, picture.height - height}, {width, height}, {0, 0, 0}, 0.55f);

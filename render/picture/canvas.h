@@ -15,6 +15,8 @@ void blend(BytePicture& picture, int x, int y, ByteColor color, float share);
 void fill(BytePicture& picture, glm::ivec2 corner, glm::ivec2 size, ByteColor color, float share = 1);
 // Straight pieces with smooth edges, one after another.
 void draw_path(BytePicture& picture, const std::vector<glm::vec2>& points, float width, ByteColor color);
+// A disc with a dark rim; `size` across.
+void draw_dot(BytePicture& picture, glm::vec2 at, float size, ByteColor color, float share = 1);
 
 // Text in one line; bytes that are no UTF-8 show as a question mark. Throws EnvironmentError without the
 // font (fonts-dejavu-core).
@@ -22,9 +24,11 @@ float text_width(const std::string& text, int pixels);
 void draw_text(BytePicture& picture, glm::vec2 baseline, const std::string& text, int pixels,
                ByteColor color = {255, 255, 255});
 
-// White words on a dark ground in a lower corner: a picture's name.
+// The text where it is no wider, else with its middle left out.
+std::string elided(const std::string& text, int pixels, float width);
+// White words on a dark ground in a lower corner, at most `width` pixels wide (0: as the picture): a picture's name.
 enum class Corner { left, right };
-void draw_label(BytePicture& picture, const std::string& text, Corner corner = Corner::left);
+void draw_label(BytePicture& picture, const std::string& text, Corner corner = Corner::left, int width = 0);
 // The height of a label's letters: in proportion to the picture, and legible.
 int label_pixels(const BytePicture& picture);
 

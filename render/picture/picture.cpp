@@ -28,14 +28,28 @@ Picture picture_from(int width, int height, const std::vector<float>& rgba) {
   return picture;
 }
 
+namespace {
+
+// Stripes of two greys, whatever lies below.
+constexpr std::array<std::uint8_t, 3> hatching(std::size_t x, std::size_t y) {
+  const std::uint8_t grey = (x + y) % kHatchPeriod < kHatchPeriod / 2 ? 58 : 92;
+  return {grey, grey, grey};
+}
+
+}  // namespace
+
 Difference compare(const Picture& picture, const Picture& reference) {
   Difference out;
   double squared = 0, clamped = 0;
-  std::size_t covered = 0, mismatched = 0;
+  std::size_t covered = 0, mismatched = 0, unknown = 0;
   for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
     const glm::dvec4 a(picture.pixels[k]), b(reference.pixels[k]);
     if ((a.a > 0.5) != (b.a > 0.5)) ++mismatched;
     if (!(a.a > 0.5 && b.a > 0.5)) continue;
+    if (!is_measured(reference.pixels[k])) {
+      ++unknown;
+      continue;
+    }
     ++covered;
     for (int c = 0; c < 3; ++c) {
       squared += (a[c] - b[c]) * (a[c] - b[c]) / (b[c] * b[c] + kRelMseFloor);
@@ -48,6 +62,7 @@ Difference compare(const Picture& picture, const Picture& reference) {
     out.psnr = clamped > 0 ? -10 * std::log10(clamped / double(3 * covered))
                            : std::numeric_limits<double>::infinity();
   }
+  if (unknown > 0) out.not_measured = double(unknown) / double(covered + unknown);
   out.coverage_mismatch = double(mismatched) / double(picture.pixels.size());
   return out;
 }
@@ -60,7 +75,11 @@ glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure) {
 BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure) {
   BytePicture out(picture.width, picture.height);
   for (std::size_t k = 0; k < out.pixels.size(); ++k) {
-    out.pixels[k] = to_bytes(tone_mapped(glm::vec3(picture.pixels[k]), tone_map, exposure));
+    const glm::vec4& pixel = picture.pixels[k];
+    const std::size_t x = k % std::size_t(picture.width), y = k / std::size_t(picture.width);
+    out.pixels[k] = is_surface(pixel) && !is_measured(pixel)
+                        ? hatching(x, y)
+                        : to_bytes(tone_mapped(glm::vec3(pixel), tone_map, exposure));
   }
   return out;
 }
@@ -83,15 +102,28 @@ glm::vec3 false_color(float relative_difference) {
   return {c[0], c[1], c[2]};
 }
 
-BytePicture difference_picture(const Picture& picture, const Picture& reference) {
+glm::vec3 signed_color(float relative_difference) {
+  const std::array<float, 3> c = signed_color_of(relative_difference);
+  return {c[0], c[1], c[2]};
+}
+
+BytePicture difference_picture(const Picture& picture, const Picture& reference, Scale scale) {
   BytePicture out(picture.width, picture.height);
   for (std::size_t k = 0; k < out.pixels.size(); ++k) {
-    if (picture.pixels[k].a < 0.5f && reference.pixels[k].a < 0.5f) continue;
+    if (!is_surface(picture.pixels[k]) && !is_surface(reference.pixels[k])) continue;
+    if (is_surface(reference.pixels[k]) && !is_measured(reference.pixels[k])) {
+      out.pixels[k] = hatching(k % std::size_t(picture.width), k / std::size_t(picture.width));
+      continue;
+    }
     const glm::vec3 a(picture.pixels[k]), b(reference.pixels[k]);
     float worst = 0;
-    for (int c = 0; c < 3; ++c)
-      worst = std::max(worst, std::abs(a[c] - b[c]) / std::max(std::abs(b[c]), 1e-6f));
-    out.pixels[k] = to_bytes(false_color(worst));
+    if (a == b && b == glm::vec3(0)) continue;  // unlit
+    for (int c = 0; c < 3; ++c) {
+      const float relative = (a[c] - b[c]) / std::max(std::abs(b[c]), 1e-6f);
+      if (std::abs(relative) > std::abs(worst)) worst = relative;
+    }
+    out.pixels[k] =
+        to_bytes(scale == Scale::logarithmic ? false_color(std::abs(worst)) : signed_color(worst));
   }
   return out;
 }

@@ -12,7 +12,14 @@
 
 namespace brdf::render {
 
-// Linear RGBA, rows from the top. A is 1 where there is a surface.
+// Linear RGBA, rows from the top. A is 1 where there is a surface, kNotMeasured where nobody measured how it reflects.
+inline constexpr float kNotMeasured = 0.75f;
+inline bool is_surface(const glm::vec4& pixel) {
+  return pixel.a > 0.5f;
+}
+inline bool is_measured(const glm::vec4& pixel) {
+  return pixel.a > 0.9f;
+}
 struct Picture {
   int width = 0, height = 0;
   std::vector<glm::vec4> pixels;
@@ -39,6 +46,8 @@ struct Difference {
   double rel_mse = 0;            // mean over surface pixels and channels of (a - b)^2 / (b^2 + 0.01)
   double psnr = 0;               // dB, peak 1, both clamped to [0, 1]; infinite where equal
   double coverage_mismatch = 0;  // share of all pixels that only one of the two covers
+  double not_measured =
+      0;  // share of the surface pixels that is left out of these, because b is not measured
 };
 Difference compare(const Picture& picture, const Picture& reference);
 
@@ -50,7 +59,13 @@ double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
 
 // Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
 glm::vec3 false_color(float relative_difference);
-BytePicture difference_picture(const Picture& picture, const Picture& reference);
+// Of a signed one: blue -50 % and below, pale 0, red 50 % and above.
+glm::vec3 signed_color(float relative_difference);
+constexpr float kMostSigned = 0.5f;
+enum class Scale { logarithmic, plus_minus };
+// The channel that differs most, relative to the reference; hatched where that is not measured.
+BytePicture difference_picture(const Picture& picture, const Picture& reference,
+                               Scale scale = Scale::logarithmic);
 
 // The left share of one, the rest of the other, with a thin line between.
 BytePicture split(const BytePicture& left, const BytePicture& right, float share = 0.5f);

@@ -92,21 +92,24 @@ glm::vec3 sky(const Scene& scene, const glm::vec3& ray) {
   return color;
 }
 
-glm::vec3 shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
-                const Measured* measured) {
+// The value, and whether all of it is known.
+MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
+                    const Measured* measured) {
   const Scene& scene = prepared.scene;
-  glm::vec3 sum(0);
+  MeasuredValue sum(glm::vec3(0));
   for (const auto& layer : prepared.layers) {
     const Item& item = layer[hit.hit.geomID];
     if (!item.form) continue;
     const SurfaceHit s = surface_at(prepared, item, hit.hit.primID, ray);
     if (!s.front) return scene.back_color;
     const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
-    if (!measured) sum += scene.ambient * s.diffuse;
+    if (!measured) sum.f_cos += scene.ambient * s.diffuse;
     for (const Light& light : scene.lights) {
       const Lit lit = lit_by(light, s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
-      sum += lit.irradiance * (measured ? (*measured)(wi, wo) : eval_cos_at(item, s, wi, wo));
+      const MeasuredValue value = measured ? (*measured)(wi, wo) : eval_cos_at(item, s, wi, wo);
+      sum.f_cos += lit.irradiance * value.f_cos;
+      sum.known = sum.known && value.known;
     }
     if (measured) break;
   }
@@ -133,9 +136,12 @@ void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit
 Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& options) {
   Picture picture(prepared.scene.camera.width, prepared.scene.camera.height);
   for_each_pixel(prepared, options.threads, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
-    picture.at(x, y) = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID
-                           ? glm::vec4(sky(prepared.scene, ray), 0)
-                           : glm::vec4(shade(prepared, hit, ray, options.measured), 1);
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+      picture.at(x, y) = glm::vec4(sky(prepared.scene, ray), 0);
+      return;
+    }
+    const MeasuredValue value = shade(prepared, hit, ray, options.measured);
+    picture.at(x, y) = glm::vec4(value.f_cos, value.known ? 1 : kNotMeasured);
   });
   return picture;
 }

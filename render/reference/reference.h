@@ -10,13 +10,20 @@
 
 namespace brdf::render {
 
-// Value of f_r cos_i per channel for a pair of directions
-// in the surface's frame; replaces an object's material.
-using Measured = std::function<glm::vec3(const glm::vec3& wi, const glm::vec3& wo)>;
+// Value of f_r cos_i per channel for a pair of directions in the surface's frame, and whether it is known; replaces
+// an object's material.
+struct MeasuredValue {
+  glm::vec3 f_cos{0};
+  bool known = true;
+  MeasuredValue(const glm::vec3& value, bool is_known = true) : f_cos(value), known(is_known) {}
+};
+using Measured = std::function<MeasuredValue(const glm::vec3& wi, const glm::vec3& wo)>;
 
 struct ReferenceOptions {
   unsigned threads = io::all_processors();
-  const Measured* measured = nullptr;  // shades every object where set (ambient then has nothing to act on)
+  // Shades every object where set (ambient then has nothing to act on); pixels lit along directions of which it
+  // knows nothing have the alpha kNotMeasured.
+  const Measured* measured = nullptr;
 };
 
 Picture render_reference(const PreparedScene& scene, const ReferenceOptions& options = {});

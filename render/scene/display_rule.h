@@ -68,4 +68,25 @@ std::array<S, 3> false_color_of(const S& relative) {
   return color;
 }
 
+// Colour of a signed relative difference: blue at -50 % and below, pale at 0, red at 50 % and above.
+template <class S>
+std::array<S, 3> signed_color_of(const S& relative) {
+  constexpr std::array kStops{std::array{0.08, 0.24, 0.60}, std::array{0.35, 0.60, 0.85},
+                              std::array{0.93, 0.93, 0.90}, std::array{0.95, 0.55, 0.35},
+                              std::array{0.65, 0.05, 0.10}};
+  const S t = (at_most(at_least(relative * S(2), S(-1)), S(1)) + S(1)) * S(2);
+  std::array<S, 3> color;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto between = [&](std::size_t k) {
+      return mixed(S(kStops[k][c]), S(kStops[k + 1][c]), t - S(double(k)));
+    };
+    color[c] =
+        select(t < S(2), select(t < S(1), between(0), between(1)), select(t < S(3), between(2), between(3)));
+  }
+  return color;
+}
+
+// Pixels from one stripe to the next where nothing was measured.
+inline constexpr std::size_t kHatchPeriod = 8;
+
 }  // namespace brdf::render

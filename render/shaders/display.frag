@@ -11,6 +11,7 @@ layout(push_constant) uniform Push {
   float split;
   float extent;    // of the largest object: scales the position target
   int bits;        // of the targets
+  int plus_minus;  // the difference on a signed scale
 } push;
 layout(set = 0, binding = 0) uniform sampler2D pictures[2];
 layout(set = 0, binding = 1) uniform sampler2D targets[kTargetCount];
@@ -46,16 +47,23 @@ void main() {
     color = vec4(gbuffer(gl_FragCoord.xy / vec2(push.size)), 1.0);
     return;
   }
+  // Stripes of two greys where nobody measured (picture.h: kNotMeasured).
+  const vec3 hatching = vec3(((pixel.x + pixel.y) % kHatchPeriod < kHatchPeriod / 2 ? 58.0 : 92.0) / 255.0);
   const vec4 a = texelFetch(pictures[0], pixel, 0);
   const vec4 b = push.display == display_picture ? a : texelFetch(pictures[1], pixel, 0);
   if (push.display == display_difference) {
-    const vec3 relative = abs(a.rgb - b.rgb) / max(abs(b.rgb), 1e-6);
-    const bool covered = a.a > 0.5 || b.a > 0.5;
-    color = vec4(covered ? false_color(max(max(relative.r, relative.g), relative.b)) : vec3(0.0), 1.0);
+    const vec3 relative = (a.rgb - b.rgb) / max(abs(b.rgb), 1e-6), size = abs(relative);
+    const float most = max(max(size.r, size.g), size.b);
+    const float worst = size.r == most ? relative.r : size.g == most ? relative.g : relative.b;
+    const bool lit = any(notEqual(a.rgb, vec3(0.0))) || any(notEqual(b.rgb, vec3(0.0)));
+    const bool covered = lit && (a.a > 0.5 || b.a > 0.5), known = b.a < 0.5 || b.a > 0.9;
+    const vec3 scale = push.plus_minus != 0 ? signed_color(worst) : false_color(most);
+    color = vec4(covered ? known ? scale : hatching : vec3(0.0), 1.0);
     return;
   }
   const int border = int(push.split * float(push.size.x));
   const bool show_b = push.display == display_flip || (push.display == display_split && pixel.x > border);
   color = vec4(shown(show_b ? b.rgb : a.rgb), 1.0);
+  if (show_b && b.a > 0.5 && b.a < 0.9) color = vec4(hatching, 1.0);
   if (push.display == display_split && pixel.x == border) color = vec4(1.0);
 }

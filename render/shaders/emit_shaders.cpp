@@ -60,6 +60,9 @@ std::string traced_rules() {
   const auto [r, g, b] = false_color_of(in("relative"));
   text +=
       detail::glsl_function("vec3 false_color(float relative)", {r, g, b}, "return vec3(%0, %1, %2);", true);
+  const auto [plus_r, plus_g, plus_b] = signed_color_of(in("relative"));
+  text += detail::glsl_function("vec3 signed_color(float relative)", {plus_r, plus_g, plus_b},
+                                "return vec3(%0, %1, %2);", true);
   text += detail::glsl_function("float sky_color(float horizon, float zenith, float up)",
                                 {sky_color(in("horizon"), in("zenith"), in("up"))}, "return %0;", true);
   return text;
@@ -79,7 +82,7 @@ std::string layout() {
   };
   return constant("kMostLights", kMostLights) + constant("kMostItems", kMostItems) +
          constant("kMostWeights", kMostWeights) + constant("kTargetCount", kTargetCount) +
-         constant("kRemainderScale", kRemainderScale) +
+         constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", kHatchPeriod) +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          enumerators<Shading>("shading") + enumerators<ToneMap>("tone_map") +
          enumerators<Display>("display") + enumerators<Target>("target") + enumerators<TextureSlot>("map");

@@ -15,7 +15,7 @@ struct Push {  // of shaders/display.frag
   glm::ivec2 size;
   int display, tone_map;
   float gain, split, extent;
-  int bits;
+  int bits, plus_minus;
 };
 
 }  // namespace
@@ -56,7 +56,8 @@ void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, VkExt
                   std::exp2(state.scene.exposure),
                   state.split,
                   object_extent,
-                  bits};
+                  bits,
+                  state.other == Other::samples};
   vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof push, &push);
   vkCmdDraw(commands, 3, 1, 0, 0);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "render/compare/lobe_plot.h"
+#include "render/compare/lobe_points.h"
 #include "render/viewer/editors.h"
 
 namespace brdf::render {
@@ -36,8 +37,12 @@ void display_panel(ViewState& state, const PanelInfo& info) {
     const Difference& d = *info.pictures->difference();
     ImGui::Text("A against B: relative MSE %.3g, PSNR %.1f dB", d.rel_mse, d.psnr);
   }
+  if (compared && info.pictures->difference() && info.pictures->difference()->not_measured > 0)
+    ImGui::Text("hatched: not measured, %.0f %%", 100 * info.pictures->difference()->not_measured);
   if (state.display == Display::difference)
-    ImGui::TextUnformatted("blue 1e-6, green 1e-4, yellow 1e-2, red 1");
+    ImGui::TextUnformatted(state.other == Other::samples ? "A darker by 50 % blue, brighter by 50 % red"
+                                                         : "blue 1e-6, green 1e-4, yellow 1e-2, red 1");
+  if (const std::string note = left_out_note(state); !note.empty()) ImGui::TextWrapped("%s", note.c_str());
 }
 
 // Cell names of the seven targets and the two sides' labels, over the picture.
@@ -66,6 +71,10 @@ void labels(const ViewState& state, const PanelInfo& info) {
   text(size.x - ImGui::CalcTextSize(rate).x - 8, size.y - 24, rate);
 }
 
+ImU32 in_window(const ByteColor& color) {
+  return IM_COL32(color[0], color[1], color[2], 255);
+}
+
 void draw_lobes(const LobePlot& plot, float width) {
   const float radius = width / 2 - 4;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -75,14 +84,19 @@ void draw_lobes(const LobePlot& plot, float width) {
     for (const glm::vec2& p : path.points) {
       list->PathLineTo(ImVec2(corner.x + width / 2 + radius * p.x, corner.y + radius + 4 - radius * p.y));
     }
-    list->PathStroke(IM_COL32(path.color[0], path.color[1], path.color[2], 255), 0, path.width);
+    list->PathStroke(in_window(path.color), 0, path.width);
+  }
+  for (const LobePlot::Dot& dot : plot.dots) {
+    const ImVec2 at(corner.x + width / 2 + radius * dot.at.x, corner.y + radius + 4 - radius * dot.at.y);
+    list->AddCircleFilled(at, 3.5f, IM_COL32(15, 15, 18, 255));
+    list->AddCircleFilled(at, 2.5f, in_window(dot.color));
   }
   ImGui::Text("largest f_r %.4g 1/sr (radius: cube root)", double(plot.largest));
 }
 
 }  // namespace
 
-void Panels::plot(ViewState& state) {
+void Panels::plot(ViewState& state, const io::SampleTable* samples) {
   ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - 340, 8), ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize(ImVec2(332, 300), ImGuiCond_FirstUseEver);
   if (ImGui::Begin("lobes", &state.show_plot)) {
@@ -94,8 +108,18 @@ void Panels::plot(ViewState& state) {
       if (k != 3) ImGui::SameLine();  // A's channels, then B's
       ImGui::RadioButton(curves[k].name.c_str(), &state.plot_solo, int(k));
     }
-    draw_lobes(lobe_plot(curves, double(state.plot_theta), state.plot_solo),
+    const std::vector<LobeDot> dots =
+        samples ? lobe_dots(*samples, double(state.plot_theta)) : std::vector<LobeDot>{};
+    draw_lobes(lobe_plot(curves, double(state.plot_theta), state.plot_solo, dots),
                ImGui::GetContentRegionAvail().x);
+    if (!dots.empty()) {
+      ImGui::Text("dots: measured, within %.1f deg of the plane", kNearPlane);
+    } else if (samples) {
+      ImGui::Text("nothing measured within %.0f deg of this light", kNearLight);
+      ImGui::SameLine();
+      if (ImGui::SmallButton("nearest"))
+        state.plot_theta = float(nearest_light(*samples, double(state.plot_theta)));
+    }
   }
   ImGui::End();
 }
@@ -164,7 +188,7 @@ PanelRequests Panels::draw(ViewState& state, const PanelInfo& info) {
   PanelRequests requests;
   if (state.show_ui) {
     main_panel(state, info, requests);
-    if (state.show_plot) plot(state);
+    if (state.show_plot) plot(state, state.other == Other::samples ? info.pictures->samples() : nullptr);
     labels(state, info);
   }
   file_prompt(requests);

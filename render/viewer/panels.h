@@ -38,7 +38,7 @@ class Panels {
  private:
   void main_panel(ViewState& state, const PanelInfo& info, PanelRequests& requests);
   void file_prompt(PanelRequests& requests);
-  void plot(ViewState& state);
+  void plot(ViewState& state, const io::SampleTable* samples);
 
   bool open_prompt_ = false, accept_ = false;
   std::string file_name_;

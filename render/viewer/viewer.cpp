@@ -161,7 +161,8 @@ class Viewer {
         const VkExtent2D size = window_.framebuffer_size();
         if (size.width > 0 && size.height > 0) pictures_.update(state_, size);
         arrive(before);
-        say("opened " + file.string());
+        const std::string note = left_out_note(state_);
+        say("opened " + file.string() + (note.empty() ? "" : "; " + note));
       });
       if (good) continue;
       state_ = before;

@@ -7,8 +7,10 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "render/compare/arrange.h"
 #include "render/compare/measured.h"
 #include "render/job.h"
+#include "render/picture/canvas.h"
 #include "render/proof/parity.h"
 #include "render/scene/prepared.h"
 #include "render/scene/texture.h"
@@ -74,6 +76,54 @@ TEST(Picture, MeasuresKnowCoverageAndScale) {
   EXPECT_EQ(compare(a, b).rel_mse, 0);  // of the pixels that both cover
   a.pixels[1].r = 0.6f;
   EXPECT_NEAR(compare(a, b).rel_mse, 0.01 / 0.26 / 9, 1e-8);
+}
+
+TEST(Picture, WhatWasNotMeasuredIsHatchedAndLeftOut) {
+  Picture a(16, 1), b(16, 1);
+  for (std::size_t k = 0; k < 16; ++k) {
+    a.pixels[k] = glm::vec4(0.5f, 0.5f, 0.5f, 1);
+    b.pixels[k] = glm::vec4(0.5f, 0.4f, 0.5f, k < 12 ? 1 : kNotMeasured);
+  }
+  b.pixels[15] = glm::vec4(9, 9, 9, kNotMeasured);
+  const Difference d = compare(a, b);
+  EXPECT_NEAR(d.rel_mse, 0.01 / 0.17 / 3, 1e-8);
+  EXPECT_EQ(d.coverage_mismatch, 0);
+  EXPECT_EQ(d.not_measured, 0.25);
+  const BytePicture shown = displayed(b, ToneMap::srgb, 0),
+                    signs = difference_picture(a, b, Scale::plus_minus);
+  for (std::size_t k = 12; k < 16; ++k) {
+    EXPECT_EQ(shown.pixels[k], signs.pixels[k]) << k;  // stripes of grey, whatever the value
+    EXPECT_EQ(shown.pixels[k][0], shown.pixels[k][2]);
+  }
+  EXPECT_NE(shown.pixels[11], shown.pixels[12]);
+  // 25 % brighter: half way from pale to red.
+  EXPECT_GT(signs.pixels[0][0], signs.pixels[0][2]);
+  std::swap(a, b);
+  for (glm::vec4& pixel : b.pixels) pixel.a = 1;
+  const BytePicture darker = difference_picture(a, b, Scale::plus_minus);
+  EXPECT_LT(darker.pixels[0][0], darker.pixels[0][2]);
+}
+
+TEST(Picture, LabelsKeepTheirPlace) {
+  const std::string name = "A: \u00c4 very long name of a material that ends here";
+  const float width = text_width(name, 12);
+  EXPECT_EQ(elided(name, 12, width), name);
+  for (const float share : {0.9f, 0.5f, 0.2f, 0.05f}) {
+    const std::string shorter = elided(name, 12, share * width);
+    EXPECT_LE(text_width(shorter, 12), share * width);
+    EXPECT_NE(shorter.find("\u2026"), std::string::npos);
+    EXPECT_TRUE(share < 0.4f || (shorter.starts_with("A: ") && shorter.ends_with("here"))) << shorter;
+  }
+  // Two of them beside each other in a small picture: neither reaches over the line.
+  const Picture black(200, 120);
+  Comparison c{.a = &black, .b = &black, .name_a = name, .name_b = name, .split = 0.3f};
+  const BytePicture both = arranged(c, Display::split);
+  for (int y = 0; y < 120; ++y) EXPECT_EQ(both.pixels[std::size_t(y * 200 + 60)][0], 255);
+  c.name_b = "B";
+  const BytePicture other = arranged(c, Display::split);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 60; ++x)
+      EXPECT_EQ(both.pixels[std::size_t(y * 200 + x)], other.pixels[std::size_t(y * 200 + x)]);
 }
 
 TEST(Picture, RustyMetalIsSeededTileableAndPartlyRusty) {
@@ -151,40 +201,6 @@ TEST(Picture, MissingTexturesAndOutputsAreNamed) {
   EXPECT_THROW(run(job), InputError);
 }
 
-TEST(Picture, MeasuredTableReturnsItsOwnRows) {
-  io::SampleTable table;
-  table.channels = {"r", "g", "b"};
-  table.values.assign(3, {});
-  const Material material = make_material(*find_form("cook_torrance"));
-  std::vector<double> f(3);
-  for (double ti = 5; ti < 80; ti += 7.5) {
-    for (double to = 0; to < 80; to += 7.5) {
-      for (double phi = 0; phi <= 180; phi += 15) {
-        eval(material, io::unit_vector(ti, 0), io::unit_vector(to, phi), f);
-        table.add_directions(ti, 0, to, phi);
-        for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
-      }
-    }
-  }
-  const Measured measured = interpolate(table);
-  double worst_row = 0, worst_between = 0;
-  for (std::size_t k = 0; k < table.rows(); k += 13) {
-    const Vec3<double> light = io::unit_vector(table.theta_i[k], 0);
-    const Vec3<double> view = io::unit_vector(table.theta_o[k], table.phi_o[k]);
-    const glm::vec3 wi(glm::dvec3(light.x, light.y, light.z)), wo(glm::dvec3(view.x, view.y, view.z));
-    worst_row = std::max(worst_row, std::abs(double(measured(wi, wo).r) / light.z / table.values[0][k] - 1));
-    // The isotropic, reciprocal symmetries: turned together, and exchanged.
-    const glm::vec3 ti(-wi.y, wi.x, wi.z), to(-wo.y, wo.x, wo.z);
-    EXPECT_NEAR(measured(ti, to).r, measured(wi, wo).r, 2e-3f * measured(wi, wo).r);
-    const Vec3<double> tilted = io::unit_vector(table.theta_i[k] + 3, 0);
-    const glm::vec3 between(glm::dvec3(tilted.x, tilted.y, tilted.z));
-    eval(material, tilted, view, f);
-    worst_between = std::max(worst_between, std::abs(double(measured(between, wo).r) / tilted.z / f[0] - 1));
-  }
-  EXPECT_LT(worst_row, 0.01);
-  EXPECT_LT(worst_between, 0.25);
-}
-
 TEST(Picture, TheNamesOfChannelsDecideWhatIsRed) {
   Scene scene;
   scene.objects.resize(1);
@@ -203,7 +219,7 @@ TEST(Picture, TheNamesOfChannelsDecideWhatIsRed) {
   table.add_directions(30, 180, 30, 0);
   const Vec3<double> i = io::unit_vector(30, 180), o = io::unit_vector(30, 0);
   const glm::vec3 wi(glm::dvec3(i.x, i.y, i.z)), wo(glm::dvec3(o.x, o.y, o.z));
-  const glm::vec3 shown = interpolate(table)(wi, wo) / wi.z;
+  const glm::vec3 shown = interpolate(table)(wi, wo).f_cos / wi.z;
   EXPECT_NEAR(shown.r, 0.3f, 1e-5f);
   EXPECT_NEAR(shown.b, 0.1f, 1e-5f);
   ViewState state;

@@ -84,7 +84,7 @@ RgbFunction rgb_function(const io::SampleTable& table) {
   const render::Measured measured = render::interpolate(table);
   return [measured](const Vec3<double>& wi, const Vec3<double>& wo) {
     const glm::vec3 f =
-        measured({float(wi.x), float(wi.y), float(wi.z)}, {float(wo.x), float(wo.y), float(wo.z)});
+        measured({float(wi.x), float(wi.y), float(wi.z)}, {float(wo.x), float(wo.y), float(wo.z)}).f_cos;
     const double c = std::max(wi.z, 1e-6);
     return std::array<double, 3>{f.x / c, f.y / c, f.z / c};
   };
@@ -156,8 +156,8 @@ double image_error(const SceneView& view, const RgbFunction& model, const RgbFun
 RenderedPair render_both(const SceneView& view, const RgbFunction& model, const RgbFunction& reference) {
   const auto picture = [&](const RgbFunction& f) {
     const render::Measured measured = [&f](const glm::vec3& wi, const glm::vec3& wo) {
-      if (wi.z <= 0 || wo.z <= 0) return glm::vec3(0);
-      return vec(f(vec(wi), vec(wo))) * wi.z;
+      if (wi.z <= 0 || wo.z <= 0) return render::MeasuredValue(glm::vec3(0));
+      return render::MeasuredValue(vec(f(vec(wi), vec(wo))) * wi.z);
     };
     render::ReferenceOptions options;
     options.measured = &measured;
