@@ -92,7 +92,7 @@ struct Options {
 };
 
 void add_scene_options(CLI::App& verb, render::Job& job) {
-  verb.add_option("MATERIAL", job.materials, "Material JSON files, one sphere each");
+  verb.add_option("MATERIAL", job.materials, "Material JSON files, one sphere each; samples: as --measured");
   verb.add_option("--scene", job.scene, "A scene's JSON file; a MATERIAL is then put on every object");
   verb.add_option("--state", job.state, "A state that the viewer saved: the picture that it shows");
   verb.add_option("-o,--output", job.output,
@@ -201,6 +201,7 @@ void add_render(CLI::App& app) {
       "         brdf render a.json --compare b.json --lobes --theta 60 -o lobes.png\n"
       "         brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
       "         brdf render fitted.json --measured samples.csv --lobe3d --theta 30 -o lobe.png\n"
+      "         brdf render samples.csv -o samples.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   on_run(*verb, [options] { return run(*options); });
 }

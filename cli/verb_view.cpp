@@ -14,7 +14,8 @@ namespace brdf::cli {
 namespace {
 
 // A saved state, a scene, or materials; two materials are A and B.
-render::ViewState initial_state(render::Job job) {
+render::ViewState initial_state(const render::Job& given) {
+  render::Job job = render::with_samples_told(given);
   const bool two = job.scene.empty() && job.materials.size() == 2;
   if (two) {
     job.compare = job.materials[1].string();
@@ -22,12 +23,8 @@ render::ViewState initial_state(render::Job job) {
   }
   if (two || !job.measured.empty()) job.show = "split";
   if (job.scene.empty() && job.materials.empty() && job.state.empty()) {
-    // Something to begin with: a family's own form of microfacets.
-    const auto all = catalogue();
-    const auto form = std::find_if(
-        all.begin(), all.end(), [](const Reflectance& f) { return f.info().canonical && f.info().facets; });
     render::ViewState state;
-    state.scene = render::material_scene({{std::string(form->info().name), make_material(*form)}});
+    state.scene = render::material_scene({render::any_material()});
     if (!job.measured.empty()) render::open_file(state, job.measured);
     return state;
   }
@@ -44,7 +41,8 @@ void add_view(CLI::App& app) {
   auto options = std::make_shared<Options>();
   render::ViewerOptions& viewer = options->viewer;
   CLI::App* verb = app.add_subcommand("view", "Look at materials and scenes in a window");
-  verb->add_option("MATERIAL", options->job.materials, "Material JSON files: two are compared side by side");
+  verb->add_option("MATERIAL", options->job.materials,
+                   "Material JSON files: two are compared side by side; or samples");
   verb->add_option("--scene", options->job.scene, "A scene's JSON file");
   verb->add_option("--measured", options->job.measured, "A sample table to compare with");
   verb->add_option("--state", options->job.state, "A saved state to start from");

@@ -1,5 +1,6 @@
 #include "measured/coordinates.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace brdf::measured {

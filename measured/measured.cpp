@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include "io/channel_colours.h"
 #include "io/error.h"
@@ -42,6 +41,17 @@ std::vector<int> counterparts(const std::vector<std::string>& channels, const Ma
   return out;
 }
 
+// Of the values above 0; 1 where there is none.
+double geometric_mean(const std::vector<double>& values) {
+  double sum = 0, count = 0;
+  for (const double value : values) {
+    if (!(value > 0)) continue;
+    sum += std::log(value);
+    ++count;
+  }
+  return count > 0 ? std::exp(sum / count) : 1;
+}
+
 double logarithm(double ratio) {
   return std::log(std::max(ratio, kLeastRatio));
 }
@@ -51,91 +61,91 @@ double logarithm(double ratio) {
 MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Material* fitted)
     : channels_(table.channels), counterpart_(counterparts(table.channels, fitted)) {
   if (fitted) fitted_ = *fitted;
-  const std::size_t channels = channels_.size();
+  info_.name = info_.family = "measured";
+  info_.channels = channels_;
+  for (const std::vector<double>& values : table.values) level_.push_back(geometric_mean(values));
+  const Rows rows = usable_rows(table);
+  if (rows.ratios.empty() || rows.ratios[0].empty())
+    throw InputError(table.name() + ": has no rows above the horizon");
+  choose_variation(rows, io::relative_noise(table).value.value_or(0.0));
+  keep(rows);
+}
+
+MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable& table) {
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
-  level_.assign(channels, 1);
-  for (std::size_t c = 0; c < channels; ++c) {
-    double sum = 0, count = 0;
-    for (const double f : table.values[c]) {
-      if (f > 0) sum += std::log(f), ++count;
-    }
-    if (count > 0) level_[c] = std::exp(sum / count);
-  }
-  std::vector<std::size_t> rows;
-  std::vector<std::vector<double>> ratios(channels);
-  std::vector<double> f(channels);
-  std::set<double> azimuths;
+  Rows rows;
+  rows.ratios.resize(channels_.size());
+  std::vector<double> f(channels_.size());
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (d.wi_z[k] < kHorizon || d.wo_z[k] < kHorizon) continue;
     fitted_values(d.wi(k), d.wo(k), f);
     if (!std::all_of(f.begin(), f.end(), [](double v) { return v > 0; })) continue;
-    rows.push_back(k);
-    azimuths.insert(table.phi_i[k]);
-    for (std::size_t c = 0; c < channels; ++c) ratios[c].push_back(table.values[c][k] / f[c]);
+    rows.wi.push_back(d.wi(k));
+    rows.wo.push_back(d.wo(k));
+    for (std::size_t c = 0; c < f.size(); ++c) rows.ratios[c].push_back(table.values[c][k] / f[c]);
+    rows.turned = rows.turned || (table.theta_i[k] > 0 && table.phi_i[k] != table.phi_i.back());
     const auto [low, high] = std::minmax(table.theta_i[k], table.theta_o[k]);
     range_.inner = std::max(range_.inner, low);
     range_.outer = std::max(range_.outer, high);
   }
-  if (rows.empty()) throw InputError(table.name() + ": has no rows above the horizon");
+  return rows;
+}
 
-  const double noise = io::relative_noise(table).value.value_or(0.0);
-  choose_variation(d, rows, ratios, azimuths.size() > 1, noise);
-  // Rows at one place become their mean: repeated ones, and those that the symmetries make equal.
-  Scattered merged;
-  merged.values.resize(channels);
-  ratios_.resize(channels);
+// Rows at one place become their mean: repeated ones, and those that the symmetries make equal.
+void MeasuredReflectance::keep(const Rows& rows) {
   std::map<std::array<long, kDimensions>, std::size_t> cells;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Place place = place_of(d.wi(rows[k]), d.wo(rows[k]), turning_, core_);
+  std::vector<Place> places;
+  std::vector<double> count;
+  ratios_.resize(channels_.size());
+  for (std::size_t k = 0; k < rows.wi.size(); ++k) {
+    const Place at = place(rows.wi[k], rows.wo[k]);
     std::array<long, kDimensions> cell;
-    for (std::size_t j = 0; j < kDimensions; ++j) cell[j] = std::lround(place[j] / kSame);
-    const auto [found, fresh] = cells.try_emplace(cell, merged.places.size());
-    const std::size_t at = found->second;
+    for (std::size_t j = 0; j < kDimensions; ++j) cell[j] = std::lround(at[j] / kSame);
+    const auto [found, fresh] = cells.try_emplace(cell, places.size());
     if (fresh) {
-      merged.places.push_back(place);
-      merged.count.push_back(0);
-      for (std::size_t c = 0; c < channels; ++c) ratios_[c].push_back(0);
+      places.push_back(at);
+      count.push_back(0);
+      for (std::vector<double>& of_channel : ratios_) of_channel.push_back(0);
     }
-    const double n = ++merged.count[at];
-    for (std::size_t c = 0; c < channels; ++c) ratios_[c][at] += (ratios[c][k] - ratios_[c][at]) / n;
+    const std::size_t sample = found->second;
+    const double n = ++count[sample];
+    for (std::size_t c = 0; c < ratios_.size(); ++c)
+      ratios_[c][sample] += (rows.ratios[c][k] - ratios_[c][sample]) / n;
   }
   for (const std::vector<double>& of_channel : ratios_) {
     logs_.emplace_back();
     for (const double ratio : of_channel) logs_.back().push_back(logarithm(ratio));
   }
-  field_ = std::make_unique<const Field>(merged.places, merged.count, variation_);
-  info_.name = info_.family = "measured";
-  info_.channels = channels_;
+  field_ = std::make_unique<const Field>(places, std::move(count), variation_);
 }
 
-void MeasuredReflectance::choose_variation(const Directions<double>& d, const std::vector<std::size_t>& rows,
-                                           const std::vector<std::vector<double>>& ratios, bool turned,
-                                           double noise) {
+void MeasuredReflectance::choose_variation(const Rows& rows, double noise) {
   const auto longest = [](double core) {
     const double r = kLongest.theta_h / std::hypot(0.7, core);
     return Place{r, kLongest.theta_d, kLongest.sines, r};
   };
   const auto places = [&](const std::vector<std::size_t>& of, Turning turning, double core) {
     std::vector<Place> out;
-    for (const std::size_t k : of) out.push_back(place_of(d.wi(rows[k]), d.wo(rows[k]), turning, core));
+    for (const std::size_t k : of) out.push_back(place_of(rows.wi[k], rows.wo[k], turning, core));
     return out;
   };
-  std::vector<std::size_t> all(rows.size());
+  std::vector<std::size_t> all(rows.wi.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   // The same rows for all, so that likelihoods can be compared.
-  const std::vector<std::size_t> chosen = spread_out(
-      places(all, turned ? Turning::turned : Turning::isotropic, kCores[1]), longest(kCores[1]), kLearntFrom);
+  const Turning most = rows.turned ? Turning::turned : Turning::isotropic;
+  const std::vector<std::size_t> chosen =
+      spread_out(places(all, most, kCores[1]), longest(kCores[1]), kLearntFrom);
   Scattered samples;
   samples.count.assign(chosen.size(), 1);
-  for (const std::vector<double>& of_channel : ratios) {
+  for (const std::vector<double>& of_channel : rows.ratios) {
     samples.values.emplace_back();
     for (const std::size_t k : chosen) samples.values.back().push_back(logarithm(of_channel[k]));
   }
   variation_.likelihood = -HUGE_VAL;
   for (const Turning turning : {Turning::isotropic, Turning::turned}) {
-    if (turning == Turning::turned && !turned) break;
     for (const double core : kCores) {
+      if (turning == Turning::turned && !rows.turned) break;
       samples.places = places(chosen, turning, core);
       const Variation v = learn_variation(samples, longest(core), noise);
       if (v.likelihood <= variation_.likelihood) continue;
@@ -155,27 +165,39 @@ void MeasuredReflectance::fitted_values(const Vec3<double>& wi, const Vec3<doubl
 }
 
 Seen MeasuredReflectance::at(const Vec3<double>& wi, const Vec3<double>& wo) const {
-  Seen out;
-  out.f.assign(channels_.size(), 0);
-  if (!(wi.z > 0 && wo.z > 0)) return out;
-  const Field::Weights w = field_->weights_at(place_of(wi, wo, turning_, core_));
-  fitted_values(wi, wo, out.f);
-  for (std::size_t c = 0; c < out.f.size(); ++c) {
-    double log = 0, plain = 0, least = HUGE_VAL;
-    for (std::size_t k = 0; k < w.count; ++k) {
-      log += w.weight[k] * logs_[c][w.sample[k]];
-      plain += w.weight[k] * (ratios_[c][w.sample[k]] - 1);
-      least = std::min(least, ratios_[c][w.sample[k]]);
-    }
-    out.f[c] *= least > kLeastRatio ? std::exp(log) : std::max(1 + plain, 0.0);
-  }
+  if (wi.z > 0 && wo.z > 0) return seen(wi, wo, ratio_at(place(wi, wo)));
+  Seen nothing;
+  nothing.f.assign(channels_.size(), 0);
+  return nothing;
+}
+
+Ratio MeasuredReflectance::ratio_at(const Place& place) const {
+  const Field::Weights w = field_->weights_at(place);
+  Ratio out;
   out.known = w.known;
-  constexpr double kDegree = kPi / 180;
-  const double inner = std::acos(std::max(wi.z, wo.z)) / kDegree,
-               outer = std::acos(std::min(wi.z, wo.z)) / kDegree;
-  constexpr double kBeyond = 2;
-  out.measured =
-      out.known >= kLeastKnown && inner <= range_.inner + kBeyond && outer <= range_.outer + kBeyond;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    double log = 0, plain = 1, least = HUGE_VAL;
+    for (std::size_t k = 0; k < w.count; ++k) {
+      const double ratio = ratios_[c][w.sample[k]];
+      log += w.weight[k] * logs_[c][w.sample[k]];
+      plain += w.weight[k] * (ratio - 1);
+      least = std::min(least, ratio);
+    }
+    out.of.push_back(least > kLeastRatio ? std::exp(log) : std::max(plain, 0.0));
+  }
+  return out;
+}
+
+Seen MeasuredReflectance::seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const {
+  constexpr double kBeyond = 2;  // degrees
+  Seen out;
+  out.f.resize(channels_.size());
+  fitted_values(wi, wo, out.f);
+  for (std::size_t c = 0; c < out.f.size(); ++c) out.f[c] *= ratio.of[c];
+  out.known = ratio.known;
+  const auto polar = [](double cosine) { return radians(std::acos(std::min(cosine, 1.0))).degrees(); };
+  out.measured = out.known >= kLeastKnown && polar(std::max(wi.z, wo.z)) <= range_.inner + kBeyond &&
+                 polar(std::min(wi.z, wo.z)) <= range_.outer + kBeyond;
   return out;
 }
 

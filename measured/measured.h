@@ -20,6 +20,12 @@ struct Seen {
       false;  // known to kLeastKnown or more, and within the range of polar angles that was scanned
 };
 
+// Measured over fitted at a place, per channel, and how well that is known.
+struct Ratio {
+  std::vector<double> of;
+  double known = 0;
+};
+
 // Below this the samples are too far away to say what is there.
 constexpr double kLeastKnown = 0.7;
 
@@ -42,6 +48,13 @@ class MeasuredReflectance final : public ReflectanceModel {
   using ReflectanceModel::eval;
 
   Seen at(const Vec3<double>& wi, const Vec3<double>& wo) const;
+  // The same in steps: where a pair is, the ratio there, and what that makes of the pair.
+  Place place(const Vec3<double>& wi, const Vec3<double>& wo) const {
+    return place_of(wi, wo, turning_, core_);
+  }
+  Ratio ratio_at(const Place& place) const;
+  Seen seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const;
+
   const std::vector<std::string>& channels() const { return channels_; }
   // How the ratio varies, and whether azimuths are told apart.
   const Variation& variation() const { return variation_; }
@@ -54,8 +67,15 @@ class MeasuredReflectance final : public ReflectanceModel {
   const Range& range() const { return range_; }
 
  private:
-  void choose_variation(const Directions<double>& d, const std::vector<std::size_t>& rows,
-                        const std::vector<std::vector<double>>& ratios, bool turned, double noise);
+  // Rows that can be used, and measured over fitted in [channel][row].
+  struct Rows {
+    std::vector<Vec3<double>> wi, wo;
+    std::vector<std::vector<double>> ratios;
+    bool turned = false;  // the light comes from several azimuths
+  };
+  Rows usable_rows(const io::SampleTable& table);
+  void choose_variation(const Rows& rows, double noise);
+  void keep(const Rows& rows);
   void fitted_values(const Vec3<double>& wi, const Vec3<double>& wo, std::vector<double>& out) const;
 
   std::vector<std::string> channels_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "io/material_file.h"
 #include "io/numbers.h"
@@ -26,6 +27,11 @@ Enum named(const std::string& text, const std::string& option) {
 
 bool compared(const Job& job) {
   return !job.compare.empty() || !job.measured.empty();
+}
+
+// Nothing but samples.
+bool samples_alone(const Job& job) {
+  return job.materials.empty() && job.scene.empty() && job.state.empty() && !job.measured.empty();
 }
 
 bool is_png(const std::filesystem::path& file) {
@@ -84,13 +90,38 @@ bool needs_other(Display display) {
 
 }  // namespace
 
-ViewState state_of(const Job& job) {
+Job with_samples_told(Job job) {
+  std::vector<std::filesystem::path> materials;
+  for (const std::filesystem::path& file : std::exchange(job.materials, {})) {
+    // A pipe can be read once: it is taken for a material.
+    if (!std::filesystem::is_regular_file(file) || io::is_json(io::read_content(file))) {
+      materials.push_back(file);
+    } else if (job.measured.empty()) {
+      job.measured = file;
+    } else {
+      throw InputError(file.string() + ": a second table of samples beside " + job.measured.string());
+    }
+  }
+  job.materials = std::move(materials);
+  return job;
+}
+
+std::pair<std::string, Material> any_material() {
+  const auto form =
+      find_form_if([](const ReflectanceInfo& info) { return info.canonical && info.facets != nullptr; });
+  return {std::string(form->info().name), make_material(*form)};
+}
+
+ViewState state_of(const Job& given) {
+  const Job job = with_samples_told(given);
   check_usage(job);
   ViewState state;
   if (!job.state.empty()) {
     state = load_state(job.state);
   } else {
-    state.scene = scene_of(job);
+    const bool alone = samples_alone(job);
+    state.scene = alone ? material_scene({{"", any_material().second}}) : scene_of(job);
+    if (alone) state.display = Display::flip;
     state.other = job.measured.empty() ? Other::embree : Other::samples;
     state.samples = job.measured;
     if (!job.compare.empty() && job.compare != "embree") {
@@ -169,7 +200,8 @@ BytePicture bytes_of(const Texture& texture) {
 
 }  // namespace
 
-JobReport run(const Job& job) {
+JobReport run(const Job& given) {
+  const Job job = with_samples_told(given);
   ViewState state = state_of(job);
   check_output(job, state);
   // Without a display of its own, a comparison shows all it has in a row.
@@ -199,7 +231,7 @@ JobReport run(const Job& job) {
   if (!pictures.samples_note().empty()) report.notes.push_back(pictures.samples_note());
   if (with_other) {
     report.other = pictures.other_name(state);
-    report.difference = pictures.difference();
+    if (!samples_alone(job)) report.difference = pictures.difference();
   }
   if (job.probe) {
     report.probe = pixel_probe(pictures.prepared(), job.probe->x, job.probe->y);
@@ -237,7 +269,9 @@ std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
 
 }  // namespace
 
-void write_lobes(const Job& job, LobeView view) {
+void write_lobes(const Job& given, LobeView view) {
+  const Job job = with_samples_told(given);
+  if (samples_alone(job)) throw InputError("the lobe is a MATERIAL's: give one beside the samples");
   ViewState state = state_of(job);
   if (!is_png(job.output))
     throw InputError("-o " + job.output.string() + ": the plot's name must end in .png");

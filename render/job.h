@@ -49,6 +49,12 @@ struct JobReport {
   std::vector<std::string> notes;  // how channels became colours where their names do not say it
 };
 
+// The job with sample tables that stand among its materials (told by their content) as what they are compared with.
+// Throws InputError where there are two. What such a job shows without a material is the samples alone.
+Job with_samples_told(Job job);
+// A material to begin with: the catalogue's first canonical form of facets.
+std::pair<std::string, Material> any_material();
+
 // What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
 // How the channels of a state's materials became colours, a line for each material that does not say it.

@@ -199,6 +199,11 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
     dots.push_back({p.theta, p.phi, value});
     largest = std::max(largest, value);
   }
+  // An isotropic lobe is its own mirror image: the side where most was measured is turned to the eye.
+  double side = 0;
+  for (const Dot& dot : dots) side += std::sin(degrees(dot.phi).radians());
+  if (side > 0 && !is_anisotropic(material))
+    for (Dot& dot : dots) dot.phi = -dot.phi;
   const Body body = body_of(lobe, largest);
   const int pixels = std::clamp(width / 45, 9, 40);
   const Eye eye(25_deg, 28_deg);
@@ -227,7 +232,8 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
   if (dots.empty()) return std::move(canvas.picture);
   line += 1.5f * float(pixels);
   draw_dot(canvas.picture, {left + 0.3f * float(pixels), line - 0.35f * float(pixels)}, size, kDots);
-  text(2.2f * left, "measured with this light, faint behind the body", kDots);
+  text(2.2f * left,
+       "measured within " + io::short_number(kNearLight) + "° of this light, faint behind the body", kDots);
   return std::move(canvas.picture);
 }
 

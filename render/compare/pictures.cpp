@@ -144,16 +144,18 @@ const Picture& Pictures::a_picture() {
 }
 
 Comparison Pictures::comparison(const ViewState& state, bool labels) {
-  return {.a = &a_picture(),
-          .b = &b_picture_,
-          .name_a = "A: " + state.scene.objects[state.selected].material_name,
-          .name_b = "B: " + other_name(state),
-          .difference = difference_.value_or(Difference{}),
-          .tone_map = state.scene.tone_map,
-          .exposure = state.scene.exposure,
-          .split = state.split,
-          .measured = state.other == Other::samples,
-          .labels = labels};
+  return {
+      .a = &a_picture(),
+      .b = &b_picture_,
+      .name_a = "A: " + state.scene.objects[state.selected].material_name,
+      // Samples alone stand beside nothing.
+      .name_b = (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
+      .difference = difference_.value_or(Difference{}),
+      .tone_map = state.scene.tone_map,
+      .exposure = state.scene.exposure,
+      .split = state.split,
+      .measured = state.other == Other::samples,
+      .labels = labels};
 }
 
 BytePicture Pictures::capture(const ViewState& state, bool labels) {

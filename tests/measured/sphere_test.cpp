@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/fit.h"
-#include "measured/measured.h"
+#include "measured/tabulated.h"
 #include "synth/instrument.h"
 #include "tests/io/data_folder.h"
 #include "tests/measured/samples.h"
@@ -50,6 +50,23 @@ TEST(Sphere, TwoLobesAreSeenBetweenFourIncidences) {
   EXPECT_LE(hatched, 0.02 * lit);
   EXPECT_LE(of_measured, 2e-4 * (lit - hatched));
   EXPECT_GE(of_fit, 100 * of_measured);
+}
+
+TEST(Sphere, TheLatticeGivesTheSamePicture) {
+  const Material truth = lobes({{0.2, 0.3, 0.08}, {0.0, 0.6, 0.3}});
+  const io::SampleTable table = scanned(truth, {0, 20, 40, 60}, 0.02);
+  const Material one = fitted(table, {"cook_torrance"});
+  const Tabulated tabulated(likeliest(table, &one));
+  double worst = 0, otherwise = 0, lit = 0;
+  for (const Pixel& p : lit_pixels(128)) {
+    const Seen exact = tabulated.reflectance().at(p.wi, p.wo), quick = tabulated.at(p.wi, p.wo);
+    ++lit;
+    otherwise += exact.measured != quick.measured;
+    if (exact.measured) worst = std::max(worst, std::abs(quick.f[0] / exact.f[0] - 1));
+  }
+  EXPECT_LT(worst, 0.015);
+  EXPECT_GT(worst, 1e-6);
+  EXPECT_LT(otherwise, 0.01 * lit);
 }
 
 // Mean squares of the distances from their mean of the pixels above half the brightest one's value.
