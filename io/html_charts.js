@@ -24,11 +24,13 @@ const pointNames = {
       const at = chart.getDatasetMeta(k).data[j];
       return { name, x: at.x, y: at.y };
     }));
-    for (const spot of spots) taken.push([spot.x - 4, spot.y - 4, spot.x + 4, spot.y + 4]);
+    for (const [k, set] of chart.data.datasets.entries())
+      if (!set.showLine)
+        for (const { x, y } of chart.getDatasetMeta(k).data) taken.push([x - 5, y - 5, x + 5, y + 5]);
     ctx.save();
     ctx.font = "11px " + Chart.defaults.font.family;
     ctx.textBaseline = "middle";
-    ctx.fillStyle = colour("text");
+    Object.assign(ctx, { fillStyle: colour("text"), strokeStyle: colour("back"), lineWidth: 3, lineJoin: "round" });
     for (const { name, x, y } of spots) {
       const width = ctx.measureText(name).width;
       const free = [[x + 7, y], [x - 7 - width, y], [x - width / 2, y - 12], [x - width / 2, y + 12]].find(([left, middle]) => {
@@ -37,6 +39,7 @@ const pointNames = {
         return taken.every((t) => t[2] <= box[0] || t[0] >= box[2] || t[3] <= box[1] || t[1] >= box[3]);
       });
       if (!free) continue;
+      ctx.strokeText(name, free[0], free[1]);
       ctx.fillText(name, free[0], free[1]);
       taken.push([free[0], free[1] - 7, free[0] + width, free[1] + 7]);
     }
@@ -51,7 +54,7 @@ const axisOf = (log, range, edge) => ({
   grid: { color: colour("line") },
   border: { color: colour("faint") },
   ticks: {
-    color: colour("dim"),
+    color: colour("dim"), maxRotation: 0,
     ...(log ? { callback: (value) => edge && value <= edge.at * 1.001 ? edge.label
       : edge && value < edge.least ? "" : decade(value) } : {}),
   },
@@ -72,10 +75,10 @@ const datasetsOf = (plot) => plot.series.flatMap((s, k) => {
 });
 
 // The legend's sign: the line with its dash, and the shape of the points that go with it.
-const signOf = (drawn, dash, shape, width) => {
+const signOf = (drawn, fill, dash, shape, width) => {
   const sign = Object.assign(document.createElement("canvas"), { width: 34, height: 11 });
   const ctx = sign.getContext("2d");
-  Object.assign(ctx, { strokeStyle: drawn, fillStyle: drawn, lineWidth: width });
+  Object.assign(ctx, { strokeStyle: drawn, fillStyle: fill, lineWidth: width });
   if (dash) {
     ctx.setLineDash(dash);
     ctx.beginPath();
@@ -94,7 +97,7 @@ const legendOf = (chart) => chart.data.datasets.flatMap((set, k) => {
   const points = set.showLine
     ? chart.data.datasets.find((d) => !d.showLine && d.label === "" && d.borderColor === set.borderColor) : set;
   return [{ text: set.label, datasetIndex: k, hidden: !chart.isDatasetVisible(k), fontColor: colour("text"),
-    pointStyle: signOf(set.borderColor, set.showLine && set.borderDash, points?.pointStyle, set.borderWidth) }];
+    pointStyle: signOf(set.borderColor, points?.backgroundColor, set.showLine && set.borderDash, points?.pointStyle, set.borderWidth) }];
 });
 
 const chartOf = (plot, index) => {

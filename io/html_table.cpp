@@ -73,19 +73,24 @@ std::string HtmlReport::running_text(std::string_view text) {
     const std::string_view word = text.substr(at, end - at);
     const GlossaryTerm* found = glossary_term(word);
     const bool symbol = found ? found->in_text : false;
-    html += symbol && met_.insert(std::string(word)).second ? term(word) : html_escaped(word);
+    const bool first = symbol && !met_.contains(word);
+    if (first && open_folds_ == 0) met_.insert(std::string(word));
+    html += first ? term(word) : html_escaped(word);
     at = end;
   }
   return html;
 }
 
 std::string HtmlReport::cell_of(const Cell& cell, bool fold_note) {
-  std::string text = cell.code && !cell.text.empty() ? "<code>" + html_escaped(cell.text) + "</code>"
-                                                     : linked(cell.link, html_escaped(cell.text));
+  std::string text = linked(cell.link, html_escaped(cell.text));
+  if (cell.code && !cell.text.empty())
+    text = "<code>" + html_escaped(cell.text) + "</code>";
+  else if (cell.link.empty())
+    text = running_text(cell.text);
   if (!cell.png.empty()) text = linked(cell.link, image(cell.png, cell.text)) + text;
-  const std::string note =
-      cell.note.empty() ? "" : "<span class=\"note\">" + html_escaped(cell.note) + "</span>";
-  const bool fold = fold_note && !note.empty() && cell.mark != Mark::warn && cell.mark != Mark::bad;
+  const bool fold = fold_note && !cell.note.empty() && cell.mark != Mark::warn && cell.mark != Mark::bad;
+  const std::string said = fold ? html_escaped(cell.note) : running_text(cell.note);
+  const std::string note = said.empty() ? "" : "<span class=\"note\">" + said + "</span>";
   const std::string_view mark = fold ? "" : css_class(cell.mark), kind = css_class(cell);
   const std::string classes = std::string(mark) + (mark.empty() ? std::string(kind) : after_space(kind));
   if (fold)

@@ -5,11 +5,10 @@
 #include "io/html_report.h"
 #include "io/numbers.h"
 #include "io/shell.h"
+#include "trade/ledger/conclusion.h"
 
 namespace brdf::trade {
 namespace {
-
-constexpr double kLeastShown = 1e-17;  // a logarithmic axis has no 0
 
 std::string number(double x) {
   return io::short_number(x, 3);
@@ -30,93 +29,177 @@ std::vector<const LedgerRow*> rows_of(const Ledger& ledger, const std::string& q
   return rows;
 }
 
-// The front as a line whose every point has its name, what is dominated as faint points.
+// The front with its names, what is dominated as hollow circles. What is exact lies on the bottom edge.
 io::Plot front_plot(const std::string& question, const std::vector<const LedgerRow*>& rows) {
   const LedgerRow& first = *rows.front();
-  io::Plot plot{question,
-                "cost relative to " + first.exact,
-                "mean error (" + std::string(name_of(first.error.measure)) + ")",
-                {},
-                true,
-                true};
-  plot.caption =
-      "Error of " + first.quantity + " over " + first.domain + ". Exact values are drawn at 1e-17.";
+  io::Plot plot;
+  plot.title = "Error against cost";
+  plot.x_label = "cost, relative to " + first.exact;
+  plot.y_label = "mean error (" + std::string(name_of(first.error.measure)) + ") of " + first.quantity;
+  plot.log_x = plot.log_y = true;
+  plot.bottom_edge = io::BottomEdge{"exact", kExact};
+  plot.caption = "Over " + first.domain + ". Cheaper is left, more accurate is below.";
   plot.command = "brdf trade --only " + io::shell_word(question);
-  io::Series front{"front", {}, {}, io::Series::Style::faint};
+  io::Series front{"front: nothing is cheaper and as accurate", {}, {}, io::Series::Style::points};
   io::Series dominated{"dominated", {}, {}, io::Series::Style::faint_points};
   std::vector<const LedgerRow*> by_cost = rows;
-  std::stable_sort(by_cost.begin(), by_cost.end(),
-                   [](const LedgerRow* a, const LedgerRow* b) { return a->cost_ratio < b->cost_ratio; });
+  std::ranges::stable_sort(by_cost, {}, &LedgerRow::cost_ratio);
   for (const LedgerRow* row : by_cost) {
-    const double error = std::max(row->error.mean, kLeastShown);
-    if (row->dominated_by.empty()) {
-      plot.series.push_back({row->choice, {row->cost_ratio}, {error}, io::Series::Style::points});
-      front.x.push_back(row->cost_ratio);
-      front.y.push_back(error);
-    } else {
-      dominated.x.push_back(row->cost_ratio);
-      dominated.y.push_back(error);
-    }
+    io::Series& series = row->dominated_by.empty() ? front : dominated;
+    series.x.push_back(row->cost_ratio);
+    series.y.push_back(row->error.mean);
+    series.names.push_back(row->choice);
   }
-  if (front.x.size() > 1) plot.series.push_back(std::move(front));
-  if (!dominated.x.empty()) plot.series.push_back(std::move(dominated));
+  front.colour = 0;
+  io::Series line{"", front.x, front.y, io::Series::Style::faint};
+  for (io::Series* s : {&line, &dominated, &front})
+    if (!s->x.empty()) plot.series.push_back(std::move(*s));
   return plot;
+}
+
+std::string error_text(double error) {
+  return error <= kExact ? "exact" : number(error);
+}
+
+io::Cell choice_cell(const LedgerRow& row) {
+  return {.text = row.choice, .note = row.note};
+}
+
+void add_choices(io::HtmlReport& report, const std::vector<const LedgerRow*>& rows) {
+  std::vector<io::Row> cells;
+  for (const LedgerRow* row : rows)
+    cells.push_back(
+        {choice_cell(*row),
+         row->dominated_by.empty()
+             ? io::Cell{.text = "on the front", .mark = io::Mark::good}
+             : io::Cell{.text = "dominated", .mark = io::Mark::absent, .note = "by " + row->dominated_by},
+         {number(row->cost_ratio)},
+         {error_text(row->error.mean)},
+         {error_text(row->error.p99)},
+         {error_text(row->error.max)},
+         {row->image_error ? error_text(*row->image_error) : "-"}});
+  report.table({"choice", "front", "cost", "mean", "p99", "max", "image error"}, cells, true);
 }
 
 void add_question(io::HtmlReport& report, const std::string& question,
                   const std::vector<const LedgerRow*>& rows) {
+  constexpr std::size_t kMostShown = 12;
+  report.subheading(question);
+  report.paragraph(conclusion(rows));
   report.plot(front_plot(question, rows));
-  std::vector<std::vector<io::Cell>> cells;
+  std::vector<const LedgerRow*> shown = rows;
+  if (rows.size() > kMostShown)
+    std::erase_if(shown, [](const LedgerRow* row) { return !row->dominated_by.empty(); });
+  add_choices(report, shown);
+  if (shown.size() < rows.size()) {
+    report.begin_fold("All " + std::to_string(rows.size()) + " choices");
+    add_choices(report, rows);
+    report.end_fold();
+  }
+  report.begin_fold("Times, and where each is worst");
+  std::vector<io::Row> cells;
   for (const LedgerRow* row : rows)
-    cells.push_back({{row->choice, row->dominated_by.empty() ? io::Mark::good : io::Mark::none},
+    cells.push_back({{row->choice},
                      {number(row->cost.seconds * 1e9)},
-                     {number(row->cost_ratio)},
                      {io::percent(row->cost.spread)},
-                     {number(row->error.max)},
-                     {number(row->error.mean)},
-                     {number(row->error.p99)},
-                     {row->image_error ? number(*row->image_error) : "-"},
-                     {row->error.where},
-                     {row->dominated_by.empty() ? "on the front" : "dominated by " + row->dominated_by},
-                     {row->note}});
-  report.table({"choice", "ns", "cost", "spread", "max", "mean", "p99", "image", "worst at", "front", "note"},
-               cells);
+                     {.text = row->error.where, .mark = io::Mark::none}});
+  report.table({"choice", "ns", "spread", "worst at"}, cells);
+  report.end_fold();
 }
 
 void add_extremes(io::HtmlReport& report, const Ledger& ledger) {
+  std::vector<io::Row> all, far;
+  for (const LedgerRow& row : ledger.rows)
+    for (const Extreme& extreme : row.extremes) {
+      const bool warn = extreme.max > 10 * row.error.max && extreme.max > 1e-3;
+      const io::Row cells{{row.question},
+                          {row.choice},
+                          {error_text(row.error.max)},
+                          {extreme.max >= 1e30 ? "not finite" : error_text(extreme.max),
+                           warn ? io::Mark::warn : io::Mark::none},
+                          {extreme.domain}};
+      all.push_back(cells);
+      if (warn) far.push_back(cells);
+    }
+  if (all.empty()) return;
+  const std::vector<std::string> header{"question", "choice", "everyday", "extreme", "where"};
   report.heading("Extremes");
   report.paragraph(
-      "The largest error in the everyday domain, and beside it where parameters or directions are extreme.");
-  std::vector<std::vector<io::Cell>> cells;
-  for (const LedgerRow& row : ledger.rows)
-    for (const Extreme& extreme : row.extremes)
-      cells.push_back(
-          {{row.question},
-           {row.choice},
-           {number(row.error.max)},
-           {extreme.max >= 1e30 ? "not finite" : number(extreme.max),
-            extreme.max > 10 * row.error.max && extreme.max > 1e-3 ? io::Mark::warn : io::Mark::none},
-           {extreme.domain}});
-  report.table({"question", "choice", "everyday", "extreme", "where"}, cells);
+      "Where parameters or directions are extreme, these err more than ten times as much as in the everyday "
+      "domain.");
+  report.table(header, far);
+  report.begin_fold("All " + std::to_string(all.size()) + " extremes");
+  report.table(header, all, true);
+  report.end_fold();
+}
+
+std::string exact_name(const std::vector<const LedgerRow*>& rows) {
+  const std::string& name = rows.front()->exact;
+  return name == "exact" ? name : name + " (exact)";
+}
+
+// One line for each question: what to take.
+void add_summary(io::HtmlReport& report, const std::vector<std::string>& questions, const Ledger& ledger) {
+  std::vector<io::Row> cells;
+  std::size_t gained = 0;
+  for (const std::string& question : questions) {
+    const std::vector<const LedgerRow*> rows = rows_of(ledger, question);
+    const LedgerRow* best = cheapest_within(rows, 1e-2);
+    gained += best != nullptr;
+    const LedgerRow& taken = best ? *best : *rows.front();
+    cells.push_back({{question},
+                     {best ? best->choice : exact_name(rows)},
+                     {best ? number(taken.cost_ratio) : "1"},
+                     {best ? error_text(taken.error.mean) : "exact"},
+                     {best ? error_text(taken.error.max) : "exact"}});
+  }
+  report.verdict(io::Mark::none,
+                 "In " + std::to_string(gained) + " of " + std::to_string(questions.size()) +
+                     " questions something cheaper stays within a mean error of 0.01; in the others "
+                     "take the exact way.");
+  report.heading("What to take within a mean error of 0.01");
+  report.table({"question", "choice", "cost", "mean", "max"}, cells, true);
+}
+
+// Holds, holds on a condition, does not hold.
+io::Mark mark_of(const Claim& claim) {
+  constexpr std::string_view kHolds = "holds";
+  if (!claim.verdict.starts_with(kHolds))
+    return claim.verdict.starts_with("a ") ? io::Mark::warn : io::Mark::bad;
+  return claim.verdict == kHolds ? io::Mark::good : io::Mark::warn;
+}
+
+void add_claims(io::HtmlReport& report, const Ledger& ledger) {
+  if (ledger.claims.empty()) return;
+  report.heading("The documents' claims");
+  std::vector<io::Row> cells;
+  for (const Claim& c : ledger.claims)
+    cells.push_back({{.text = c.claim, .note = c.source},
+                     {.text = c.verdict, .mark = mark_of(c), .note = c.evidence},
+                     {.text = c.question, .note = c.choice}});
+  report.table({"claim", "verdict, with the evidence", "row"}, cells);
 }
 
 }  // namespace
 
 std::string to_html(const Ledger& ledger) {
   io::HtmlReport report("Speed against accuracy");
+  report.explain("spread", "Half of the repeated runs lie within this share of the time.");
+  std::vector<std::string> all;
+  for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit)
+    for (const std::string& question : questions_of(ledger, Unit(unit))) all.push_back(question);
+  add_summary(report, all, ledger);
+  if (!ledger.left_out.empty()) report.remarks({{io::Mark::warn, ledger.left_out}});
+  report.begin_fold("How it was measured");
   report.paragraph(ledger.machine.processor + ", " + ledger.machine.compiler + ", " + ledger.machine.flags +
                    (ledger.quick ? ". A quick run: fewer points." : "."));
   report.paragraph(
       "Times are lower quartiles of interleaved runs, costs medians of pairs of neighbouring runs; cost 1 is "
-      "the exact way. A choice is dominated where another is not dearer and in no error worse.");
-  if (!ledger.left_out.empty()) report.paragraph(ledger.left_out);
-  if (!ledger.claims.empty()) {
-    report.heading("The documents' claims");
-    std::vector<std::vector<io::Cell>> cells;
-    for (const Claim& c : ledger.claims)
-      cells.push_back({{c.source}, {c.claim}, {c.verdict}, {c.evidence}, {c.question + ": " + c.choice}});
-    report.table({"source", "claim", "verdict", "evidence", "row"}, cells);
-  }
+      "the exact way. A choice is dominated where another is not dearer and in no error worse. Means up to "
+      "1e-14 are "
+      "called exact: they are the rounding of double precision.");
+  report.end_fold();
+  add_claims(report, ledger);
   for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit) {
     const std::vector<std::string> questions = questions_of(ledger, Unit(unit));
     if (questions.empty()) continue;

@@ -54,6 +54,100 @@ std::string verdict_of(const Recommendation& r) {
          " with error " + number(r.metric == "image" ? best.image_error : best.brdf_error);
 }
 
+std::string conclusion(const Recommendation& r) {
+  if (!r.chosen) {
+    const std::string sentence = verdict_of(r);
+    return char(std::toupper(static_cast<unsigned char>(sentence[0]))) + sentence.substr(1) + ".";
+  }
+  const Candidate& c = shown(r);
+  return "Enough: " + c.label() + ". Its picture is off by " + io::percent(*c.rendered_error, 2) +
+         " in the mean, at " + number(c.cost_ns) +
+         " ns per evaluation. Asked for: " + io::percent(r.tolerance, 2) +
+         (r.metric == "image" ? " of the picture." : " of the BRDF.");
+}
+
+std::vector<io::Remark> remarks_on(const Recommendation& r) {
+  std::vector<io::Remark> remarks;
+  for (const std::string& warning : r.warnings) remarks.push_back({io::Mark::warn, warning + "."});
+  return remarks;
+}
+
+// A sentence of `unneeded` is "what the scene shows: what follows"; a reader wants to know what follows.
+void add_unneeded(io::HtmlReport& report, const Recommendation& r) {
+  if (r.unneeded.empty()) return;
+  report.heading("What this scene does not need");
+  std::vector<io::Row> rows;
+  for (const std::string& sentence : r.unneeded) {
+    const std::size_t colon = sentence.rfind(": ");
+    if (colon == sentence.npos)
+      rows.push_back({{sentence}, {""}});
+    else
+      rows.push_back({{sentence.substr(colon + 2)}, {sentence.substr(0, colon)}});
+  }
+  report.table({"conclusion", "because"}, rows);
+}
+
+// Nothing else is cheaper and closer.
+bool on_front(const Recommendation& r, const Candidate& c) {
+  return std::none_of(r.candidates.begin(), r.candidates.end(), [&](const Candidate& other) {
+    return other.cost_ns < c.cost_ns && other.image_error <= c.image_error;
+  });
+}
+
+io::Plot cost_plot(const Recommendation& r) {
+  constexpr double kSamePicture = 1e-5;  // far below a step of 8 bits
+  io::Plot plot;
+  plot.title = "Error against cost";
+  plot.x_label = "ns per evaluation (" + r.costs_from + ")";
+  plot.y_label = "image error";
+  plot.log_x = plot.log_y = true;
+  plot.bottom_edge = io::BottomEdge{"same", kSamePicture};
+  plot.caption = "Cheaper is left, closer is below. Names of the others: point at them, or see the table.";
+  io::Series chosen{r.chosen ? "chosen" : "best", {}, {}, io::Series::Style::points};
+  io::Series front{"nothing is cheaper and closer", {}, {}, io::Series::Style::points};
+  io::Series others{"the others", {}, {}, io::Series::Style::faint_points};
+  chosen.colour = 1;
+  front.colour = 0;
+  double least = HUGE_VAL, most = 0;
+  for (const Candidate& c : r.candidates) {
+    io::Series& series = &c == &shown(r) ? chosen : on_front(r, c) ? front : others;
+    series.x.push_back(c.cost_ns);
+    series.y.push_back(c.image_error);
+    series.names.push_back(c.label());
+    least = std::min(least, c.cost_ns);
+    most = std::max(most, c.cost_ns);
+  }
+  for (io::Series* s : {&chosen, &front, &others})
+    if (!s->x.empty()) plot.series.push_back(std::move(*s));
+  io::Series limit{"tolerance", {least, most}, {r.tolerance, r.tolerance}, io::Series::Style::dashed};
+  limit.colour = 5;
+  if (r.metric == "image") plot.series.push_back(std::move(limit));
+  return plot;
+}
+
+// A mean beyond the mean itself is no measure any more: some direction that the scene may never show grows without limit.
+io::Cell brdf_error_cell(const Candidate& c) {
+  constexpr double kBeyondMeasure = 10;
+  if (c.brdf_error < kBeyondMeasure) return {number(c.brdf_error)};
+  return {.text = "above 10", .mark = io::Mark::warn, .note = "grows without limit in some direction"};
+}
+
+void add_candidates(io::HtmlReport& report, const Recommendation& r) {
+  report.heading("Candidates, cheapest first");
+  if (!r.measured_now.empty()) report.paragraph(r.measured_now + ".");
+  report.plot(cost_plot(r));
+  std::vector<io::Row> rows;
+  for (std::size_t k = 0; k < r.candidates.size(); ++k) {
+    const Candidate& c = r.candidates[k];
+    rows.push_back({{c.label(), r.chosen == k ? io::Mark::good : io::Mark::none},
+                    {number(c.cost_ns)},
+                    {number(c.image_error)},
+                    brdf_error_cell(c),
+                    {c.reason}});
+  }
+  report.table({"candidate", "ns", "image error", "brdf error", "why"}, rows, true);
+}
+
 }  // namespace
 
 io::Json to_json(const Recommendation& r) {
@@ -120,30 +214,16 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   render::write_png(folder / "reference.png", tone(r.reference_picture));
   render::write_png(folder / "difference.png", render::difference_picture(r.picture, r.reference_picture));
   io::HtmlReport report("What this scene requires");
-  report.verdict(r.chosen ? io::Mark::good : io::Mark::bad, verdict_of(r));
-  for (const std::string& sentence : sentences_of(r)) report.paragraph(sentence);
+  report.verdict(r.chosen ? io::Mark::good : io::Mark::bad, conclusion(r));
+  report.remarks(remarks_on(r));
   if (!material) report.paragraph(candidate.label() + " is not in the catalogue: there is no material.json.");
-  report.heading("Pictures");
-  const std::string exposed = ", exposure " + number(double(exposure)) + " stops";
-  report.picture(io::read_content(folder / "model.png").bytes, candidate.label() + exposed);
-  report.picture(io::read_content(folder / "reference.png").bytes, "The reference" + exposed);
-  report.picture(io::read_content(folder / "difference.png").bytes,
-                 "Relative difference: blue 1e-6 to red 1");
-  report.heading("Candidates, cheapest first");
-  std::vector<std::vector<io::Cell>> rows;
-  io::Plot plot{
-      "Error against cost", "ns per evaluation (" + r.costs_from + ")", "image error", {}, true, true};
-  for (std::size_t k = 0; k < r.candidates.size(); ++k) {
-    const Candidate& c = r.candidates[k];
-    rows.push_back({{c.label(), r.chosen == k ? io::Mark::good : io::Mark::none},
-                    {number(c.cost_ns)},
-                    {number(c.image_error)},
-                    {number(c.brdf_error)},
-                    {c.reason}});
-    plot.series.push_back({c.label(), {c.cost_ns}, {c.image_error}, io::Series::Style::points});
-  }
-  report.plot(plot);
-  report.table({"candidate", "ns", "image error", "brdf error", "why"}, rows);
+  const std::string exposed = "exposure " + number(double(exposure)) + " stops";
+  const auto bytes = [&](const char* name) { return io::read_content(folder / name).bytes; };
+  report.pictures({{bytes("model.png"), candidate.label(), exposed},
+                   {bytes("reference.png"), "The reference", exposed},
+                   {bytes("difference.png"), "Their relative difference", "blue 1e-6 to red 1"}});
+  add_candidates(report, r);
+  add_unneeded(report, r);
   io::write_file_atomically(folder / "report.html", report.document(io::provenance()));
 }
 

@@ -1,0 +1,36 @@
+#include "trade/ledger/conclusion.h"
+
+#include "io/numbers.h"
+
+namespace brdf::trade {
+namespace {
+
+constexpr double kCheaper = 0.95;  // of the exact way's cost: less may be chance
+
+std::string named(const LedgerRow& row) {
+  return row.choice + " at " + io::short_number(row.cost_ratio, 2) + " of the exact cost (largest error " +
+         (row.error.max <= kExact ? "none" : io::short_number(row.error.max, 2)) + ")";
+}
+
+}  // namespace
+
+const LedgerRow* cheapest_within(const std::vector<const LedgerRow*>& rows, double mean_error) {
+  const LedgerRow* best = nullptr;
+  for (const LedgerRow* row : rows)
+    if (row->choice != row->exact && row->cost.rounds > 0 && row->error.mean <= mean_error &&
+        row->cost_ratio < kCheaper && (!best || row->cost_ratio < best->cost_ratio))
+      best = row;
+  return best;
+}
+
+std::string conclusion(const std::vector<const LedgerRow*>& rows) {
+  const LedgerRow *coarse = cheapest_within(rows, 1e-2), *fine = cheapest_within(rows, 1e-4);
+  const std::string exact = rows.front()->exact;
+  if (!coarse) return "Nothing cheaper stays within a mean error of 0.01: take " + exact + ".";
+  const std::string within = "Within a mean error of 0.01 the cheapest is " + named(*coarse);
+  if (coarse == fine) return within + "; it stays within 0.0001.";
+  return within + "; within 0.0001 " + (fine ? "it is " + named(*fine) : "nothing is cheaper than " + exact) +
+         ".";
+}
+
+}  // namespace brdf::trade
