@@ -26,12 +26,23 @@ std::string glsl_vector(const Term& term, const ChannelColours& colours, std::si
   return "vec3(" + value(0) + ", " + value(1) + ", " + value(2) + ")";
 }
 
-std::string call(const Term& term, const ChannelColours& colours, const std::string& wi,
+// A call with one of the term's shapes.
+std::string call(const Term& term, const ChannelColours& colours, std::size_t shape, const std::string& wi,
                  const std::string& wo) {
   const ReflectanceInfo& form = info(term.form);
   std::string text = "brdf_eval_" + std::string(form.name) + "(" + wi + ", " + wo;
-  for (std::size_t k = 0; k < form.shape.size(); ++k) text += ", " + glsl_number(term.shape[0][k]);
+  for (std::size_t k = 0; k < form.shape.size(); ++k) text += ", " + glsl_number(term.shape[shape][k]);
   for (std::size_t k = 0; k < form.weights.size(); ++k) text += ", " + glsl_vector(term, colours, k);
+  return text + ")";
+}
+
+// The term's value of all three colours: in one call where they share a shape.
+std::string value(const Term& term, const ChannelColours& colours, const std::string& wi,
+                  const std::string& wo) {
+  if (term.shape.size() == 1) return call(term, colours, 0, wi, wo);
+  std::string text = "vec3(";
+  for (std::size_t colour = 0; colour < 3; ++colour)
+    text += (colour ? ", " : "") + call(term, colours, colours.of[colour], wi, wo) + "." + "rgb"[colour];
   return text + ")";
 }
 
@@ -44,10 +55,9 @@ std::string material_function(const Material& material) {
   std::string text = colours->note.empty() ? "" : "// " + colours->note + "\n";
   text += "vec3 brdf_material(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
   for (const Term& term : material.terms) {
-    if (term.shape.size() > 1) throw InputError("--to glsl needs one shape for all channels");
     require_red_first(term, *colours);
     if (term.tangent_phi == Angle{}) {
-      text += "  f += " + call(term, *colours, "wi", "wo") + ";\n";
+      text += "  f += " + value(term, *colours, "wi", "wo") + ";\n";
       continue;
     }
     const std::string c = glsl_number(std::cos(term.tangent_phi.radians())),
@@ -56,7 +66,7 @@ std::string material_function(const Material& material) {
       return "vec3(" + w + ".x * " + c + " + " + w + ".y * " + s + ", " + w + ".y * " + c + " - " + w +
              ".x * " + s + ", " + w + ".z)";
     };
-    text += "  f += " + call(term, *colours, turned("wi"), turned("wo")) + ";\n";
+    text += "  f += " + value(term, *colours, turned("wi"), turned("wo")) + ";\n";
   }
   return text + "  return f;\n}\n";
 }
@@ -64,17 +74,21 @@ std::string material_function(const Material& material) {
 }  // namespace
 
 std::string glsl_source(const Material& material, const GlslContent& content) {
-  std::string text = "// Written by brdf " BRDF_VERSION ": " + provenance().command +
-                     "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n";
-  if (content.whole) text += "#version 450\n";
-  text += glsl_kernels();
+  const GlslOptions options{.dialect = content.dialect};
+  const bool es = content.dialect == GlslDialect::es;
+  // In ES the version must be the first line.
+  std::string text = content.whole && es ? "#version 300 es\n" : "";
+  text += "// Written by brdf " BRDF_VERSION ": " + provenance().command +
+          "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n";
+  if (content.whole) text += es ? "precision highp float;\nprecision highp int;\n" : "#version 450\n";
+  text += glsl_kernels(options);
   std::vector<Reflectance> written;
   for (const Term& term : material.terms) {
     if (std::find(written.begin(), written.end(), term.form) != written.end()) continue;
     if (!info(term.form).has_glsl)
       throw InputError(std::string(info(term.form).name) + " cannot be written as GLSL");
     written.push_back(term.form);
-    text += term.form->glsl();
+    text += term.form->glsl(options);
   }
   if (content.material) text += material_function(material);
   if (content.whole) text += "void main() {}\n";

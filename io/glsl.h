@@ -1,4 +1,4 @@
-// Materials as shader source (GLSL 4.50, Vulkan).
+// Materials as shader source (GLSL 4.50 for Vulkan, GLSL ES 3.00 for WebGL 2).
 #pragma once
 
 #include <string>
@@ -12,10 +12,11 @@ struct GlslContent {
   bool material = true;
   // A shader that compiles as it is: #version and an empty main().
   bool whole = true;
+  GlslDialect dialect = GlslDialect::vulkan;
 };
 
-// Throws InputError where a reflectance has no GLSL, and for a material function of other than 1 or 3 channels or with
-// shapes per channel.
+// Throws InputError where a reflectance has no GLSL, and for a material function of channels that are no colours
+// (io/channel_colours.h).
 std::string glsl_source(const Material& material, const GlslContent& content = {});
 
 }  // namespace brdf::io

@@ -125,18 +125,29 @@ template <class T>
 inline T upper_half(const T& x) {
   return from_bits(to_bits(x) & precision_of<T>::upper_half);
 }
+
+// The integer n nearest to x (halves to even), |x| at most 2^10 (float: 2^7), and 2^n.
+template <class T>
+struct WholePower {
+  T n, power;
+};
+template <class T>
+inline WholePower<T> whole_power(const T& x) {
+  using P = precision_of<T>;
+  const T rounded = x + T(P::magic);
+  return {rounded - T(P::magic),
+          from_bits((to_bits(rounded) << P::mantissa_bits) + (P::exponent_bias << P::mantissa_bits))};
+}
+
 // e^x for x <= 709 (float: 88). Largest error 1.0 ulp; 0 below -690 (float: -80). NaN passes through.
 template <class T>
 inline T exp(const T& x) {
   using P = precision_of<T>;
   const T lowest(P::exp_lowest);
   const T clamped = at_most(at_least(x, lowest), T(P::exp_highest));
-  const T rounded = clamped * T(1.44269504088896340736) + T(P::magic);
-  const T n = rounded - T(P::magic);
+  const auto [n, power] = whole_power(clamped * T(1.44269504088896340736));
   const T r = (clamped - n * T(P::ln2_high)) - n * T(P::ln2_low);
   const T mantissa = T(1) + (r + r * r * polynomial(r, P::exp));
-  const auto power =
-      from_bits((to_bits(rounded) << P::mantissa_bits) + (P::exponent_bias << P::mantissa_bits));
   return select(x < lowest, T(0), mantissa * power);
 }
 

@@ -118,8 +118,16 @@ struct LobeRows {
   std::size_t stride;
 };
 
+// Vulkan's GLSL 4.50, or GLSL ES 3.00 as WebGL 2 has it. The latter knows no `precise`, and its compilers fold
+// constants that are added and subtracted; the same formula is therefore written with roundEven and exponents as
+// integers, which give the same bits.
+enum class GlslDialect { vulkan, es };
+
 struct GlslOptions {
   bool precise = true;  // false only for the negative control of the shader's proof
+  GlslDialect dialect = GlslDialect::vulkan;
+
+  bool marks_precise() const { return precise && dialect == GlslDialect::vulkan; }
 };
 
 // To be implemented by what reflects. Directions are unit

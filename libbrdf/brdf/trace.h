@@ -4,7 +4,7 @@
 // double and std:: functions at compile time, so it also checks the style that keeps forms vectorisable.
 // Constant arithmetic is folded in float; equal expressions share one temporary; every float temporary is
 // `precise`, without which Mesa folds (x + magic) - magic and results differ by up to 50 %. Then software
-// driver and float library agree bit for bit.
+// driver and float library agree bit for bit. The dialect for browsers is in GlslDialect.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,10 @@ class Trace {
     friend bool operator<(const Node& a, const Node& b) { return a.key() < b.key(); }
   };
 
+  explicit Trace(GlslDialect dialect = GlslDialect::vulkan) : dialect_(dialect) {}
+
   int add(Node node);
+  GlslDialect dialect() const { return dialect_; }
   const Node& operator[](int id) const { return nodes_[std::size_t(id)]; }
   // Statements that compute `roots`, depth first, then `result` with %0, %1, ... replaced by the roots.
   std::string statements(const std::vector<int>& roots, std::string_view result, bool precise) const;
@@ -43,6 +46,7 @@ class Trace {
   class Scope;
 
  private:
+  GlslDialect dialect_;
   std::vector<Node> nodes_;
   std::map<Node, int> known_;
 };
@@ -102,6 +106,7 @@ class Traced {
   friend Traced sqrt(Traced x);
   friend TracedBits to_bits(Traced x);
   friend Traced from_bits(TracedBits bits);
+  friend kernels::WholePower<Traced> whole_power(Traced x);
   // Kernels: traced once into GLSL functions, called here.
   friend Traced exp(Traced x);
   friend Traced log(Traced x);
@@ -140,10 +145,10 @@ P inputs(const std::string& component) {
 }
 
 template <Form F>
-std::string glsl_of(F form, bool cosine, bool precise) {
+std::string glsl_of(F form, bool cosine, const GlslOptions& options) {
   using Weights = typename F::template Weights<Traced>;
   using Shape = typename F::template Shape<Traced>;
-  Trace trace;
+  Trace trace(options.dialect);
   const Trace::Scope scope(trace);
   const auto vector = [](const std::string& v) {
     return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
@@ -160,7 +165,7 @@ std::string glsl_of(F form, bool cosine, bool precise) {
       std::string("vec3 brdf_eval_") + (cosine ? "cos_" : "") + std::string(F::name) + "(vec3 wi, vec3 wo";
   for (const auto& field : Shape::fields()) signature += ", float " + std::string(field.info.name);
   for (const auto& field : Weights::fields()) signature += ", vec3 " + std::string(field.info.name);
-  return glsl_function(signature + ")", values, "return vec3(%0, %1, %2);", precise);
+  return glsl_function(signature + ")", values, "return vec3(%0, %1, %2);", options.marks_precise());
 }
 
 }  // namespace detail
@@ -168,7 +173,7 @@ std::string glsl_of(F form, bool cosine, bool precise) {
 // A form's two functions, see ReflectanceModel::glsl.
 template <Form F>
 std::string glsl_functions(F form, const GlslOptions& options = {}) {
-  return detail::glsl_of(form, false, options.precise) + detail::glsl_of(form, true, options.precise);
+  return detail::glsl_of(form, false, options) + detail::glsl_of(form, true, options);
 }
 
 // A function that picks the reflectance by its number in a shader:

@@ -1,5 +1,6 @@
 #include "brdf/trace.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -32,6 +33,49 @@ std::optional<float> float_constant(Traced x) {
   return node.constant ? std::optional(std::bit_cast<float>(node.bits)) : std::nullopt;
 }
 
+bool is_sum(std::string_view op) {
+  return op == "+" || op == "-";
+}
+bool is_product(std::string_view op) {
+  return op == "*" || op == "/";
+}
+bool has_constant(const Trace::Node& node) {
+  return std::any_of(node.operands.begin(), node.operands.end(),
+                     [](int operand) { return Trace::current()[operand].constant; });
+}
+bool share_factor(const Trace::Node& a, const Trace::Node& b) {
+  return a.code == "*" && b.code == "*" &&
+         std::find_first_of(a.operands.begin(), a.operands.end(), b.operands.begin(), b.operands.end()) !=
+             a.operands.end();
+}
+
+TracedBits bits_op(const char* op, TracedBits a, int b) {
+  return TracedBits(add(Trace::Type::uint_type, op, {a.node(), b}));
+}
+
+// The same number, but no compiler knows: a uniform that is 0 takes part in its bits.
+Traced opaque(Traced x) {
+  const int zero = add(Trace::Type::uint_type, "brdf_zero", {});
+  return from_bits(bits_op("^", to_bits(x), zero));
+}
+
+// What the compilers of browsers rearrange, and rounding is then another: two constants that follow each
+// other, (x + 1) - 1 or 3 (2 x), become one; (a + b) - a becomes b; a factor is taken out of a b + a c.
+void keep_as_written(std::string_view op, Traced& a, Traced& b) {
+  const Trace::Node &x = Trace::current()[a.node()], &y = Trace::current()[b.node()];
+  const auto joins = [op](const Trace::Node& operand) {
+    return (is_sum(op) && is_sum(operand.code)) || (is_product(op) && is_product(operand.code));
+  };
+  const auto holds = [](const Trace::Node& node, Traced operand) {
+    return std::find(node.operands.begin(), node.operands.end(), operand.node()) != node.operands.end();
+  };
+  const bool first =
+      (joins(x) && ((y.constant && has_constant(x)) || holds(x, b))) || (is_sum(op) && share_factor(x, y));
+  const bool second = joins(y) && ((x.constant && has_constant(y)) || holds(y, a));
+  if (first) a = opaque(a);
+  if (second) b = opaque(b);
+}
+
 template <class Fold>
 Traced arithmetic(const char* op, Traced a, Traced b, Fold fold) {
   const auto x = float_constant(a), y = float_constant(b);
@@ -39,6 +83,7 @@ Traced arithmetic(const char* op, Traced a, Traced b, Fold fold) {
     const float folded = fold(*x, *y);
     if (std::isfinite(folded)) return Traced::from_node(add_float(folded));
   }
+  if (Trace::current().dialect() == GlslDialect::es) keep_as_written(op, a, b);
   return Traced::from_node(add(Trace::Type::float_type, op, {a.node(), b.node()}));
 }
 
@@ -46,10 +91,6 @@ Traced arithmetic(const char* op, Traced a, Traced b, Fold fold) {
 Traced call(const char* function, Traced x, float (*kernel)(const float&)) {
   if (const auto c = float_constant(x)) return Traced::from_node(add_float(kernel(*c)));
   return Traced::from_node(add(Trace::Type::float_type, function, {x.node()}));
-}
-
-TracedBits bits_op(const char* op, TracedBits a, int b) {
-  return TracedBits(add(Trace::Type::uint_type, op, {a.node(), b}));
 }
 
 const char* type_name(Trace::Type type) {
@@ -174,6 +215,11 @@ TracedBits to_bits(Traced x) {
 Traced from_bits(TracedBits bits) {
   return Traced::from_node(add(Trace::Type::float_type, "uintBitsToFloat", {bits.node()}));
 }
+kernels::WholePower<Traced> whole_power(Traced x) {
+  if (Trace::current().dialect() == GlslDialect::vulkan) return kernels::whole_power<Traced>(x);
+  const int n = add(Trace::Type::float_type, "roundEven", {x.node()});
+  return {Traced::from_node(n), Traced::from_node(add(Trace::Type::float_type, "brdf_power_of_two", {n}))};
+}
 Traced exp(Traced x) {
   return call("brdf_exp", x, kernels::exp<float>);
 }
@@ -205,9 +251,9 @@ namespace {
 
 // The GLSL function of a kernel with these arguments.
 template <class Kernel>
-std::string kernel_function(const char* name, bool precise, Kernel kernel,
+std::string kernel_function(const char* name, const GlslOptions& options, Kernel kernel,
                             std::vector<std::string> arguments = {"x"}) {
-  Trace trace;
+  Trace trace(options.dialect);
   const Trace::Scope scope(trace);
   std::string signature = std::string("float ") + name + "(";
   for (const std::string& argument : arguments)
@@ -219,14 +265,19 @@ std::string kernel_function(const char* name, bool precise, Kernel kernel,
     else
       return kernel(input(0), input(1));
   }();
-  return detail::glsl_function(signature + ")", {value}, "return %0;", precise);
+  return detail::glsl_function(signature + ")", {value}, "return %0;", options.marks_precise());
 }
 
 }  // namespace
 
 std::string glsl_kernels(const GlslOptions& options) {
-  const bool p = options.precise;
-  return kernel_function("brdf_exp", p, [](Traced x) { return kernels::exp(x); }) +
+  const GlslOptions& p = options;
+  const std::string power =
+      options.dialect == GlslDialect::es
+          ? "uniform highp uint brdf_zero;  // 0, as it is when nobody sets it\n"
+            "float brdf_power_of_two(float n) {\n  return uintBitsToFloat(uint(int(n) + 127) << 23u);\n}\n"
+          : "";
+  return power + kernel_function("brdf_exp", p, [](Traced x) { return kernels::exp(x); }) +
          kernel_function("brdf_log", p, [](Traced x) { return kernels::log(x); }) +
          kernel_function("brdf_log1p", p, [](Traced x, Traced rest) { return kernels::log1p(x, rest); },
                          {"x", "rest"}) +

@@ -32,6 +32,7 @@ COMMANDS = [
     "validate --form ward --form oren_nayar_full --json",
     "validate --form lambert --form phong --numerics --json",
     "export --material c.json --to glsl -o c.glsl",
+    "export --material c.json --to glsl-es -o c.es.glsl",
     "render c.json --width 96 --height 96 --compare embree --json -o c.png",
     "render w.json --width 64 --height 64 -o w.exr",
     "recommend --scene {data}/scenes/recommend_grazing.json --reference c.json --ledger {data}/ledger.json --json -o advice",

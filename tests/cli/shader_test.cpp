@@ -40,5 +40,16 @@ TEST(ExportedShader, OfAMaterialCompilesInEveryStageAndWithinAnotherShader) {
 }
 #endif
 
+TEST(ExportedShader, ForBrowsersIsWrittenInTheirDialect) {
+  TemporaryFolder folder;
+  ASSERT_EQ(run_brdf("export --form ward --set alpha_x=0.1 --to glsl-es -o m.glsl", folder.path()).exit_code,
+            0);
+  const std::string text = file_text(folder.path() / "m.glsl");
+  EXPECT_TRUE(text.starts_with("#version 300 es\n"));
+  EXPECT_THAT(text, testing::HasSubstr("precision highp float;\n"));
+  EXPECT_THAT(text, testing::HasSubstr("vec3 brdf_material(vec3 wi, vec3 wo) {"));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("precise ")));
+}
+
 }  // namespace
 }  // namespace brdf

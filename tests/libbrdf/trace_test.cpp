@@ -73,6 +73,42 @@ TEST(Glsl, EveryFloatOfEveryFormIsPrecise) {
   }
 }
 
+struct TracingForBrowsers : testing::Test {
+  Trace trace{GlslDialect::es};
+  Trace::Scope scope{trace};
+  Traced x = Traced::input("x"), y = Traced::input("y"), z = Traced::input("z");
+  bool guarded(Traced value) {
+    return trace.statements({value.node()}, "return %0;", false).find("^ brdf_zero") != std::string::npos;
+  }
+};
+
+TEST_F(TracingForBrowsers, WhatCompilersRearrangeIsHiddenFromThem) {
+  EXPECT_EQ(trace.statements({((x + Traced(1.0)) - Traced(1.0)).node()}, "return %0;", false),
+            "  float t0 = x + 1.0;\n  uint t1 = floatBitsToUint(t0);\n  uint t2 = t1 ^ brdf_zero;\n"
+            "  float t3 = uintBitsToFloat(t2);\n  float t4 = t3 - 1.0;\n  return t4;\n");
+  EXPECT_TRUE(guarded(Traced(3.0) * (Traced(2.0) * x)));
+  EXPECT_TRUE(guarded((x * Traced(2.0)) / Traced(3.0)));
+  EXPECT_TRUE(guarded((x + y) - x));
+  EXPECT_TRUE(guarded(y - (y - x)));
+  EXPECT_TRUE(guarded(x * y + z * x));
+}
+
+TEST_F(TracingForBrowsers, WhatTheyLeaveAloneStandsAsItIs) {
+  EXPECT_FALSE(guarded(x + y + z));
+  EXPECT_FALSE(guarded(Traced(2.0) * x + Traced(1.0)));
+  EXPECT_FALSE(guarded(x * y + z * z));
+  EXPECT_FALSE(guarded((x + Traced(1.0)) * Traced(2.0)));
+}
+
+TEST(GlslForBrowsers, KnowsNoPreciseAndAddsNoConstantToRound) {
+  const GlslOptions es{.dialect = GlslDialect::es};
+  const std::string kernels = glsl_kernels(es);
+  EXPECT_THAT(kernels, HasSubstr("roundEven("));
+  EXPECT_THAT(kernels, Not(HasSubstr("12582912.0")));
+  for (const Reflectance& form : catalogue())
+    EXPECT_THAT(form->glsl(es), Not(HasSubstr("precise"))) << form.info().name;
+}
+
 TEST(Glsl, ArgumentsFollowTheTables) {
   EXPECT_THAT(Reflectance(cook_torrance{})->glsl(),
               HasSubstr("vec3 brdf_eval_cos_cook_torrance(vec3 wi, vec3 wo, float alpha_x, float alpha_y, "
