@@ -1,24 +1,22 @@
 #include "io/html_markup.h"
 
 #include <array>
-#include <cstdint>
+
+#include "io/base64.h"
 
 namespace brdf::io {
 namespace {
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      group = group << 8 | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0u);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += k + j <= bytes.size() && (j < 2 || k + j - 1 < bytes.size())
-                  ? kDigits[group >> (18 - 6 * j) & 63]
-                  : '=';
+// The colours of map_colour() as a CSS gradient.
+std::string gradient(Colours colours) {
+  std::string css = "linear-gradient(90deg";
+  for (int k = 0; k <= 4; ++k) {
+    unsigned char rgb[3];
+    map_colour(k / 4.0, rgb, colours);
+    css +=
+        ", rgb(" + std::to_string(rgb[0]) + " " + std::to_string(rgb[1]) + " " + std::to_string(rgb[2]) + ")";
   }
-  return text;
+  return css + ")";
 }
 
 }  // namespace
@@ -64,6 +62,18 @@ std::string linked(std::string_view address, const std::string& html) {
 
 std::string image(std::string_view png, std::string_view alt) {
   return "<img alt=\"" + html_escaped(alt) + "\" src=\"data:image/png;base64," + base64(png) + "\">";
+}
+
+std::string colour_bar(std::string_view low, Colours colours, std::string_view high) {
+  return "<div class=\"bar\"><span>" + html_escaped(low) +
+         "</span><i style=\"background: " + gradient(colours) + "\"></i><span>" + html_escaped(high) +
+         "</span></div>";
+}
+
+std::string within_script(std::string_view json) {
+  std::string data;
+  for (const char c : json) data += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return data;
 }
 
 }  // namespace brdf::io

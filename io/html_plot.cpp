@@ -81,18 +81,6 @@ void append_ticks(std::string& html, const char* extra, const std::vector<std::s
   html += "</div>";
 }
 
-// The colours of map_colour() as a CSS gradient.
-std::string gradient(Colours colours) {
-  std::string css = "linear-gradient(90deg";
-  for (int k = 0; k <= 4; ++k) {
-    unsigned char rgb[3];
-    map_colour(k / 4.0, rgb, colours);
-    css +=
-        ", rgb(" + std::to_string(rgb[0]) + " " + std::to_string(rgb[1]) + " " + std::to_string(rgb[2]) + ")";
-  }
-  return css + ")";
-}
-
 }  // namespace
 
 std::vector<int> channel_palette(const std::vector<std::string>& channels) {
@@ -125,9 +113,8 @@ void HtmlReport::map(const HeatMap& m) {
   append_ticks(body_, " up", m.y_ticks);
   body_ += image(m.png, m.caption) + "<div class=\"x\">";
   append_ticks(body_, "", m.x_ticks);
-  body_ += running_text(m.x_label) + "</div></div><div class=\"bar\"><span>" + html_escaped(m.low) +
-           "</span><i style=\"background: " + gradient(m.colours) + "\"></i><span>" + html_escaped(m.high) +
-           "</span></div><figcaption>" + running_text(m.caption) + "</figcaption>";
+  body_ += running_text(m.x_label) + "</div></div>" + colour_bar(m.low, m.colours, m.high) + "<figcaption>" +
+           running_text(m.caption) + "</figcaption>";
   command(m.command);
   body_ += "</figure>\n";
 }

@@ -30,13 +30,6 @@ std::string chart_library() {
   return text;
 }
 
-// Text as it may stand in a script element, where "</" and "<!--" have meanings of their own.
-std::string within_script(std::string_view json) {
-  std::string data;
-  for (const char c : json) data += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return data;
-}
-
 }  // namespace
 
 void HtmlReport::heading(std::string_view text) {
@@ -105,13 +98,11 @@ void HtmlReport::raw(std::string_view html) {
 }
 
 void HtmlReport::style(std::string_view css) {
-  style_ += css;
-  style_ += '\n';
+  if (style_.find(css) == style_.npos) style_ += std::string(css) + '\n';
 }
 
 void HtmlReport::script(std::string_view js) {
-  script_ += js;
-  script_ += '\n';
+  if (script_.find(js) == script_.npos) script_ += std::string(js) + '\n';
 }
 
 void HtmlReport::footnote(std::string_view key, std::string_view text) {

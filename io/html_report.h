@@ -138,7 +138,7 @@ class HtmlReport {
   void explain(std::string term, std::string meaning);
 
   // A block of one's own: HTML as it stands, style and a script that runs after the whole page is there. Neither may
-  // refer to anything outside the file.
+  // refer to anything outside the file. Style and script stand once, however often they are given.
   void raw(std::string_view html);
   void style(std::string_view css);
   void script(std::string_view js);

@@ -4,6 +4,7 @@
 
 #include "io/glossary.h"
 #include "io/numbers.h"
+#include "io/sphere/page.h"
 #include "validate/check_words.h"
 #include "validate/report.h"
 #include "validate/report_plots.h"
@@ -87,6 +88,15 @@ void add_pictures(io::HtmlReport& report, const ReportContent& content) {
   if (!row.empty()) report.pictures(row);
 }
 
+// One of each subject; a page of many has none, since each brings a shader and a picture.
+void add_spheres(io::HtmlReport& report, const ReportContent& content) {
+  constexpr std::size_t kMost = 6;
+  if (content.subjects.size() > kMost) return;
+  for (const Subject& s : content.subjects)
+    if (const Material m = s.own(); io::sphere::obstacle(m).empty())
+      io::sphere::add(report, {.title = io::file_name(s.name()), .fitted = m});
+}
+
 bool shows_command(const Finding& f) {
   return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
 }
@@ -126,6 +136,7 @@ std::string to_html(const ReportContent& content) {
   io::HtmlReport report("Validation of " + what);
   report.verdict(mark_of(content.findings), summary(content.findings));
   add_pictures(report, content);
+  add_spheres(report, content);
   std::vector<Finding> of_subjects, of_tables = content.findings;
   for (const Subject& subject : content.subjects) {
     const std::vector<Finding> own = findings_of(content.findings, subject.name());

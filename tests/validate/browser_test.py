@@ -18,7 +18,7 @@ PROBE = """(async () => {
   const ground = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).map(Number);
   const brightness = (r, g, b) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
   const back = brightness(...ground);
-  const canvases = [...document.querySelectorAll("canvas")].map(canvas => {
+  const canvases = [...document.querySelectorAll("canvas[id]")].map(canvas => {
     const box = canvas.getBoundingClientRect();
     const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
     let drawn = 0, clear = 0;
@@ -132,7 +132,7 @@ def main():
     executable, name, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    with Browser(name) as browser:
+    with Browser(name, "--use-angle=swiftshader", "--enable-unsafe-swiftshader") as browser:
         check_the_probe(browser, folder)
         for path in make_pages(executable, folder):
             check_page(browser, folder, path)

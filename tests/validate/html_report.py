@@ -40,6 +40,11 @@ class Document(html.parser.HTMLParser):
                 if name == tag and (css_class is None or css_class in (attrs.get("class") or "").split())]
 
 
+def charts_of(document):
+    """The canvases of plots; those of spheres have no name."""
+    return [k for k in document.places("canvas") if "id" in document.elements[k][1]]
+
+
 def plots_of(text):
     return json.loads(PLOTS.search(text).group(1))
 

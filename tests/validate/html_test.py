@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 
-from html_report import Document, make_reports, plots_of
+from html_report import Document, charts_of, make_reports, plots_of
 
 OUTSIDE = re.compile(r"(?:https?|ftp|file|wss?):|^//", re.IGNORECASE)
 REFERENCES = {"src", "href", "srcset", "action", "data", "poster", "background", "formaction", "xlink:href"}
@@ -38,7 +38,7 @@ def check_verdict_first(document):
 
 def check_plots(text, document):
     plots = plots_of(text)
-    ids = [document.elements[k][1]["id"] for k in document.places("canvas")]
+    ids = [document.elements[k][1]["id"] for k in charts_of(document)]
     assert ids == [f"plot{k}" for k in range(len(plots))], ids
     for plot in plots:
         assert plot["title"] and plot["x_label"] and plot["y_label"] and plot["series"], plot["title"]
@@ -49,7 +49,7 @@ def check_plots(text, document):
                 assert low <= y <= high, plot["title"]
     assert any("low" in s for p in plots for s in p["series"]), "no plot has a band"
     figures = [k for k in document.places("figure")] + [len(document.elements)]
-    for k in document.places("canvas"):  # folded, in the figure
+    for k in charts_of(document):  # folded, in the figure
         rest = [tag for tag, _ in document.elements[k:next(f for f in figures if f > k)]]
         assert "details" in rest and "pre" in rest, f"{document.elements[k][1]['id']} lacks its command"
     for k in document.places("img"):
