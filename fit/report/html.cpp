@@ -10,6 +10,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   const FormFit& best = result.ranking.front();
   add_verdict(report, result);
   if (best.solved()) {
+    add_sphere(report, best, table);
     add_slices(report, best, table, options.aperture);
     add_deviation(report, best, table, options.aperture);
     add_parameters(report, best);

@@ -12,6 +12,10 @@ namespace brdf::fit {
 // The best form in one sentence, and what must be known at once; the mark is amber where anything is in doubt.
 void add_verdict(io::HtmlReport& report, const FitResult& result);
 
+// The fitted material, the samples and the difference on a sphere that turns (io/sphere/page.h); nothing where the
+// channels are no colours.
+void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table);
+
 // Samples and the fitted curve in the plane of incidence, up to three channels and four angles of the light. The curve
 // is evaluated every half degree and where a sample is; `aperture` is the detector's, in degrees.
 void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture);

@@ -1,0 +1,23 @@
+#include "measured/on_sphere.h"
+
+#include "io/channel_colours.h"
+#include "io/error.h"
+
+namespace brdf::measured {
+
+io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> measured) {
+  const auto colours = io::channel_colours(measured->channels());
+  if (!colours) throw InputError("the channels of the samples are no colours");
+  return [measured = std::move(measured), of = colours->of](
+             const Vec3<double>& wi, const Vec3<double>& wo) -> std::optional<io::sphere::Colour> {
+    const Seen seen = measured->at(wi, wo);
+    if (!seen.measured) return std::nullopt;
+    return io::sphere::Colour{seen.f[of[0]], seen.f[of[1]], seen.f[of[2]]};
+  };
+}
+
+io::sphere::TableSize table_size(const MeasuredReflectance& measured) {
+  return measured.turning() == Turning::isotropic ? io::sphere::kIsotropic : io::sphere::kTurned;
+}
+
+}  // namespace brdf::measured

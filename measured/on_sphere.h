@@ -1,0 +1,20 @@
+// A measurement for the sphere of a report.
+#pragma once
+
+#include <memory>
+
+#include "io/sphere/table.h"
+#include "measured/measured.h"
+
+namespace brdf::measured {
+
+// What io::sphere::add asks of a measurement, for as long as the result lives; none where `measured` is false:
+//   io::sphere::add(report, {.title = "copper", .fitted = material, .measured = on_sphere(seen),
+//                            .table = table_size(*seen)});
+// Throws InputError for channels that are no colours (io/channel_colours.h).
+io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> measured);
+
+// Nodes that tell azimuths apart where the measurement does.
+io::sphere::TableSize table_size(const MeasuredReflectance& measured);
+
+}  // namespace brdf::measured
