@@ -30,7 +30,7 @@ def check_verdict_first(document):
     heading = document.places("h1")[0]
     assert verdict == heading + 1, "something stands between the title and the verdict"
     assert re.search(r"\d+ passed.*\d+ failed", document.texts[verdict]), document.texts[verdict]
-    first_plot = min(document.places("canvas") + document.places("img"))
+    first_plot = min(charts_of(document))
     words = [document.texts[k] for k in document.places("td") if k < first_plot]
     for outcomes in (("pass",), ("known violation", "not applicable")):
         assert any(word.startswith(outcomes) for word in words), words
