@@ -70,6 +70,8 @@ BytePicture difference_picture(const Picture& picture, const Picture& reference,
 // The left share of one, the rest of the other, with a thin line between.
 BytePicture split(const BytePicture& left, const BytePicture& right, float share = 0.5f);
 
+// The bytes of a PNG file.
+std::string png_of(const BytePicture& picture);
 void write_png(const std::filesystem::path& file, const BytePicture& picture);
 
 // Layers named name.R, name.G, name.B (and name.A); the unnamed first layer is R, G, B, A.

@@ -33,11 +33,15 @@ void append_bytes(void* context, void* data, int size) {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const BytePicture& picture) {
+std::string png_of(const BytePicture& picture) {
   std::string bytes;
   stbi_write_png_to_func(append_bytes, &bytes, picture.width, picture.height, 3, picture.pixels.data(),
                          picture.width * 3);
-  io::write_file_atomically(file, bytes);
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& file, const BytePicture& picture) {
+  io::write_file_atomically(file, png_of(picture));
 }
 
 void write_exr(const std::filesystem::path& file, const std::vector<Layer>& layers) {

@@ -47,6 +47,7 @@ TEST(Sphere, TwoLobesAreSeenBetweenFourIncidences) {
   EXPECT_GT(lit, 15000);
   RecordProperty("hatched", std::to_string(hatched / lit));
   RecordProperty("rel_mse", std::to_string(1e6 * of_measured / (lit - hatched)) + "e-6");
+  RecordProperty("rel_mse_of_fit", std::to_string(of_fit / (lit - hatched)));
   EXPECT_LE(hatched, 0.02 * lit);
   EXPECT_LE(of_measured, 2e-4 * (lit - hatched));
   EXPECT_GE(of_fit, 100 * of_measured);
