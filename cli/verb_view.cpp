@@ -14,8 +14,12 @@ namespace brdf::cli {
 namespace {
 
 // A saved state, a scene, or materials; two materials are A and B.
-render::ViewState initial_state(const render::Job& given) {
+render::ViewState initial_state(const render::Job& given, int width, int height) {
   render::Job job = render::with_samples_told(given);
+  if (job.state.empty()) {  // where the split goes depends on them
+    job.width = width;
+    job.height = height;
+  }
   const bool two = job.scene.empty() && job.materials.size() == 2;
   if (two) {
     job.compare = job.materials[1].string();
@@ -25,6 +29,8 @@ render::ViewState initial_state(const render::Job& given) {
   if (job.scene.empty() && job.materials.empty() && job.state.empty()) {
     render::ViewState state;
     state.scene = render::material_scene({render::any_material()});
+    state.scene.camera.width = width;
+    state.scene.camera.height = height;
     if (!job.measured.empty()) render::open_file(state, job.measured);
     return state;
   }
@@ -77,7 +83,7 @@ void add_view(CLI::App& app) {
     std::vector<std::filesystem::path> inputs = job.materials;  // a state may be saved over itself
     inputs.insert(inputs.end(), {job.scene, job.measured});
     io::check_targets(targets, inputs);
-    options->viewer.state = initial_state(options->job);
+    options->viewer.state = initial_state(options->job, options->viewer.width, options->viewer.height);
     for (const std::string& note : render::colour_notes(options->viewer.state))
       std::cerr << "brdf view: " << note << '\n';
     return render::view(options->viewer) > 0 ? Exit::failed : Exit::good;

@@ -16,12 +16,15 @@ BytePicture side(const Comparison& c, bool second) {
   return out;
 }
 
-std::string measures(const Difference& d) {
-  char text[96];
-  std::snprintf(text, sizeof text, "relative MSE %.3g, PSNR %.1f dB", d.rel_mse, d.psnr);
-  std::string words = text;
-  if (d.not_measured > 0) words += ", " + io::short_number(100 * d.not_measured, 2) + " % not measured";
-  return words;
+// What fits into a picture of so many pixels across.
+std::string measures(const Difference& d, int width, int pixels) {
+  char error[48], noise[48];
+  std::snprintf(error, sizeof error, "relative MSE %.3g", d.rel_mse);
+  std::snprintf(noise, sizeof noise, ", PSNR %.1f dB", d.psnr);
+  const std::string unknown =
+      d.not_measured > 0 ? ", " + io::short_number(100 * d.not_measured, 2) + " % not measured" : "";
+  const std::string all = std::string(error) + noise + unknown;
+  return int(text_width(all, pixels)) + pixels <= width ? all : error + unknown;
 }
 
 // The scale of the false colours along the upper edge, above a sphere that fills the picture: 1e-6 to 1, a decade per
@@ -55,7 +58,7 @@ BytePicture false_colors(const Comparison& c) {
   BytePicture out = difference_picture(*c.a, *c.b, scale);
   if (!c.labels) return out;
   draw_scale(out, scale);
-  draw_label(out, measures(c.difference));
+  draw_label(out, measures(c.difference, out.width, smallest_label(out)));
   return out;
 }
 

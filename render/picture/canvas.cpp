@@ -124,6 +124,10 @@ int label_pixels(const BytePicture& picture) {
   return std::clamp(picture.height / 24, 11, 40);
 }
 
+int smallest_label(const BytePicture& picture) {
+  return std::max(9, 2 * label_pixels(picture) / 3);
+}
+
 std::string elided(const std::string& text, int pixels, float width) {
   if (text_width(text, pixels) <= width) return text;
   std::vector<std::string> letters;
@@ -143,8 +147,8 @@ std::string elided(const std::string& text, int pixels, float width) {
 
 void draw_label(BytePicture& picture, const std::string& words, Corner corner, int most) {
   if (most <= 0) most = picture.width;
-  const int usual = label_pixels(picture), smallest = std::max(9, 2 * usual / 3);
-  int pixels = usual;
+  const int smallest = smallest_label(picture);
+  int pixels = label_pixels(picture);
   while (pixels > smallest && int(text_width(words, pixels)) + pixels > most) --pixels;
   const int pad = pixels / 2, height = 2 * pixels;
   const std::string text = elided(words, pixels, float(most - 2 * pad));

@@ -29,7 +29,8 @@ std::string elided(const std::string& text, int pixels, float width);
 // White words on a dark ground in a lower corner, at most `width` pixels wide (0: as the picture): a picture's name.
 enum class Corner { left, right };
 void draw_label(BytePicture& picture, const std::string& text, Corner corner = Corner::left, int width = 0);
-// The height of a label's letters: in proportion to the picture, and legible.
+// The height of a label's letters: in proportion to the picture, and legible; and that of one with many words.
 int label_pixels(const BytePicture& picture);
+int smallest_label(const BytePicture& picture);
 
 }  // namespace brdf::render

@@ -157,8 +157,13 @@ class Viewer {
     for (const std::filesystem::path& file : files) {
       const ViewState before = state_;
       const bool good = attempt([&] {
-        open_file(state_, file);
         const VkExtent2D size = window_.framebuffer_size();
+        if (size.width > 0 &&
+            size.height > 0) {  // the split goes through the highlight as the window shows it
+          camera().width = int(size.width);
+          camera().height = int(size.height);
+        }
+        open_file(state_, file);
         if (size.width > 0 && size.height > 0) pictures_.update(state_, size);
         arrive(before);
         const std::string note = left_out_note(state_);

@@ -211,7 +211,7 @@ try:
         return path
 
     def without_pictures(state):
-        return {key: value for key, value in state.items() if key not in ("samples", "compare_with", "display")}
+        return {key: value for key, value in state.items() if key not in ("samples", "compare_with", "display", "split")}
 
     state = drop(os.path.join(source, "data/scenes/models/vase.obj"))
     assert form_of(state) == "ward" and state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
@@ -233,6 +233,7 @@ try:
     samples = os.path.join(source, "data/synthetic/cook_torrance_metal.csv")
     dropped = drop(samples)
     assert dropped["samples"] == samples and dropped["compare_with"] == "samples" and dropped["display"] == "split"
+    assert 0.3 < dropped["split"] < 0.4, "the split does not cut through the highlight"
     assert without_pictures(dropped) == without_pictures(state), "dropping samples lost something"
     copper = damaged("copper.json", json.dumps({
         "format": "brdf-material", "version": 1, "form": "phong", "channels": ["r", "g", "b"],
