@@ -247,5 +247,40 @@ TEST_F(RenderCli, LobePlotsShowBothMaterialsOrOneCurve) {
   EXPECT_LE(*red_rows.rbegin() - *red_rows.begin(), 4u);
 }
 
+TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
+  std::string rows = "theta_i,phi_i,theta_o,phi_o,r,g,b\n";
+  for (int theta_i = 0; theta_i <= 60; theta_i += 20)
+    for (int theta_o = 0; theta_o <= 80; theta_o += 10)
+      for (int phi = 0; phi <= 180; phi += 30)
+        rows += std::to_string(theta_i) + ",180," + std::to_string(theta_o) + "," + std::to_string(phi) +
+                ",0.2,0.1,0.1\n";
+  write("s.csv", rows);
+  const auto picture = [&](const std::string& arguments, const std::string& name) {
+    const Outcome outcome = run("render " + arguments + " -o " + name);
+    EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
+    return file_text(folder_.path() / name);
+  };
+  // The points, at the measured angle that is nearest to 45 degrees unless one is asked for.
+  const std::string bare = picture("m.json --lobes --width 200 --theta 40", "bare.png"),
+                    points = picture("m.json --measured s.csv --lobes --width 200", "points.png");
+  EXPECT_NE(bare, points);
+  EXPECT_EQ(points, picture("m.json s.csv --lobes --width 200 --theta 40", "same.png"));
+  EXPECT_NE(picture("m.json --lobe3d --width 200 --theta 40", "body.png"),
+            picture("m.json --measured s.csv --lobe3d --width 200 --theta 40", "body_points.png"));
+  expect_refused("render m.json --measured s.csv --lobes --theta 30 -o x.png", 2,
+                 "no row whose light stands within 1 degree of --theta 30; the nearest stands at 20");
+  expect_refused("render s.csv --lobes -o x.png", 2, "give one beside the samples");
+  expect_refused("render s.csv s.csv -o x.png", 2, "a second table of samples");
+  // Alone; and what is left out is said.
+  const Outcome alone = run("render s.csv --width 32 --height 32 -o alone.png");
+  EXPECT_EQ(alone.exit_code, 0);
+  EXPECT_EQ(alone.out.find("relative MSE"), std::string::npos) << alone.out;
+  EXPECT_THAT(alone.err, HasSubstr("ambient light is left out"));
+  EXPECT_THAT(run("render m.json --measured s.csv --width 64 --height 64 -o both.png").out,
+              HasSubstr("% of the surface"));
+  EXPECT_NE(picture("m.json --measured s.csv --split --width 64 --height 64", "split.png"),
+            picture("m.json --measured s.csv --split --split-at 0.6 --width 64 --height 64", "split_at.png"));
+}
+
 }  // namespace
 }  // namespace brdf
