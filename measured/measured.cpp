@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 #include "io/channel_colours.h"
 #include "io/error.h"
@@ -17,6 +18,9 @@ constexpr double kSame = 1e-3;     // of the coordinates: places nearer are one
 constexpr double kLeastRatio = 1e-3;
 constexpr std::size_t kLearntFrom = 200;
 constexpr double kCores[] = {0.03, 0.1, 0.3};  // of lobes, radians
+// By so much per channel it must be likelier (its logarithm) that azimuths matter: light from several azimuths alone
+// does not mean that the sample was turned (half vectors of one azimuth, as in MERL's files).
+constexpr double kForAzimuths = 5;
 // So far at most the ratio is taken to vary slowly, whatever the samples say: radians (of theta_h at 40 degrees).
 constexpr struct {
   double theta_h, theta_d, sines;
@@ -58,16 +62,27 @@ double logarithm(double ratio) {
 
 }  // namespace
 
-MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Material* fitted)
+MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Material* fitted, Beside beside)
     : channels_(table.channels), counterpart_(counterparts(table.channels, fitted)) {
   if (fitted) fitted_ = *fitted;
   info_.name = info_.family = "measured";
   info_.channels = channels_;
   for (const std::vector<double>& values : table.values) level_.push_back(geometric_mean(values));
-  const Rows rows = usable_rows(table);
-  if (rows.ratios.empty() || rows.ratios[0].empty())
-    throw InputError(table.name() + ": has no rows above the horizon");
-  choose_variation(rows, io::relative_noise(table).value.value_or(0.0));
+  Rows rows = usable_rows(table);
+  if (rows.wi.empty()) throw InputError(table.name() + ": has no rows above the horizon");
+  const double noise = io::relative_noise(table).value.value_or(0.0);
+  chosen_ = likeliest(rows, noise);
+  if (fitted && beside == Beside::likeliest) {
+    const std::vector<int> counterpart = std::exchange(counterpart_, std::vector<int>(channels_.size(), -1));
+    Rows plain = usable_rows(table);
+    const Choice other = likeliest(plain, noise);
+    if (other.variation.likelihood > chosen_.variation.likelihood) {
+      chosen_ = other;
+      rows = std::move(plain);
+    } else {
+      counterpart_ = counterpart;
+    }
+  }
   keep(rows);
 }
 
@@ -94,7 +109,12 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
 
 // Rows at one place become their mean: repeated ones, and those that the symmetries make equal.
 void MeasuredReflectance::keep(const Rows& rows) {
-  std::map<std::array<long, kDimensions>, std::size_t> cells;
+  const auto hash = [](const std::array<long, kDimensions>& cell) {
+    std::size_t sum = 0;
+    for (const long number : cell) sum = sum * 1000003 + std::size_t(number);
+    return sum;
+  };
+  std::unordered_map<std::array<long, kDimensions>, std::size_t, decltype(hash)> cells(rows.wi.size(), hash);
   std::vector<Place> places;
   std::vector<double> count;
   ratios_.resize(channels_.size());
@@ -117,10 +137,10 @@ void MeasuredReflectance::keep(const Rows& rows) {
     logs_.emplace_back();
     for (const double ratio : of_channel) logs_.back().push_back(logarithm(ratio));
   }
-  field_ = std::make_unique<const Field>(places, std::move(count), variation_);
+  field_ = std::make_unique<const Field>(places, std::move(count), chosen_.variation);
 }
 
-void MeasuredReflectance::choose_variation(const Rows& rows, double noise) {
+MeasuredReflectance::Choice MeasuredReflectance::likeliest(const Rows& rows, double noise) const {
   const auto longest = [](double core) {
     const double r = kLongest.theta_h / std::hypot(0.7, core);
     return Place{r, kLongest.theta_d, kLongest.sines, r};
@@ -142,18 +162,19 @@ void MeasuredReflectance::choose_variation(const Rows& rows, double noise) {
     samples.values.emplace_back();
     for (const std::size_t k : chosen) samples.values.back().push_back(logarithm(of_channel[k]));
   }
-  variation_.likelihood = -HUGE_VAL;
+  Choice best;
+  best.variation.likelihood = -HUGE_VAL;
   for (const Turning turning : {Turning::isotropic, Turning::turned}) {
     for (const double core : kCores) {
       if (turning == Turning::turned && !rows.turned) break;
       samples.places = places(chosen, turning, core);
       const Variation v = learn_variation(samples, longest(core), noise);
-      if (v.likelihood <= variation_.likelihood) continue;
-      variation_ = v;
-      turning_ = turning;
-      core_ = core;
+      const double more = turning == Turning::turned ? kForAzimuths * double(channels_.size()) : 0;
+      if (v.likelihood <= best.variation.likelihood + more) continue;
+      best = {v, turning, core};
     }
   }
+  return best;
 }
 
 void MeasuredReflectance::fitted_values(const Vec3<double>& wi, const Vec3<double>& wo,
@@ -204,13 +225,6 @@ Seen MeasuredReflectance::seen(const Vec3<double>& wi, const Vec3<double>& wo, c
 void MeasuredReflectance::eval(const ParameterValues<double>& p, const Directions<double>& d,
                                double* out) const {
   for (std::size_t k = 0; k < d.count; ++k) out[k] = at(d.wi(k), d.wo(k)).f[p.channel];
-}
-
-std::shared_ptr<const MeasuredReflectance> likeliest(const io::SampleTable& table, const Material* fitted) {
-  auto plain = std::make_shared<const MeasuredReflectance>(table);
-  if (!fitted) return plain;
-  auto beside = std::make_shared<const MeasuredReflectance>(table, fitted);
-  return plain->variation().likelihood > beside->variation().likelihood ? plain : beside;
 }
 
 Material material_of(std::shared_ptr<const MeasuredReflectance> measured) {

@@ -40,8 +40,12 @@ constexpr double kLeastKnown = 0.7;
 // Domain: unit vectors; 0 below the horizon.
 class MeasuredReflectance final : public ReflectanceModel {
  public:
+  // Beside the fitted material; or beside it or without it, as the samples are likelier: a material that has little to
+  // do with them is no help.
+  enum class Beside { fit, likeliest };
   // Throws InputError where the table has no row above the horizon with a value.
-  explicit MeasuredReflectance(const io::SampleTable& table, const Material* fitted = nullptr);
+  explicit MeasuredReflectance(const io::SampleTable& table, const Material* fitted = nullptr,
+                               Beside beside = Beside::fit);
 
   const ReflectanceInfo& info() const override { return info_; }
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override;
@@ -50,16 +54,16 @@ class MeasuredReflectance final : public ReflectanceModel {
   Seen at(const Vec3<double>& wi, const Vec3<double>& wo) const;
   // The same in steps: where a pair is, the ratio there, and what that makes of the pair.
   Place place(const Vec3<double>& wi, const Vec3<double>& wo) const {
-    return place_of(wi, wo, turning_, core_);
+    return place_of(wi, wo, chosen_.turning, chosen_.core);
   }
   Ratio ratio_at(const Place& place) const;
   Seen seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const;
 
   const std::vector<std::string>& channels() const { return channels_; }
   // How the ratio varies, and whether azimuths are told apart.
-  const Variation& variation() const { return variation_; }
-  Turning turning() const { return turning_; }
-  double core() const { return core_; }
+  const Variation& variation() const { return chosen_.variation; }
+  Turning turning() const { return chosen_.turning; }
+  double core() const { return chosen_.core; }
   // The largest polar angles that were scanned: the smaller one of a pair is within `inner`, the larger within `outer`.
   struct Range {
     double inner = 0, outer = 0;  // degrees
@@ -74,7 +78,12 @@ class MeasuredReflectance final : public ReflectanceModel {
     bool turned = false;  // the light comes from several azimuths
   };
   Rows usable_rows(const io::SampleTable& table);
-  void choose_variation(const Rows& rows, double noise);
+  struct Choice {
+    Variation variation;
+    Turning turning = Turning::isotropic;
+    double core = 0.1;
+  };
+  Choice likeliest(const Rows& rows, double noise) const;
   void keep(const Rows& rows);
   void fitted_values(const Vec3<double>& wi, const Vec3<double>& wo, std::vector<double>& out) const;
 
@@ -84,16 +93,10 @@ class MeasuredReflectance final : public ReflectanceModel {
   std::vector<int> counterpart_;                    // of each channel, in the fitted material; -1: none
   std::vector<double> level_;                       // of each channel without one
   std::vector<std::vector<double>> logs_, ratios_;  // [channel][place]
-  Variation variation_;
-  Turning turning_ = Turning::isotropic;
-  double core_ = 0.1;
+  Choice chosen_;
   Range range_;
   std::unique_ptr<const Field> field_;
 };
-
-// Beside the fitted material, or without one: as the samples are likelier. A material that has little to do with them
-// is no help.
-std::shared_ptr<const MeasuredReflectance> likeliest(const io::SampleTable& table, const Material* fitted);
 
 // The same as a material: a term without parameters, for whoever takes materials.
 Material material_of(std::shared_ptr<const MeasuredReflectance> measured);

@@ -15,7 +15,9 @@ Vec3<double> vec(const glm::vec3& v) {
 
 Measured interpolate(const io::SampleTable& table, const Material* fitted) {
   const std::array<std::size_t, 3> colours = require_colours(table.channels, table.source).of;
-  const auto samples = std::make_shared<const measured::Tabulated>(measured::likeliest(table, fitted));
+  const auto samples =
+      std::make_shared<const measured::Tabulated>(std::make_shared<const measured::MeasuredReflectance>(
+          table, fitted, measured::MeasuredReflectance::Beside::likeliest));
   return [samples, colours](const glm::vec3& wi, const glm::vec3& wo) {
     if (!(wi.z > 0 && wo.z > 0)) return MeasuredValue(glm::vec3(0));
     const measured::Seen seen = samples->at(vec(wi), vec(wo));

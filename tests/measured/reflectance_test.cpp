@@ -104,6 +104,49 @@ TEST(Measured, ATurnedSampleKeepsItsAzimuth) {
             Turning::isotropic);
 }
 
+TEST(Measured, AWrongMaterialIsNoHelp) {
+  const Material truth = lobes({{0.3, 0.1, 0.4}}), wrong = lobes({{0.01, 1, 0.03}});
+  const io::SampleTable table = scanned(truth, {0, 20, 40, 60}, 0.01);
+  const auto error = [&](const MeasuredReflectance& measured) {
+    double worst = 0;
+    for (double theta = 0; theta < 60; theta += 2.5)
+      worst = std::max(worst, std::abs(measured.at(at(30, 180), at(theta, 5)).f[0] /
+                                           value(truth, at(30, 180), at(theta, 5)) -
+                                       1));
+    return worst;
+  };
+  using Beside = MeasuredReflectance::Beside;
+  EXPECT_LT(error(MeasuredReflectance(table, &wrong, Beside::likeliest)), 0.03);
+  EXPECT_GT(error(MeasuredReflectance(table, &wrong)), 0.06);
+  EXPECT_LT(error(MeasuredReflectance(table, &truth, Beside::likeliest)), 0.01);
+}
+
+TEST(Measured, HalfVectorsOfOneAzimuthAreNoTurn) {
+  const Material truth = lobes({{0.2, 0.3, 0.2}}), one = lobes({{0.2, 0.3, 0.15}});
+  io::SampleTable table;
+  table.channels = {"f"};
+  table.values.resize(1);
+  for (double theta_h = 0; theta_h < 60; theta_h += 5) {
+    for (double theta_d = 0; theta_d < 60; theta_d += 5) {
+      for (double phi_d = 0; phi_d < 180; phi_d += 20) {
+        const Vec3<double> d = at(theta_d, phi_d);  // about the half vector, which leans towards azimuth 0
+        const double s = io::sin_degrees(theta_h), c = io::cos_degrees(theta_h);
+        const Vec3<double> wi{c * d.x + s * d.z, d.y, c * d.z - s * d.x},
+            wo{s * d.z - c * d.x, -d.y, c * d.z + s * d.x};
+        if (wi.z < 0.1 || wo.z < 0.1) continue;
+        double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;
+        io::polar_degrees(wi, theta_i, phi_i);
+        io::polar_degrees(wo, theta_o, phi_o);
+        table.add_directions(theta_i, phi_i, theta_o, phi_o);
+        table.values[0].push_back(value(truth, wi, wo));
+      }
+    }
+  }
+  const MeasuredReflectance measured(table, &one);
+  EXPECT_EQ(measured.turning(), Turning::isotropic);
+  EXPECT_TRUE(measured.at(at(30, 90), at(35, 260)).measured);
+}
+
 TEST(Measured, ValuesOfNothingAreNoTrouble) {
   const Material truth = lobes({{0.05, 0.3, 0.1}});
   io::SampleTable table = scanned(truth, {0, 30, 60}, 0.01, {0}, 10);

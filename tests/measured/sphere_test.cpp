@@ -57,7 +57,7 @@ TEST(Sphere, TheLatticeGivesTheSamePicture) {
   const Material truth = lobes({{0.2, 0.3, 0.08}, {0.0, 0.6, 0.3}});
   const io::SampleTable table = scanned(truth, {0, 20, 40, 60}, 0.02);
   const Material one = fitted(table, {"cook_torrance"});
-  const Tabulated tabulated(likeliest(table, &one));
+  const Tabulated tabulated(std::make_shared<const MeasuredReflectance>(table, &one));
   double worst = 0, otherwise = 0, lit = 0;
   for (const Pixel& p : lit_pixels(128)) {
     const Seen exact = tabulated.reflectance().at(p.wi, p.wo), quick = tabulated.at(p.wi, p.wo);
