@@ -13,6 +13,8 @@ namespace {
 constexpr double kKnownNoise =
     0.02;  // of the samples that `known` is asked of: they need not agree to the last digit
 constexpr double kMostNoise = 100;
+// No length is shorter than the longest over this: 200 rows of a million are too far apart to tell short from none.
+constexpr double kShortest = 10;
 constexpr std::size_t kAsked = 16;  // of the nearest for it
 
 double correlation(double squared_distance) {
@@ -159,7 +161,7 @@ Variation likeliest(const Scattered& samples, const Variation& start, const Plac
   const auto stepped = [&](std::size_t number, double by) {
     Variation v = best;
     if (number < kDimensions)
-      v.lengths[number] = std::clamp(v.lengths[number] * by, longest[number] / 50, longest[number]);
+      v.lengths[number] = std::clamp(v.lengths[number] * by, longest[number] / kShortest, longest[number]);
     else
       v.noise = std::clamp(v.noise * by * by, floor, kMostNoise);
     return v;

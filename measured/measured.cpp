@@ -14,7 +14,9 @@ namespace brdf::measured {
 namespace {
 
 constexpr double kHorizon = 1e-3;  // cosines below are not interpolated from
-constexpr double kSame = 1e-3;     // of the coordinates: places nearer are one
+constexpr double kTilted =
+    0.1;  // a half vector (of length 2) farther than this from the normal has an azimuth
+constexpr double kSame = 1e-3;  // of the coordinates: places nearer are one
 constexpr double kLeastRatio = 1e-3;
 constexpr std::size_t kLearntFrom = 200;
 constexpr double kCores[] = {0.03, 0.1, 0.3};  // of lobes, radians
@@ -92,6 +94,8 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
   Rows rows;
   rows.ratios.resize(channels_.size());
   std::vector<double> f(channels_.size());
+  bool light_turns = false, half_turns = false;
+  double along_x = 0, along_y = 0;  // the first tilted half vector's azimuth
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (d.wi_z[k] < kHorizon || d.wo_z[k] < kHorizon) continue;
     fitted_values(d.wi(k), d.wo(k), f);
@@ -99,11 +103,16 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
     rows.wi.push_back(d.wi(k));
     rows.wo.push_back(d.wo(k));
     for (std::size_t c = 0; c < f.size(); ++c) rows.ratios[c].push_back(table.values[c][k] / f[c]);
-    rows.turned = rows.turned || (table.theta_i[k] > 0 && table.phi_i[k] != table.phi_i.back());
+    light_turns = light_turns || (table.theta_i[k] > 0 && table.phi_i[k] != table.phi_i.back());
+    const double x = d.wi_x[k] + d.wo_x[k], y = d.wi_y[k] + d.wo_y[k], length = std::hypot(x, y);
+    if (length < kTilted) continue;
+    if (along_x == 0 && along_y == 0) along_x = x / length, along_y = y / length;
+    half_turns = half_turns || std::abs(along_x * y - along_y * x) > 0.05 * length;
     const auto [low, high] = std::minmax(table.theta_i[k], table.theta_o[k]);
     range_.inner = std::max(range_.inner, low);
     range_.outer = std::max(range_.outer, high);
   }
+  rows.turned = light_turns && half_turns;
   return rows;
 }
 

@@ -75,7 +75,7 @@ class MeasuredReflectance final : public ReflectanceModel {
   struct Rows {
     std::vector<Vec3<double>> wi, wo;
     std::vector<std::vector<double>> ratios;
-    bool turned = false;  // the light comes from several azimuths
+    bool turned = false;  // light and half vector come from several azimuths
   };
   Rows usable_rows(const io::SampleTable& table);
   struct Choice {
