@@ -1,5 +1,7 @@
 #include "trade/ledger/ledger.h"
 #include "trade/ledger/compare.h"
+#include "trade/ledger/conclusion.h"
+#include "trade/ledger/report.h"
 
 #include <gtest/gtest.h>
 
@@ -122,6 +124,41 @@ TEST(Compare, CountsRowsWhoseCostRatiosAreFurtherApartThanAQuarter) {
   EXPECT_EQ(compare(before, before).apart(), 0u);
   after.quick = true;
   EXPECT_THROW(compare(before, after), InputError);
+}
+
+TEST(Conclusion, IsTheCheapestThatIsAccurateEnough) {
+  const std::vector<LedgerRow> rows{row("exact", 1, 0, 0), row("fine", 0.6, 1e-4, 1e-5),
+                                    row("coarse", 0.2, 0.1, 0.009), row("wrong", 0.1, 0.5, 0.02)};
+  const std::vector<const LedgerRow*> all{&rows[0], &rows[1], &rows[2], &rows[3]};
+  EXPECT_EQ(cheapest_within(all, 1e-2), &rows[2]);
+  EXPECT_EQ(cheapest_within(all, 1e-4), &rows[1]);
+  EXPECT_EQ(cheapest_within(all, 1e-6), nullptr);
+  EXPECT_EQ(conclusion(all),
+            "Within a mean error of 0.01 the cheapest is coarse at 0.2 of the exact cost (largest error "
+            "0.1); within "
+            "0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
+  EXPECT_EQ(conclusion({all[0], all[3]}), "Nothing cheaper stays within a mean error of 0.01: take exact.");
+}
+
+TEST(Conclusion, ADifferenceWithinTheNoiseOrWithoutAMeasurementIsNoGain) {
+  std::vector<LedgerRow> rows{row("exact", 1, 0, 0), row("same", 0.96, 0, 0), row("unmeasured", 0.1, 0, 0)};
+  rows[2].cost.rounds = 0;
+  EXPECT_EQ(cheapest_within({&rows[0], &rows[1], &rows[2]}, 1e-2), nullptr);
+}
+
+TEST(LedgerPage, ExactIsAWordAndTheFrontIsToldFromTheRest) {
+  Ledger ledger;
+  ledger.machine = this_machine();
+  ledger.rows = {row("exact", 1, 1e-16, 1e-17), row("fast", 0.2, 0.1, 0.005), row("naive", 1.2, 0.3, 0.1)};
+  mark_dominated(ledger.rows);
+  const std::string html = to_html(ledger);
+  EXPECT_NE(html.find("In 1 of 1 questions something cheaper stays within a mean error of 0.01"),
+            std::string::npos);
+  EXPECT_NE(html.find("\"bottom_edge\""), std::string::npos);
+  EXPECT_EQ(html.find("1e-17"), std::string::npos);
+  EXPECT_NE(html.find("<td class=\"good\">on the front</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td class=\"absent\">dominated<span class=\"note\">by fast</span></td>"),
+            std::string::npos);
 }
 
 }  // namespace

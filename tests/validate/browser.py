@@ -94,7 +94,7 @@ class Page:
         for domain in ("Runtime", "Log", "Page"):
             self.ask(f"{domain}.enable")
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
-                 mobile=width < 600)
+                 mobile=False)
         self.scheme(dark)
         self.ask("Page.navigate", url=address)
         self.wait("document.readyState === 'complete'")

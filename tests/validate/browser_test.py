@@ -20,7 +20,10 @@ PROBE = """(async () => {
   const back = brightness(...ground);
   const canvases = [...document.querySelectorAll("canvas[id]")].map(canvas => {
     const box = canvas.getBoundingClientRect();
-    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    const copy = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height});
+    const ctx = copy.getContext("2d", {willReadFrequently: true});
+    ctx.drawImage(canvas, 0, 0);
+    const pixels = ctx.getImageData(0, 0, canvas.width, canvas.height).data;
     let drawn = 0, clear = 0;
     for (let k = 0; k < pixels.length; k += 4) {
       drawn += pixels[k + 3] > 0;

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "validate/check_words.h"
+#include "validate/report.h"
+
+namespace brdf::validate {
+namespace {
+
+Finding finding(const char* subject, const char* check, Outcome outcome, const char* statement) {
+  Finding f{subject, check};
+  f.outcome = outcome;
+  f.statement = statement;
+  return f;
+}
+
+TEST(ValidatePage, EveryCheckSaysWhatItAsks) {
+  for (const auto& names : {check_names(), data_sheet_names()})
+    for (const std::string& name : names) EXPECT_TRUE(check_meaning(name).ends_with('.')) << name;
+  EXPECT_EQ(check_meaning("no such check"), "");
+}
+
+TEST(ValidatePage, PicturesHaveALineAndWhatDoesNotApplyIsFolded) {
+  ReportContent content;
+  content.subjects.push_back(
+      Subject::material("/data/matt.material.json", make_material(*find_form("lambert"), {"f"})));
+  content.findings = {finding("/data/matt.material.json", "energy", Outcome::pass, "reflects half"),
+                      finding("/data/matt.material.json", "sampling", Outcome::not_applicable, "no sampler")};
+  content.pictures = {{"pictures/matt.png", "\x89PNG"}};
+  content.fits = {{"/data/matt.material.json", "half of the samples within 3 %"}};
+  const std::string html = to_html(content);
+  EXPECT_NE(
+      html.find(
+          "<p class=\"title\">matt</p><figcaption class=\"good\">lambert; half of the samples within 3 %; "
+          "every property holds</figcaption>"),
+      std::string::npos);
+  const std::size_t fold = html.find("<summary>not applicable: 1</summary>");
+  ASSERT_NE(fold, std::string::npos);
+  EXPECT_LT(html.find(">energy</button>"), fold);
+  EXPECT_GT(html.find(">sampling</button>"), fold);
+  EXPECT_NE(html.find("<h1>Validation of matt.material.json</h1>"), std::string::npos);
+  EXPECT_NE(html.find("subject: <code>/data/matt.material.json</code>"), std::string::npos);
+  // Reciprocal to the last bit: a map would be one colour.
+  EXPECT_NE(html.find("Reciprocity: exact."), std::string::npos);
+  EXPECT_EQ(html.find("class=\"map\""), std::string::npos);
+}
+
+TEST(ValidatePage, OneFailureTurnsTheVerdict) {
+  ReportContent content;
+  content.subjects.push_back(Subject::material("a.json", make_material(*find_form("lambert"), {"f"})));
+  content.findings = {finding("a.json", "energy", Outcome::fail, "reflects too much"),
+                      finding("a.json", "sampling", Outcome::not_applicable, "no sampler")};
+  EXPECT_NE(to_html(content).find("<p class=\"verdict bad\">"), std::string::npos);
+  content.findings[0].outcome = Outcome::undecided;
+  EXPECT_NE(to_html(content).find("<p class=\"verdict warn\">"), std::string::npos);
+  content.findings[0].outcome = Outcome::pass;
+  EXPECT_NE(to_html(content).find("<p class=\"verdict good\">"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brdf::validate
