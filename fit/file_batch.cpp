@@ -13,6 +13,7 @@
 #include "io/error.h"
 #include "io/html_report.h"
 #include "io/material_json.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "io/parallel.h"
 #include "io/relative_scale.h"
@@ -230,11 +231,15 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
     csv += quoted(row.file) + "," + form + "," + verdict + "," + error + "," + cross + "," +
            (fitted ? number(row.best, "bic") : "") + "," + row.recommended + "," +
            quoted(first_finding(row)) + "\n";
-    cells.push_back({{row.file},
+    const auto share = [&](const char* key) {
+      const bool known = fitted && row.best.contains(key) && row.best[key].is_number();
+      return io::Cell{known ? io::percent(row.best[key].get<double>()) : "-"};
+    };
+    cells.push_back({{.text = io::file_name(row.file), .link = fitted ? row.name + ".html" : ""},
                      {form, io::Mark::none, true},
                      {verdict, usable(row) ? io::Mark::good : io::Mark::bad},
-                     {error},
-                     {cross},
+                     share("median_relative_error"),
+                     share("cross_validated_error"),
                      {row.recommended, io::Mark::none, true},
                      {first_finding(row)}});
     if (!fitted) continue;
@@ -245,20 +250,27 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   }
   html.verdict(good == rows.size() ? io::Mark::good : io::Mark::warn,
                std::to_string(good) + " of " + std::to_string(rows.size()) + " files have a usable fit.");
-  html.table({"file", "form", "verdict", "median error", "left out", "recommended", "finding"}, cells);
+  std::vector<io::Figure> pictures;
+  for (const BatchRow& row : rows) {
+    const fs::path picture = folder / (row.name + ".png");
+    if (row.error.empty() && fs::exists(picture))
+      pictures.push_back({io::read_content(picture).bytes, row.name, "", io::Mark::none, row.name + ".html"});
+  }
+  if (!pictures.empty()) html.pictures(pictures);
+  html.explain("median, left out",
+               "Half of the values on incidences that were not fitted are off by less than this.");
+  html.table({"file", "form", "verdict", "median", "median, left out", "recommended", "finding"}, cells,
+             true);
   if (!in_sample.x.empty()) {
     io::Plot plot;
     plot.title = "Median relative error";
-    plot.x_label = "row of the table";
+    plot.x_label = "file, in the order given";
     plot.y_label = "median of |fit - value|/value";
     plot.log_y = true;
     plot.series = {in_sample, left_out};
     html.plot(plot);
   }
-  for (const BatchRow& row : rows) {
-    const fs::path picture = folder / (row.name + ".png");
-    if (row.error.empty() && fs::exists(picture)) html.picture(io::read_content(picture).bytes, row.name);
-  }
+  for (const BatchRow& row : rows) html.footnote("samples", row.file);
   io::write_file_atomically(folder / "summary.csv", csv);
   io::write_file_atomically(folder / "summary.html", html.document(io::provenance()));
 }
