@@ -93,8 +93,7 @@ class Page:
         self.session = browser.ask("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
         for domain in ("Runtime", "Log", "Page"):
             self.ask(f"{domain}.enable")
-        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
-                 mobile=False)
+        self.resize(height)
         self.scheme(dark)
         self.ask("Page.navigate", url=address)
         self.wait("document.readyState === 'complete'")
@@ -109,6 +108,12 @@ class Page:
         answer = self.browser.ask(method, self.session, **parameters)
         self.take_events()
         return answer
+
+    def resize(self, height):
+        """Another height of the window, drawn."""
+        self.ask("Emulation.setDeviceMetricsOverride", width=self.width, height=int(height), deviceScaleFactor=1,
+                 mobile=False)
+        self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
     def take_events(self):
         for event in self.browser.events:
@@ -151,8 +156,9 @@ class Page:
 
     def screenshot(self, path, whole=True):
         """The whole page, however long, or what the window shows."""
-        parameters = {"format": "png", "captureBeyondViewport": whole}
         if whole:
-            size = self.ask("Page.getLayoutMetrics")["cssContentSize"]
-            parameters["clip"] = {"x": 0, "y": 0, "width": self.width, "height": min(size["height"], 16000), "scale": 1}
-        pathlib.Path(path).write_bytes(base64.b64decode(self.ask("Page.captureScreenshot", **parameters)["data"]))
+            self.resize(min(self.ask("Page.getLayoutMetrics")["cssContentSize"]["height"], 16000))
+        data = self.ask("Page.captureScreenshot", format="png")["data"]
+        pathlib.Path(path).write_bytes(base64.b64decode(data))
+        if whole:
+            self.resize(self.height)
