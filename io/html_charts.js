@@ -47,14 +47,15 @@ const pointNames = {
   },
 };
 
-const axisOf = (log, range, edge) => ({
+// `whole`: all values are whole numbers, and so are the ticks.
+const axisOf = (log, range, edge, whole) => ({
   type: log ? "logarithmic" : "linear",
   min: edge ? edge.at : range?.[0],
   max: range?.[1],
   grid: { color: colour("line") },
   border: { color: colour("faint") },
   ticks: {
-    color: colour("dim"), maxRotation: 0,
+    color: colour("dim"), maxRotation: 0, ...(whole ? { precision: 0 } : {}),
     ...(log ? { callback: (value) => edge && value <= edge.at * 1.001 ? edge.label
       : edge && value < edge.least ? "" : decade(value) } : {}),
   },
@@ -114,7 +115,7 @@ const chartOf = (plot, index) => {
           label: (item) => (item.dataset.names?.[item.dataIndex] || item.dataset.label) + ": "
             + Number(item.parsed.x.toPrecision(4)) + ", " + Number(item.parsed.y.toPrecision(4)) } },
       },
-      scales: { x: axisOf(plot.log_x, plot.range_x), y: axisOf(plot.log_y, plot.range_y, plot.bottom_edge) },
+      scales: { x: axisOf(plot.log_x, plot.range_x, null, plot.series.every((s) => s.x.every(Number.isInteger))), y: axisOf(plot.log_y, plot.range_y, plot.bottom_edge) },
     },
   });
 };

@@ -142,7 +142,7 @@ std::string to_html(const ReportContent& content) {
     const std::vector<Finding> own = findings_of(content.findings, subject.name());
     of_subjects.insert(of_subjects.end(), own.begin(), own.end());
     std::erase_if(of_tables, [&](const Finding& f) { return f.subject == subject.name(); });
-    report.footnote("subject", subject.name());
+    if (!subject.of_form()) report.footnote("material", subject.name());
   }
   if (!of_subjects.empty()) report.heading("Properties");
   add_properties(report, of_subjects);

@@ -38,7 +38,7 @@ TEST(ValidatePage, PicturesHaveALineAndWhatDoesNotApplyIsFolded) {
   EXPECT_LT(html.find(">energy</button>"), fold);
   EXPECT_GT(html.find(">sampling</button>"), fold);
   EXPECT_NE(html.find("<h1>Validation of matt.material.json</h1>"), std::string::npos);
-  EXPECT_NE(html.find("subject: <code>/data/matt.material.json</code>"), std::string::npos);
+  EXPECT_NE(html.find("material: <code>/data/matt.material.json</code>"), std::string::npos);
   // Reciprocal to the last bit: a map would be one colour.
   EXPECT_NE(html.find("Reciprocity: exact."), std::string::npos);
   EXPECT_EQ(html.find("class=\"map\""), std::string::npos);
