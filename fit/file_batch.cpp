@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <new>
-#include <sstream>
 
 #include "fit/report/html.h"
 #include "fit/report/report.h"
 #include "io/error.h"
+#include "io/fingerprint.h"
 #include "io/html_report.h"
 #include "io/material_json.h"
 #include "io/numbers.h"
@@ -24,20 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using io::Json;
-
-// FNV-1a of settings and the file's content.
-std::string key_of(const std::string& settings, const std::string& content) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&](const char* data, std::size_t size) {
-    for (std::size_t k = 0; k < size; ++k)
-      hash = (hash ^ static_cast<unsigned char>(data[k])) * 0x100000001b3;
-  };
-  add(settings.data(), settings.size());
-  add(content.data(), content.size());
-  std::ostringstream text;
-  text << std::hex << hash;
-  return text.str();
-}
 
 constexpr const char* kSummaries[] = {"summary.csv", "summary.html"};
 
@@ -122,7 +107,7 @@ class Batch {
 
   void fit_file(BatchRow& row) {
     io::Content content = io::read_content(row.file);
-    const std::string key = key_of(batch_.settings, content.bytes);
+    const std::string key = io::fingerprint({batch_.settings, content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
     io::SampleTable table = io::read_samples(std::move(content));
