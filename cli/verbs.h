@@ -28,6 +28,7 @@ void add_export(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_recommend(CLI::App& app);
+void add_study(CLI::App& app);
 
 // A verb that this build lacks: exit code 3.
 void add_missing(CLI::App& app, const char* verb);

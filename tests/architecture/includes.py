@@ -23,7 +23,7 @@ ORDER = [
     ["io"],
     ["measured"],
     ["synth", "fit", "validate", "render", "micro"],
-    ["trade"],
+    ["study", "trade"],
     ["cli", "docs", "bench"],
 ]
 # Arrows between rooms of one line.

@@ -1,0 +1,81 @@
+#include "study/folder.h"
+
+#include <algorithm>
+#include <set>
+
+#include "io/content.h"
+#include "io/error.h"
+#include "io/fingerprint.h"
+#include "io/output.h"
+
+namespace brdf::study {
+namespace {
+
+namespace fs = std::filesystem;
+using io::Json;
+
+// The document, where there is one that a study may have written.
+std::optional<Json> results_in(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(folder / kResults, ignored)) return std::nullopt;
+  try {
+    Json json = io::read_json(folder / kResults);
+    if (json.is_object() && json.contains("files") && json["files"].is_object()) return json;
+  } catch (const InputError&) {  // not ours: it is written again
+  }
+  return std::nullopt;
+}
+
+// A name that stays in its folder.
+bool is_plain(const std::string& name) {
+  return !name.empty() && name == fs::path(name).filename() && name != "." && name != "..";
+}
+
+}  // namespace
+
+std::vector<std::string> folder_names(const std::vector<std::string>& samples) {
+  std::set<std::string> taken{kPage, kResults};
+  std::vector<std::string> names;
+  for (const std::string& sample : samples) {
+    std::string name = fs::path(sample).stem().string();
+    if (!taken.insert(name).second) {
+      const std::string whole = fs::path(sample).filename().string();
+      name = whole;
+      for (int k = 2; !taken.insert(name).second; ++k) name = whole + "-" + std::to_string(k);
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+void publish(const fs::path& folder, const std::vector<File>& files, Json results, const std::string& key) {
+  const std::optional<Json> before = results_in(folder);
+  io::make_folder(folder);
+  results["key"] = key;
+  results["files"] = Json::object();
+  for (const File& file : files) {
+    io::write_file_atomically(folder / file.name, file.bytes);
+    results["files"][file.name] = io::fingerprint({file.bytes});
+  }
+  io::write_file_atomically(folder / kResults, io::to_text(results));
+  if (!before) return;
+  for (const auto& [name, fingerprint] : (*before)["files"].items()) {
+    std::error_code ignored;
+    if (is_plain(name) && !results["files"].contains(name)) fs::remove(folder / name, ignored);
+  }
+}
+
+std::optional<Json> kept(const fs::path& folder, const std::string& key) {
+  std::optional<Json> results = results_in(folder);
+  if (!results || !results->contains("key") || (*results)["key"] != key) return std::nullopt;
+  try {
+    for (const auto& [name, fingerprint] : (*results)["files"].items())
+      if (!is_plain(name) || fingerprint != io::fingerprint({io::read_content(folder / name).bytes}))
+        return std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return results;
+}
+
+}  // namespace brdf::study

@@ -1,0 +1,126 @@
+#include "study/sample.h"
+
+#include <cmath>
+
+#include "fit/fit.h"
+#include "fit/report/report.h"
+#include "fit/stepwise.h"
+#include "io/error.h"
+#include "io/glsl.h"
+#include "io/material_json.h"
+#include "io/relative_scale.h"
+#include "study/page.h"
+#include "validate/checks.h"
+#include "validate/report.h"
+
+namespace brdf::study {
+namespace {
+
+using io::Json;
+
+Json number(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+// How many findings there are of each outcome.
+Json counts(const std::vector<validate::Finding>& findings) {
+  Json json = Json::object();
+  for (const std::string_view name : kNames<validate::Outcome>) json[std::string(name)] = 0;
+  for (const validate::Finding& f : findings) {
+    Json& count = json[std::string(name_of(f.outcome))];
+    count = count.get<int>() + 1;
+  }
+  return json;
+}
+
+Json failed_checks(const std::vector<validate::Finding>& findings) {
+  Json names = Json::array();
+  for (const validate::Finding& f : findings)
+    if (f.outcome == validate::Outcome::fail) names.push_back(f.check);
+  return names;
+}
+
+Json row_of(const Findings& found, const std::string& name) {
+  const fit::FormFit& best = found.fit.ranking.front();
+  Json row{{"name", name}, {"file", found.table.source}, {"error", nullptr}};
+  row["rows"] = found.table.rows();
+  row["channels"] = found.table.channels;
+  row["form"] = best.form;
+  row["verdict"] = name_of(best.verdict);
+  row["usable"] = fit::usable(best.verdict);
+  row["statement"] = found.judgement.sentence;
+  row["warnings"] = found.judgement.warnings;
+  row["median_relative_error"] = number(best.median_relative_error);
+  row["cross_validated_error"] = number(best.left_out ? best.left_out->errors.median : fit::kUnknown);
+  row["residual_over_scatter"] = number(best.lack_of_fit.residual_over_scatter.value_or(fit::kUnknown));
+  row["largest_albedo"] = best.largest_albedo ? number(best.largest_albedo->value) : Json(nullptr);
+  row["weakly_determined"] = weakly_determined(best);
+  row["recommended"] = fit::usable(found.fit.ranking[found.fit.recommended].verdict)
+                           ? Json(found.fit.ranking[found.fit.recommended].form)
+                           : Json(nullptr);
+  row["sheet"] = counts(found.sheet.findings);
+  row["sheet_failed"] = failed_checks(found.sheet.findings);
+  row["properties"] = counts(found.properties);
+  row["properties_failed"] = failed_checks(found.properties);
+  row["no_pictures"] = found.spheres.missing.empty() ? Json(nullptr) : Json(found.spheres.missing);
+  return row;
+}
+
+void add_spheres(const Spheres& spheres, std::vector<File>& files) {
+  if (spheres.fitted.empty()) return;
+  files.push_back({"measured.png", spheres.measured});
+  files.push_back({"fitted.png", spheres.fitted});
+  files.push_back({"difference.png", spheres.difference});
+}
+
+// The material and what is told of it.
+void add_material(Findings& found, const SampleOptions& options, Painter& painter, const Step& step,
+                  std::vector<File>& files) {
+  const fit::FormFit& best = found.fit.ranking.front();
+  validate::Subject subject = validate::Subject::material(found.name, best.material);
+  found.properties = validate::run_checks({std::move(subject)}, {});
+  step();
+  found.spheres = painter.draw(found.table.source, found.name, best.material);
+  step();
+  const Json block = fit::material_block(best, found.fit, found.table, options.fit);
+  files.push_back({"material.json", io::to_text(io::to_json(io::MaterialFile{best.material, block}))});
+  files.push_back({"properties.json", io::to_text(validate::to_json(found.properties))});
+  try {
+    files.push_back({"material.glsl", io::glsl_source(best.material)});
+  } catch (const InputError& error) {
+    found.no_shader = error.what();
+  }
+  add_spheres(found.spheres, files);
+}
+
+fit::FitResult fitted(const io::SampleTable& table, const SampleOptions& options) {
+  return options.models.empty() ? fit::fit_stepwise(table, options.fit)
+                                : fit::fit(table, options.models, options.fit);
+}
+
+}  // namespace
+
+SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
+                         Painter& painter, const Step& step) {
+  Findings found;
+  found.table = io::read_samples(std::move(content));
+  found.name = std::filesystem::path(found.table.source).filename().string();
+  found.sheet = validate::data_sheet(found.table, validate::CheckOptions{}.max_theta);
+  if (options.fit.free_scale) io::make_relative(found.table);
+  step();
+  found.fit = fitted(found.table, options);
+  step();
+  SampleStudy out;
+  out.interrupted = found.fit.interrupted;
+  if (out.interrupted) return out;
+  found.judgement = judge(found.fit);
+  out.files.push_back({"sheet.json", io::to_text(validate::to_json(found.sheet.findings))});
+  out.files.push_back({"fit.json", io::to_text(fit::to_json(found.fit, found.table, options.fit))});
+  if (found.fit.ranking.front().solved()) add_material(found, options, painter, step, out.files);
+  for (const File& file : out.files) found.files.push_back(file.name);
+  out.row = row_of(found, name);
+  out.files.push_back({kPage, sample_page(found, options)});
+  return out;
+}
+
+}  // namespace brdf::study

@@ -1,0 +1,54 @@
+// One sample's study: everything that is found out about it, and the files that say it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/assess/result.h"
+#include "fit/model/options.h"
+#include "io/content.h"
+#include "io/samples.h"
+#include "study/folder.h"
+#include "study/spheres.h"
+#include "study/verdict.h"
+#include "validate/data_sheet.h"
+#include "validate/finding.h"
+
+namespace brdf::study {
+
+struct SampleOptions {
+  std::vector<std::vector<Reflectance>> models;  // none: --form auto
+  fit::FitOptions fit;
+  bool alone = true;  // its page is no part of an overview
+};
+
+// What the page and the JSON are made of.
+struct Findings {
+  std::string name;  // for people: the file's, without its folder
+  io::SampleTable table;
+  validate::DataSheet sheet;
+  fit::FitResult fit;
+  Judgement judgement;
+  std::vector<validate::Finding> properties;  // of the best fit's material; none where there is no fit
+  Spheres spheres;
+  std::vector<std::string> files;  // beside the page
+  std::string no_shader;           // why there is none of them; empty where there is
+};
+
+// How far a sample is read, fitted, judged, drawn: called after each of kSteps steps.
+inline constexpr int kSteps = 4;
+using Step = std::function<void()>;
+
+struct SampleStudy {
+  std::vector<File> files;
+  io::Json row;  // of study.json
+  bool interrupted = false;
+};
+
+// `name` is the row's. Throws InputError where the samples cannot be read or fitted.
+SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
+                         Painter& painter, const Step& step);
+
+}  // namespace brdf::study

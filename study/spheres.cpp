@@ -1,0 +1,82 @@
+#include "study/spheres.h"
+
+#include <mutex>
+#include <optional>
+
+#include "io/error.h"
+#include "io/html_report.h"
+#include "render/compare/pictures.h"
+#include "render/compare/state.h"
+#include "render/job.h"
+
+namespace brdf::study {
+namespace {
+
+constexpr std::uint32_t kPixels = 360;  // of a side
+
+std::string png_of(const render::BytePicture& picture) {
+  std::vector<unsigned char> rgb;
+  rgb.reserve(3 * picture.pixels.size());
+  for (const auto& pixel : picture.pixels) rgb.insert(rgb.end(), pixel.begin(), pixel.end());
+  return io::png_of_pixels(std::size_t(picture.width), std::size_t(picture.height), rgb);
+}
+
+// The sphere under the light of a material's own scene, the samples beside it.
+render::ViewState state_of(const std::filesystem::path& samples, const std::string& name,
+                           const Material& material) {
+  render::require_colours(material.channels, name);
+  render::ViewState state;
+  state.scene = render::material_scene({{name, material}});
+  state.other = render::Other::samples;
+  state.samples = samples;
+  return state;
+}
+
+}  // namespace
+
+// The device, made when the first picture is wanted and kept for the others.
+class Painter::Studio {
+ public:
+  Spheres draw(const std::filesystem::path& samples, const std::string& name, const Material& material) {
+    const std::lock_guard lock(mutex_);
+    if (!refusal_.empty()) return {.missing = refusal_};
+    try {
+      if (!device_) device_.emplace();
+      return drawn(state_of(samples, name, material));
+    } catch (const EnvironmentError& error) {
+      refusal_ = std::string("no renderer here: ") + error.what();
+      return {.missing = refusal_};
+    } catch (const InputError& error) {
+      return {.missing = error.what()};
+    }
+  }
+
+ private:
+  Spheres drawn(render::ViewState state) {
+    render::Pictures pictures(*device_, {});
+    state.display = render::Display::difference;
+    pictures.update(state, {kPixels, kPixels});
+    Spheres out;
+    out.difference = png_of(pictures.capture(state, true));
+    state.display = render::Display::flip;
+    out.measured = png_of(pictures.capture(state));
+    state.display = render::Display::picture;
+    out.fitted = png_of(pictures.capture(state));
+    out.notes = render::colour_notes(state);
+    return out;
+  }
+
+  std::mutex mutex_;
+  std::optional<render::Device> device_;
+  std::string refusal_;  // why nothing can be drawn
+};
+
+Painter::Painter() : studio_(std::make_unique<Studio>()) {}
+Painter::~Painter() = default;
+
+Spheres Painter::draw(const std::filesystem::path& samples, const std::string& name,
+                      const Material& material) {
+  return studio_->draw(samples, name, material);
+}
+
+}  // namespace brdf::study

@@ -1,0 +1,124 @@
+#include "study/study.h"
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+
+#include "io/error.h"
+#include "io/fingerprint.h"
+#include "io/output.h"
+#include "study/overview.h"
+
+namespace brdf::study {
+namespace {
+
+namespace fs = std::filesystem;
+using io::Json;
+
+// What a sample's folder may hold.
+const std::vector<std::string> kSampleFiles{
+    kPage,           kResults,       "sheet.json", "fit.json",      "material.json", "properties.json",
+    "material.glsl", "measured.png", "fitted.png", "difference.png"};
+
+class Study {
+ public:
+  Study(const std::vector<std::string>& samples, const StudyOptions& options)
+      : options_(options), names_(folder_names(samples)), rows_(samples.size()) {
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      rows_[k].file = samples[k];
+      rows_[k].folder = alone() ? options.folder : options.folder / names_[k];
+    }
+    check_outputs();
+  }
+
+  std::vector<Row> run() {
+    io::parallel_for(
+        rows_.size(), [this](std::size_t k) { work(k); }, options_.jobs);
+    const auto unreadable = [](const Row& row) { return row.fault == Fault::input; };
+    if (std::all_of(rows_.begin(), rows_.end(), unreadable)) {
+      const std::string first = rows_.front().json["error"];
+      throw InputError(alone() ? first : "none of the samples can be used: " + first);
+    }
+    if (!alone()) write_overview(rows_, options_.folder);
+    return std::move(rows_);
+  }
+
+ private:
+  bool alone() const { return rows_.size() == 1; }
+
+  // Refuses a folder that cannot be written, or where a result would replace one of the samples.
+  void check_outputs() const {
+    std::vector<fs::path> inputs;
+    for (const Row& row : rows_) inputs.emplace_back(row.file);
+    io::check_folder_target({"-o", options_.folder}, {kPage, kResults}, inputs);
+    for (const Row& row : rows_) io::check_folder_target({"-o", row.folder}, kSampleFiles, inputs);
+  }
+
+  void work(std::size_t k) {
+    Row& row = rows_[k];
+    int steps = 0;
+    const auto step = [&] {
+      ++steps;
+      advance(1);
+    };
+    const auto fail = [&](Fault fault, const std::string& why) {
+      row.fault = fault;
+      row.json = Json{{"name", names_[k]}, {"file", row.file}, {"error", why}, {"usable", false}};
+    };
+    try {
+      if (options_.sample.fit.stop())
+        fail(Fault::interrupted, "interrupted");
+      else if (!fill(row, names_[k], step))
+        fail(Fault::interrupted, "interrupted");
+    } catch (const InputError& error) {
+      fail(Fault::input, error.what());
+    } catch (const std::bad_alloc&) {
+      fail(Fault::environment, row.file + ": not enough memory");
+    } catch (const std::exception& error) {
+      fail(Fault::environment, error.what());
+    }
+    advance(kSteps - steps);
+  }
+
+  // False where it was interrupted.
+  bool fill(Row& row, const std::string& name, const Step& step) {
+    io::Content content = io::read_content(row.file);
+    const std::string key = io::fingerprint(
+        {options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n", content.bytes});
+    if (std::optional<Json> earlier = kept(row.folder, key)) {
+      row.json = earlier->at("results").at(0);
+      row.kept = true;
+      return true;
+    }
+    SampleOptions options = options_.sample;
+    options.alone = alone();
+    SampleStudy found = study_sample(std::move(content), name, options, painter_, step);
+    if (found.interrupted) return false;
+    row.json = std::move(found.row);
+    Json results = io::to_json(io::provenance(options.fit.seed));
+    results["results"] = Json::array({row.json});
+    publish(row.folder, found.files, std::move(results), key);
+    return true;
+  }
+
+  void advance(int steps) {
+    if (!options_.progress || steps == 0) return;
+    const std::lock_guard lock(mutex_);
+    options_.progress(done_ += steps, int(rows_.size()) * kSteps);
+  }
+
+  const StudyOptions& options_;
+  std::vector<std::string> names_;
+  std::vector<Row> rows_;
+  Painter painter_;
+  std::mutex mutex_;
+  int done_ = 0;
+};
+
+}  // namespace
+
+std::vector<Row> study(const std::vector<std::string>& samples, const StudyOptions& options) {
+  return Study(samples, options).run();
+}
+
+}  // namespace brdf::study
