@@ -18,6 +18,8 @@ namespace {
 
 using io::Json;
 
+constexpr const char* kMaterial = "material.json";  // commands name it as it is called beside the page
+
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
@@ -77,13 +79,13 @@ void add_spheres(const Spheres& spheres, std::vector<File>& files) {
 void add_material(Findings& found, const SampleOptions& options, Painter& painter, const Step& step,
                   std::vector<File>& files) {
   const fit::FormFit& best = found.fit.ranking.front();
-  validate::Subject subject = validate::Subject::material(found.name, best.material);
+  validate::Subject subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({std::move(subject)}, {});
   step();
   found.spheres = painter.draw(found.table.source, found.name, best.material);
   step();
   const Json block = fit::material_block(best, found.fit, found.table, options.fit);
-  files.push_back({"material.json", io::to_text(io::to_json(io::MaterialFile{best.material, block}))});
+  files.push_back({kMaterial, io::to_text(io::to_json(io::MaterialFile{best.material, block}))});
   files.push_back({"properties.json", io::to_text(validate::to_json(found.properties))});
   try {
     files.push_back({"material.glsl", io::glsl_source(best.material)});

@@ -1,0 +1,179 @@
+#include "study/study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/content.h"
+#include "io/error.h"
+#include "synth/instrument.h"
+#include "tests/io/temporary_folder.h"
+
+namespace brdf::study {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class StudyOfFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_ / "in");
+    for (int k = 0; k < 3; ++k)
+      files_.push_back(write_sample("s" + std::to_string(k) + ".csv", 0.1 + 0.05 * k));
+    options_.folder = folder_ / "out";
+    options_.sample.models = {{*find_form("ward")}};
+    options_.settings = "settings";
+    options_.jobs = 2;
+  }
+
+  std::string write_sample(const std::string& name, double width) {
+    Material truth = make_material(*find_form("ward"), {"f"});
+    truth.terms[0].shape[0] = {width, width};
+    synth::Instrument instrument;
+    instrument.grid.parts = {"hemisphere"};
+    instrument.grid.step = 15;
+    instrument.grid.theta_i = {10, 30, 60};
+    instrument.noise = 0.02;
+    const fs::path file = folder_ / "in" / name;
+    fs::create_directories(file.parent_path());
+    io::write_samples(file, synth::measure(truth, instrument));
+    return file.string();
+  }
+  std::vector<Row> run() { return study(files_, options_); }
+  std::size_t kept_of(const std::vector<Row>& rows) {
+    return std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.kept; }));
+  }
+  std::string text(const fs::path& file) { return io::read_content(options_.folder / file).bytes; }
+
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
+  std::vector<std::string> files_;
+  StudyOptions options_;
+};
+
+TEST_F(StudyOfFiles, KeepsWhatIsFinishedAndRedoesTheRest) {
+  for (const Row& row : run()) {
+    EXPECT_FALSE(row.kept);
+    EXPECT_TRUE(row.usable());
+  }
+  const std::string page = text("s1/index.html"), overview = text("index.html"), results = text("study.json");
+  fs::remove(options_.folder / "s1" / "study.json");  // as if killed before the second was finished
+  const std::vector<Row> again = run();
+  EXPECT_TRUE(again[0].kept);
+  EXPECT_FALSE(again[1].kept);
+  EXPECT_TRUE(again[2].kept);
+  EXPECT_EQ(text("s1/index.html"), page);
+  EXPECT_EQ(text("index.html"), overview);
+  EXPECT_EQ(text("study.json"), results);
+}
+
+TEST_F(StudyOfFiles, RedoesInputsAndSettingsThatChanged) {
+  run();
+  std::ofstream(files_[2], std::ios::app) << "10,180,20,0,0.3\n";
+  const std::vector<Row> rows = run();
+  EXPECT_TRUE(rows[0].kept);
+  EXPECT_FALSE(rows[2].kept);
+  options_.settings = "others";
+  EXPECT_EQ(kept_of(run()), 0u);
+  EXPECT_EQ(kept_of(run()), 3u);
+}
+
+TEST_F(StudyOfFiles, ABrokenFileIsARowWithItsReasonAndEndsNoOther) {
+  std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,x,0.1\n";
+  const std::vector<Row> rows = run();
+  EXPECT_TRUE(rows[0].usable());
+  EXPECT_FALSE(rows[1].usable());
+  EXPECT_EQ(rows[1].fault, Fault::input);
+  EXPECT_TRUE(rows[2].usable());
+  const io::Json results = io::read_json(options_.folder / "study.json")["results"];
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_TRUE(results[0]["error"].is_null());
+  EXPECT_THAT(results[1]["error"].get<std::string>(), HasSubstr("line 2"));
+  EXPECT_THAT(text("index.html"), HasSubstr("line 2: column 4 (phi_o)"));
+  EXPECT_THAT(text("index.html"), HasSubstr("2 of 3 samples have a usable fit"));
+  EXPECT_FALSE(fs::exists(options_.folder / "s1"));
+}
+
+TEST_F(StudyOfFiles, NothingIsWrittenWhereNoSampleCanBeUsed) {
+  for (const std::string& file : files_) std::ofstream(file) << "1,2\n";
+  EXPECT_THROW(run(), InputError);
+  files_.resize(1);
+  EXPECT_THROW(run(), InputError);
+  EXPECT_FALSE(fs::exists(options_.folder));
+}
+
+TEST_F(StudyOfFiles, OneSampleIsThePageItself) {
+  files_.resize(1);
+  const std::vector<Row> rows = run();
+  EXPECT_EQ(rows[0].folder, options_.folder);
+  for (const char* file : {"index.html", "study.json", "sheet.json", "fit.json", "properties.json",
+                           "material.json", "material.glsl"})
+    EXPECT_TRUE(fs::exists(options_.folder / file)) << file;
+  EXPECT_FALSE(fs::exists(options_.folder / "s0"));
+  EXPECT_EQ(kept_of(run()), 1u);
+}
+
+// What one sample left behind is gone once the folder holds the overview of several.
+TEST_F(StudyOfFiles, AnOverviewTakesThePlaceOfAPage) {
+  const std::vector<std::string> all = files_;
+  files_.resize(1);
+  run();
+  files_ = all;
+  run();
+  EXPECT_FALSE(fs::exists(options_.folder / "material.json"));
+  EXPECT_TRUE(fs::exists(options_.folder / "s0" / "material.json"));
+  EXPECT_THAT(text("index.html"), HasSubstr("3 samples"));
+}
+
+TEST_F(StudyOfFiles, SamplesOfOneNameGetFoldersOfTheirOwn) {
+  files_ = {files_[0], write_sample("other/s0.csv", 0.3)};
+  const std::vector<Row> rows = run();
+  EXPECT_NE(rows[0].folder, rows[1].folder);
+  EXPECT_NE(text("s0/material.json"), text("s0.csv/material.json"));
+  EXPECT_EQ(kept_of(run()), 2u);
+}
+
+TEST_F(StudyOfFiles, NoResultReplacesASample) {
+  options_.folder = folder_ / "in";
+  const fs::path place = folder_ / "in" / "s0" / "fit.json";
+  fs::create_directories(place.parent_path());
+  fs::copy_file(files_[1], place);
+  files_[1] = place.string();
+  EXPECT_THROW(run(), InputError);
+  EXPECT_NO_THROW(io::read_samples(place));
+}
+
+TEST_F(StudyOfFiles, WhatWasInterruptedIsNotWritten) {
+  std::atomic<bool> interrupted = false;
+  options_.sample.fit.interrupted = &interrupted;
+  options_.jobs = 1;
+  options_.progress = [&](int done, int) { interrupted = done >= kSteps; };  // the first is finished
+  const std::vector<Row> rows = run();
+  EXPECT_EQ(rows[0].fault, Fault::none);
+  EXPECT_EQ(rows[1].fault, Fault::interrupted);
+  EXPECT_EQ(rows[2].fault, Fault::interrupted);
+  EXPECT_FALSE(fs::exists(options_.folder / "s1"));
+  interrupted = false;
+  options_.progress = {};
+  EXPECT_EQ(kept_of(run()), 1u);
+}
+
+TEST_F(StudyOfFiles, CountsItsStepsToTheEnd) {
+  int last = 0, total = 0;
+  std::ofstream(files_[1]) << "1,2\n";
+  options_.progress = [&](int done, int all) {
+    EXPECT_GT(done, last);
+    last = done;
+    total = all;
+  };
+  run();
+  EXPECT_EQ(total, 3 * kSteps);
+  EXPECT_EQ(last, total);
+}
+
+}  // namespace
+}  // namespace brdf::study
