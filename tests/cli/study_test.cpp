@@ -1,0 +1,144 @@
+// `brdf study` through the executable: exit codes, what it prints, and what a killed run leaves to the next.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <set>
+#include <thread>
+
+#include "io/json.h"
+#include "tests/cli/run_brdf.h"
+
+namespace brdf {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class StudyVerb : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(
+        run("synth --form ward --set alpha=0.2 --grid in_plane --theta-i 10,30,50 --step 10 --noise 0.02 "
+            "-o s.csv")
+            .exit_code,
+        0);
+  }
+  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
+  io::Json json_of(const Outcome& outcome) { return io::parse_json(outcome.out, "stdout"); }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name) << text;
+  }
+
+  // Without a driver: what is drawn has no part in this.
+  pid_t start(std::vector<std::string> words) {
+    words.insert(words.begin(), BRDF_EXECUTABLE);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    pid_t process = -1;
+    EXPECT_EQ(posix_spawn(&process, BRDF_EXECUTABLE, &actions, nullptr, arguments.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    return process;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(StudyVerb, WritesThePageOfOneSample) {
+  const Outcome outcome = run("study s.csv --form ward -o out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("s  ward describes the samples, to "));
+  EXPECT_THAT(outcome.out, HasSubstr("\nout/index.html\n"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "out/material.json"));
+  EXPECT_THAT(run("study s.csv --form ward -o out").out, HasSubstr(" (kept)\n"));
+  EXPECT_FALSE(json_of(run("study s.csv --form lambert+ward -o out --json"))["results"][0]["kept"]);
+  EXPECT_EQ(run("eval --material out/material.json s.csv -o e.csv").exit_code, 0);
+}
+
+TEST_F(StudyVerb, ExitCodesSayWhatFailed) {
+  write("broken.csv", "theta_i,phi_i,theta_o,phi_o,f\n1,2,x,4,5\n");
+  const Outcome one = run("study s.csv broken.csv --form ward -o out --json");
+  EXPECT_EQ(one.exit_code, 1) << one.err;
+  const io::Json results = json_of(one)["results"];
+  EXPECT_TRUE(results[0]["usable"]);
+  EXPECT_THAT(results[1]["error"].get<std::string>(), HasSubstr("broken.csv, line 2: column 3"));
+  EXPECT_EQ(run("study s.csv --form lambert -o bad").exit_code, 1);  // a shiny sample
+  for (const char* words : {"study broken.csv -o none", "study broken.csv missing.csv -o none",
+                            "study s.csv --form wurd -o none", "study s.csv", "study s.csv -o s.csv",
+                            "study s.csv --jobs 0 -o none", "study s.csv --robust x -o none"}) {
+    const Outcome refused = run(words);
+    EXPECT_EQ(refused.exit_code, 2) << words;
+    EXPECT_THAT(refused.err, StartsWith("brdf: ")) << words;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
+  EXPECT_FALSE(fs::exists(folder_.path() / "none"));
+}
+
+TEST_F(StudyVerb, NamesThatAreNoWebAddressesAreLinked) {
+  const std::string name = "50% grey #2 & <b> \"q\"?.csv";
+  fs::copy_file(folder_.path() / "s.csv", folder_.path() / name);
+  EXPECT_EQ(run("study s.csv '" + name + "' --form ward -o out").exit_code, 0);
+  EXPECT_THAT(file_text(folder_.path() / "out/index.html"),
+              HasSubstr("href=\"50%25%20grey%20%232%20%26%20%3Cb%3E%20%22q%22%3F/index.html\""));
+}
+
+// 50 samples, two at a time, killed while it works: the next run keeps all that was finished.
+TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
+  constexpr std::size_t kSamples = 50, kJobs = 2;
+  const std::string table = file_text(folder_.path() / "s.csv");
+  std::vector<std::string> words{
+      "study", "--form", "ward", "--jobs", std::to_string(kJobs), "-o", (folder_.path() / "out").string()};
+  std::string again = "study --form ward --jobs 2 -o '" + (folder_.path() / "out").string() + "' --json";
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const fs::path file = folder_.path() / ("sample" + std::to_string(k) + ".csv");
+    std::ofstream(file) << "# sample: " << k << '\n' << table;
+    words.push_back(file.string());
+    again += " '" + file.string() + "'";
+  }
+  const auto finished = [&] {
+    std::set<std::string> names;
+    std::error_code none_yet;
+    for (const auto& entry : fs::directory_iterator(folder_.path() / "out", none_yet))
+      if (fs::exists(entry.path() / "study.json")) names.insert(entry.path().filename());
+    return names;
+  };
+  setenv("VK_DRIVER_FILES", "/none", 1);
+  const pid_t process = start(words);
+  ASSERT_GT(process, 0);
+  for (int k = 0; k < 6000 && finished().size() < 8; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(process, SIGKILL);
+  int status = 0;
+  waitpid(process, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const std::set<std::string> before = finished();
+  EXPECT_GE(before.size(), 8u);
+  EXPECT_LT(before.size(), kSamples);
+  std::size_t folders = 0;
+  for (const auto& entry : fs::directory_iterator(folder_.path() / "out")) folders += entry.is_directory();
+  EXPECT_LE(folders, before.size() + kJobs);
+
+  const Outcome outcome = run(again);
+  unsetenv("VK_DRIVER_FILES");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const io::Json results = json_of(outcome)["results"];
+  ASSERT_EQ(results.size(), kSamples);
+  std::set<std::string> kept;
+  for (const io::Json& row : results)
+    if (row["kept"]) kept.insert(row["name"]);
+  EXPECT_EQ(kept, before);
+  EXPECT_EQ(finished().size(), kSamples);
+  RecordProperty("kept", int(kept.size()));
+}
+
+}  // namespace
+}  // namespace brdf
