@@ -29,15 +29,21 @@ void print_text(const std::vector<study::Row>& rows, const std::filesystem::path
   for (const study::Row& row : rows) {
     std::cout << std::left << std::setw(int(widest) + 2) << row.json["name"].get<std::string>();
     if (row.fault == study::Fault::none)
-      std::cout << row.json["statement"].get<std::string>();
+      std::cout << row.json["statement"].get<std::string>() << (row.kept ? " (kept)" : "") << '\n';
     else
-      std::cout << "error: " << row.json["error"].get<std::string>();
-    std::cout << (row.kept ? " (kept)" : "") << '\n';
-    if (row.fault != study::Fault::none) continue;
-    for (const io::Json& warning : row.json["warnings"])
+      std::cout << "error\n";
+    for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
       std::cout << "  " << warning.get<std::string>() << '\n';
   }
   std::cout << (folder / study::kPage).string() << '\n';
+}
+
+// Why samples have no study, a line for each.
+void say_faults(const std::vector<study::Row>& rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].fault != study::Fault::none)
+      std::cerr << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>()
+                << '\n';
 }
 
 void print_json(const std::vector<study::Row>& rows) {
@@ -61,6 +67,7 @@ Exit run(const Options& o) {
   options.jobs = o.jobs;
   options.progress = progress_line("brdf study");
   const std::vector<study::Row> rows = study::study(o.samples, options);
+  say_faults(rows);
   o.json ? print_json(rows) : print_text(rows, o.output);
   const auto has = [&](study::Fault fault) {
     return std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) { return row.fault == fault; });

@@ -27,6 +27,7 @@ COMMANDS = [
     "fit c.csv --form all --json -o c.json --report c.html",
     "fit w.csv --form ward --anisotropic --json -o w.json",
     "fit c.csv m.csv g.csv --form lambert+ward --jobs {threads} -o batch",
+    "study w.csv c.csv --form ward --jobs {threads} --json -o studied",
     "albedo --material c.json --theta 0,30,60,85 --json",
     "validate c.json --json -o v.html",
     "validate --form ward --form oren_nayar_full --json",

@@ -61,6 +61,12 @@ CASES = [
          ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
                                      "more.html", "summary.csv", "summary.html")],
          ["samples.csv", "more.csv"], parts=True, draws=True),
+    Case("study", ["study", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
+         ["out/index.html", "out/study.json"] +
+         [f"out/{sample}/{name}" for sample in ("samples", "more")
+          for name in ("index.html", "study.json", "sheet.json", "fit.json", "properties.json", "material.json",
+                       "material.glsl", "measured.png", "fitted.png", "difference.png")],
+         ["samples.csv", "more.csv"], parts=True, draws=True),
     Case("validate a table", ["validate", "samples.csv", "-o", "report.html", "--json"], ["report.html"],
          ["samples.csv"]),
     Case("validate a material", ["validate", "material.json", "--picture", "texture.png", "-o", "report.html"],
