@@ -7,8 +7,7 @@
 
 #include "cli/options.h"
 #include "io/error.h"
-#include "io/numbers.h"
-#include "io/provenance.h"
+#include "io/shell.h"
 #include "io/text.h"
 
 namespace brdf::cli {
@@ -95,18 +94,30 @@ std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
   return {forms};
 }
 
-std::string settings_of(const FitChoice& o) {
-  std::string text = io::joined({io::provenance().version, o.form, std::string(name_of(o.fit.metric)),
-                                 o.robust, std::string(name_of(o.fit.weighting))},
-                                " ");
-  for (const auto* list : {&o.fix, &o.start, &o.bounds, &o.fit.tie}) {
-    text += " |";
-    for (const std::string& item : *list) text += " " + item;
-  }
-  for (const double x :
-       {o.fit.max_theta, o.fit.aperture, double(o.fit.anisotropic), double(o.fit.per_channel),
-        double(o.physical), double(o.fit.free_scale), double(o.fit.random_starts), double(o.fit.seed)})
-    text += " " + std::to_string(x);
+std::string words_of(const FitChoice& o) {
+  const FitChoice plain;
+  std::string text;
+  const auto add = [&](const char* option, const std::string& value) {
+    text += std::string(" ") + option + " " + io::shell_word(value);
+  };
+  const auto add_number = [&](const char* option, double value, double left_out) {
+    if (value != left_out) add(option, io::to_text(value));
+  };
+  add("--form", o.form);
+  if (o.fit.metric != plain.fit.metric) add("--metric", std::string(name_of(o.fit.metric)));
+  if (o.fit.weighting != plain.fit.weighting) add("--weights", std::string(name_of(o.fit.weighting)));
+  if (!o.robust.empty()) add("--robust", o.robust);
+  for (const auto& [option, list] : {std::pair{"--fix", &o.fix}, std::pair{"--start", &o.start},
+                                     std::pair{"--bounds", &o.bounds}, std::pair{"--tie", &o.fit.tie}})
+    for (const std::string& word : *list) add(option, word);
+  for (const auto& [option, flag] :
+       {std::pair{" --anisotropic", o.fit.anisotropic}, std::pair{" --per-channel", o.fit.per_channel},
+        std::pair{" --free-scale", o.fit.free_scale}, std::pair{" --physical", o.physical}})
+    if (flag) text += option;
+  add_number("--max-theta", o.fit.max_theta, plain.fit.max_theta);
+  add_number("--aperture", o.fit.aperture, plain.fit.aperture);
+  add_number("--starts", o.fit.random_starts, plain.fit.random_starts);
+  if (o.fit.seed != plain.fit.seed) add("--seed", std::to_string(o.fit.seed));
   return text;
 }
 

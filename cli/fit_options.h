@@ -26,8 +26,9 @@ void add_fit_options(CLI::App& verb, FitChoice& choice);
 fit::FitOptions fit_options(const FitChoice& choice);
 // "all", "every", "ward" or "oren_nayar+ward"; none for "auto", which chooses by itself. Throws InputError.
 std::vector<std::vector<Reflectance>> models_of(const std::string& form);
-// Everything of the choice that decides a result, as text.
-std::string settings_of(const FitChoice& choice);
+// The options as a shell takes them, those left out that are as they were: " --form ward --fix ks=0". With the version it
+// is everything that decides a result.
+std::string words_of(const FitChoice& choice);
 
 // From now on Ctrl-C asks for the best so far; a second one ends the program. Where it is ignored it stays so.
 void watch_for_interrupt();

@@ -15,6 +15,7 @@
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/output.h"
+#include "io/provenance.h"
 #include "io/relative_scale.h"
 #ifdef BRDF_HAS_RENDER
 #include "render/job.h"
@@ -86,7 +87,7 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const std::vector<fit::BatchRow> rows = fit::run_batch(o.samples, models_of(o.choice.form), options,
-                                                         {folder, o.jobs, settings_of(o.choice), progress});
+                                                         {folder, o.jobs, io::provenance().version + words_of(o.choice), progress});
   draw_spheres(rows, folder);
   fit::write_summary(rows, folder);
   bool good = true;

@@ -63,7 +63,8 @@ Exit run(const Options& o) {
   options.folder = o.output;
   options.sample.models = models_of(o.choice.form);
   options.sample.fit = fit_options(o.choice);
-  options.settings = settings_of(o.choice);
+  options.sample.fit_words = words_of(o.choice);
+  options.settings = io::provenance().version + options.sample.fit_words;
   options.jobs = o.jobs;
   options.progress = progress_line("brdf study");
   const std::vector<study::Row> rows = study::study(o.samples, options);

@@ -22,7 +22,6 @@ namespace {
 constexpr std::size_t kListedMinima = 10;
 constexpr double kRounding = 1e-18;    // of a squared residual, as a share of that of a black surface
 constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 1995)
-constexpr double kAlbedoError = 2e-3;  // of the integral, with room
 constexpr double kNegligible = 1e-7;   // share of a lobe in the model below which it is absent
 
 // Linear unknowns whose lobe adds next to nothing are exactly 0 and held there.
@@ -125,7 +124,7 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   out.covariance = u.covariance;
   out.prediction_error = u.prediction_error;
   out.largest_albedo = largest_albedo(out.material);
-  if (out.largest_albedo->value > 1 + kAlbedoError && !options.free_scale)
+  if (out.largest_albedo->breaks_energy() && !options.free_scale)
     out.findings.push_back(energy_text(*out.largest_albedo, options));
   out.condition = u.condition;
   out.bic = information_criterion(stream, best);

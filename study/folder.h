@@ -1,6 +1,7 @@
 // Where the results of one sample are kept, and whether what is there can be kept.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,20 @@ namespace brdf::study {
 
 inline constexpr const char* kPage = "index.html";
 inline constexpr const char* kResults = "study.json";
+inline constexpr const char* kSheet = "sheet.json";
+inline constexpr const char* kFit = "fit.json";
+inline constexpr const char* kMaterial = "material.json";
+inline constexpr const char* kProperties = "properties.json";
+inline constexpr const char* kShader = "material.glsl";
+inline constexpr const char* kMeasured = "measured.png";
+inline constexpr const char* kFitted = "fitted.png";
+inline constexpr const char* kDifference = "difference.png";
+inline constexpr const char* kSmallMeasured = "measured_small.png";
+inline constexpr const char* kSmallFitted = "fitted_small.png";
+// All that a sample's folder may hold of a study.
+inline constexpr std::array kSampleFiles{kPage,     kResults,    kSheet,         kFit,
+                                         kMaterial, kProperties, kShader,        kMeasured,
+                                         kFitted,   kDifference, kSmallMeasured, kSmallFitted};
 
 struct File {
   std::string name, bytes;

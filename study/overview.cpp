@@ -1,11 +1,15 @@
 #include "study/overview.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
-#include "io/fingerprint.h"
+#include "io/content.h"
+#include "io/error.h"
 #include "io/html_report.h"
 #include "io/numbers.h"
 #include "study/folder.h"
+#include "study/links.h"
 
 namespace brdf::study {
 namespace {
@@ -14,26 +18,121 @@ using io::Cell;
 using io::Json;
 using io::Mark;
 
+constexpr std::size_t kColumns = 10;
+
+std::string text_of(const Json& json, const char* key) {
+  return json.at(key).get<std::string>();
+}
+
+double number_of(const Json& json, const char* key) {
+  return json.at(key).is_number() ? json.at(key).get<double>() : std::nan("");
+}
+
+// "5 of 12" where some failed, with their names beneath.
+Cell checks_cell(const Json& counts, const Json& failed) {
+  const int good = counts.at("pass").get<int>(), open = counts.at("undecided").get<int>(),
+            known = counts.at("known_violation").get<int>();
+  if (failed.empty())
+    return {.text = std::to_string(good + known) + " passed",
+            .mark = open + known > 0 ? Mark::warn : Mark::good,
+            .note = open > 0 ? std::to_string(open) + " undecided" : "",
+            .sorted_by = 0};
+  return {.text = std::to_string(failed.size()) + " failed",
+          .mark = Mark::bad,
+          .note = io::joined(failed.get<std::vector<std::string>>()),
+          .sorted_by = double(failed.size())};
+}
+
+Cell energy_cell(const Json& row) {
+  const double albedo = number_of(row, "largest_albedo");
+  if (std::isnan(albedo)) return {.text = "-"};
+  const Json& kept = row.at("keeps_energy");
+  return {.text = io::percent(albedo),
+          .mark = kept.is_null()     ? Mark::none
+                  : kept.get<bool>() ? Mark::good
+                                     : Mark::warn,
+          .sorted_by = albedo};
+}
+
+Cell share_cell(double share) {
+  if (std::isnan(share)) return {.text = "-"};
+  return {.text = io::percent(share), .sorted_by = share};
+}
+
+Cell picture_cell(const Row& row, const char* file, const std::string& link) {
+  try {
+    return {.link = link, .png = io::read_content(row.folder / file).bytes};
+  } catch (const InputError&) {  // none was drawn
+    return {.text = "-"};
+  }
+}
+
+io::Row cells_of(const Row& row, bool pictures) {
+  const std::string name = text_of(row.json, "name"), link = address_of(name) + "/" + kPage;
+  io::Row cells;
+  if (row.fault != Fault::none) {
+    cells = {{.text = name}, {.text = "error", .mark = Mark::bad, .note = text_of(row.json, "error")}};
+    cells.resize(pictures ? kColumns : kColumns - 2);
+    return cells;
+  }
+  const bool warned = !row.json.at("warnings").empty();
+  const double over = number_of(row.json, "residual_over_scatter");
+  std::string verdict = text_of(row.json, "verdict");
+  std::replace(verdict.begin(), verdict.end(), '_', ' ');
+  cells = {{.text = name, .link = link}};
+  if (pictures) {
+    cells.push_back(picture_cell(row, kSmallMeasured, link));
+    cells.push_back(picture_cell(row, kSmallFitted, link));
+  }
+  const auto weak = row.json.at("weakly_determined").get<std::vector<std::string>>();
+  cells.push_back({.text = verdict, .mark = !row.usable() ? Mark::bad : warned ? Mark::warn : Mark::good});
+  cells.push_back({.text = text_of(row.json, "form"), .code = true});
+  cells.push_back(share_cell(number_of(row.json, "median_relative_error")));
+  cells.push_back(std::isnan(over) ? Cell{.text = "-"}
+                                   : Cell{.text = io::short_number(over, 2), .sorted_by = over});
+  cells.push_back(energy_cell(row.json));
+  cells.push_back(weak.empty() ? Cell{.text = "-"} : Cell{.text = io::joined(weak), .mark = Mark::none});
+  cells.push_back(checks_cell(row.json.at("sheet"), row.json.at("sheet_failed")));
+  return cells;
+}
+
+// Why there are no pictures, each reason once.
+std::set<std::string> missing_pictures(const std::vector<Row>& rows) {
+  std::set<std::string> reasons;
+  for (const Row& row : rows)
+    if (row.fault == Fault::none && !row.json.at("no_pictures").is_null())
+      reasons.insert(text_of(row.json, "no_pictures"));
+  return reasons;
+}
+
 std::string page_of(const std::vector<Row>& rows) {
   io::HtmlReport report("Study of " + std::to_string(rows.size()) + " samples");
-  const auto good =
-      std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.usable(); }));
-  report.verdict(good == rows.size() ? Mark::good : Mark::warn,
-                 std::to_string(good) + " of " + std::to_string(rows.size()) + " samples have a usable fit.");
-  std::vector<std::vector<Cell>> cells;
-  for (const Row& row : rows) {
-    if (row.fault != Fault::none) {
-      cells.push_back({{row.json["name"]}, {"error", Mark::bad}, {row.json["error"]}, {}});
-      continue;
-    }
-    cells.push_back({{row.json["name"]},
-                     {row.json["verdict"], row.usable() ? Mark::good : Mark::bad},
-                     {row.json["form"]},
-                     {io::percent(row.json["median_relative_error"].is_null()
-                                      ? 0.0
-                                      : row.json["median_relative_error"].get<double>())}});
-  }
-  report.table({"sample", "verdict", "form", "median error"}, cells);
+  const auto count = [&](auto&& is) { return std::size_t(std::count_if(rows.begin(), rows.end(), is)); };
+  const std::size_t usable = count([](const Row& r) { return r.usable(); });
+  const std::size_t broken = count([](const Row& r) { return r.fault != Fault::none; });
+  std::string verdict =
+      std::to_string(usable) + " of " + std::to_string(rows.size()) + " samples have a usable fit";
+  if (broken > 0) verdict += "; " + std::to_string(broken) + " could not be studied";
+  report.verdict(usable == rows.size() ? Mark::good : Mark::warn, verdict + ".");
+  const std::size_t drawn =
+      count([](const Row& r) { return r.fault == Fault::none && r.json.at("no_pictures").is_null(); });
+  for (const std::string& reason : missing_pictures(rows))
+    report.paragraph("Without pictures: " + reason + ".");
+  report.explain("energy",
+                 "The largest fraction of light that the fitted material reflects, over the angles of the "
+                 "light. Above 100 % it would give off more than it receives.");
+  report.explain("weakly determined",
+                 "Parameters whose 95 % interval reaches over more than a factor of three: other values "
+                 "would describe the samples nearly as well.");
+  report.explain("samples",
+                 "The checks of the samples themselves, before anything is fitted: the data sheet.");
+  std::vector<std::string> header{"sample"};
+  if (drawn > 0) header.insert(header.end(), {"measured", "fitted"});
+  header.insert(header.end(),
+                {"verdict", "form", "median", "x scatter", "energy", "weakly determined", "samples"});
+  std::vector<io::Row> cells;
+  for (const Row& row : rows) cells.push_back(cells_of(row, drawn > 0));
+  report.table(header, cells, true);
   return report.document(io::provenance());
 }
 

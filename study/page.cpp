@@ -1,18 +1,95 @@
 #include "study/page.h"
 
 #include "io/html_report.h"
+#include "io/shell.h"
+#include "study/links.h"
 #include "validate/report.h"
 
 namespace brdf::study {
+namespace {
+
+using io::Mark;
+
+void add_verdict(io::HtmlReport& report, const Findings& found) {
+  report.verdict(found.judgement.mark, found.judgement.sentence);
+  for (const std::string& warning : found.judgement.warnings) report.verdict(Mark::warn, warning + ".");
+}
+
+// Measured beside fitted. What a browser turns by itself goes here too, above the still pictures.
+void add_spheres(io::HtmlReport& report, const Findings& found) {
+  const Spheres& spheres = found.spheres;
+  if (spheres.fitted.empty()) {
+    report.paragraph("No pictures: " + spheres.missing + ".");
+    return;
+  }
+  report.pictures({{.png = spheres.measured,
+                    .title = "measured",
+                    .text = "the samples, interpolated between their directions"},
+                   {.png = spheres.fitted,
+                    .title = "fitted",
+                    .text = found.fit.ranking.front().form + ", under the same light"},
+                   {.png = spheres.difference, .title = "difference", .text = "fitted against measured"}});
+  for (const std::string& note : spheres.notes) report.paragraph(note + ".");
+}
+
+void add_properties(io::HtmlReport& report, const Findings& found) {
+  if (found.properties.empty()) return;
+  report.heading("Properties of the fitted material");
+  validate::add_tables(report, found.properties);
+}
+
+void add_sheet(io::HtmlReport& report, const Findings& found) {
+  report.heading("The samples");
+  validate::add_tables(report, found.sheet.findings);
+  validate::add_to_report(report, found.table, found.sheet);
+}
+
+// What a file beside the page is, for people.
+std::string meaning_of(const std::string& file) {
+  const std::pair<const char*, const char*> meanings[] = {
+      {kMaterial, "the fitted material, for every verb that takes one"},
+      {kShader, "the same as a shader's source (GLSL)"},
+      {kFit, "the ranking of the forms with all numbers"},
+      {kProperties, "the checks of the material"},
+      {kSheet, "the checks of the samples"},
+      {kResults, "what this page says first, for programs"},
+      {kMeasured, "the measured sphere"},
+      {kFitted, "the fitted sphere"},
+      {kDifference, "their difference"},
+      {kSmallMeasured, "the measured sphere, small"},
+      {kSmallFitted, "the fitted sphere, small"}};
+  for (const auto& [name, meaning] : meanings)
+    if (file == name) return meaning;
+  return "";
+}
+
+void add_files(io::HtmlReport& report, const Findings& found, const SampleOptions& options) {
+  report.heading("Files and commands");
+  std::vector<io::Row> rows;
+  for (const std::string& file : found.files)
+    rows.push_back({{.text = file, .link = address_of(file)}, {.text = meaning_of(file)}});
+  report.table({"file", "what it is"}, rows);
+  if (!found.no_shader.empty()) report.paragraph("No shader: " + found.no_shader + ".");
+  const std::string samples = io::shell_file(found.table.source), material = kMaterial;
+  std::string commands = "brdf validate " + samples + "\n";
+  if (!found.properties.empty())
+    commands += "brdf fit " + samples + options.fit_words + " -o " + material + "\nbrdf validate " +
+                material + "\nbrdf render " + material + " --measured " + samples +
+                " -o spheres.png\nbrdf export --material " + material + " --to glsl -o " + kShader;
+  report.command(commands);
+}
+
+}  // namespace
 
 std::string sample_page(const Findings& found, const SampleOptions& options) {
   io::HtmlReport report(found.name);
-  report.verdict(found.judgement.mark, found.judgement.sentence);
-  for (const std::string& warning : found.judgement.warnings) report.paragraph(warning);
-  if (!found.spheres.fitted.empty()) {
-    report.picture(found.spheres.measured, "measured");
-    report.picture(found.spheres.fitted, "fitted");
-  }
+  if (!options.alone) report.raw(std::string("<p><a href=\"../") + kPage + "\">All samples</a></p>\n");
+  add_verdict(report, found);
+  add_spheres(report, found);
+  add_properties(report, found);
+  add_sheet(report, found);
+  add_files(report, found, options);
+  report.footnote("samples", found.table.source);
   return report.document(io::provenance(options.fit.seed));
 }
 

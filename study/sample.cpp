@@ -18,8 +18,6 @@ namespace {
 
 using io::Json;
 
-constexpr const char* kMaterial = "material.json";  // commands name it as it is called beside the page
-
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
@@ -42,7 +40,7 @@ Json failed_checks(const std::vector<validate::Finding>& findings) {
   return names;
 }
 
-Json row_of(const Findings& found, const std::string& name) {
+Json row_of(const Findings& found, const std::string& name, bool relative) {
   const fit::FormFit& best = found.fit.ranking.front();
   Json row{{"name", name}, {"file", found.table.source}, {"error", nullptr}};
   row["rows"] = found.table.rows();
@@ -56,6 +54,8 @@ Json row_of(const Findings& found, const std::string& name) {
   row["cross_validated_error"] = number(best.left_out ? best.left_out->errors.median : fit::kUnknown);
   row["residual_over_scatter"] = number(best.lack_of_fit.residual_over_scatter.value_or(fit::kUnknown));
   row["largest_albedo"] = best.largest_albedo ? number(best.largest_albedo->value) : Json(nullptr);
+  row["keeps_energy"] =
+      best.largest_albedo && !relative ? Json(!best.largest_albedo->breaks_energy()) : Json(nullptr);
   row["weakly_determined"] = weakly_determined(best);
   row["recommended"] = fit::usable(found.fit.ranking[found.fit.recommended].verdict)
                            ? Json(found.fit.ranking[found.fit.recommended].form)
@@ -70,15 +70,18 @@ Json row_of(const Findings& found, const std::string& name) {
 
 void add_spheres(const Spheres& spheres, std::vector<File>& files) {
   if (spheres.fitted.empty()) return;
-  files.push_back({"measured.png", spheres.measured});
-  files.push_back({"fitted.png", spheres.fitted});
-  files.push_back({"difference.png", spheres.difference});
+  files.push_back({kMeasured, spheres.measured});
+  files.push_back({kFitted, spheres.fitted});
+  files.push_back({kDifference, spheres.difference});
+  files.push_back({kSmallMeasured, spheres.small_measured});
+  files.push_back({kSmallFitted, spheres.small_fitted});
 }
 
 // The material and what is told of it.
 void add_material(Findings& found, const SampleOptions& options, Painter& painter, const Step& step,
                   std::vector<File>& files) {
   const fit::FormFit& best = found.fit.ranking.front();
+  // Commands name it as it is called beside the page.
   validate::Subject subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({std::move(subject)}, {});
   step();
@@ -86,9 +89,9 @@ void add_material(Findings& found, const SampleOptions& options, Painter& painte
   step();
   const Json block = fit::material_block(best, found.fit, found.table, options.fit);
   files.push_back({kMaterial, io::to_text(io::to_json(io::MaterialFile{best.material, block}))});
-  files.push_back({"properties.json", io::to_text(validate::to_json(found.properties))});
+  files.push_back({kProperties, io::to_text(validate::to_json(found.properties))});
   try {
-    files.push_back({"material.glsl", io::glsl_source(best.material)});
+    files.push_back({kShader, io::glsl_source(best.material)});
   } catch (const InputError& error) {
     found.no_shader = error.what();
   }
@@ -116,11 +119,11 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   out.interrupted = found.fit.interrupted;
   if (out.interrupted) return out;
   found.judgement = judge(found.fit);
-  out.files.push_back({"sheet.json", io::to_text(validate::to_json(found.sheet.findings))});
-  out.files.push_back({"fit.json", io::to_text(fit::to_json(found.fit, found.table, options.fit))});
+  out.files.push_back({kSheet, io::to_text(validate::to_json(found.sheet.findings))});
+  out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});
   if (found.fit.ranking.front().solved()) add_material(found, options, painter, step, out.files);
   for (const File& file : out.files) found.files.push_back(file.name);
-  out.row = row_of(found, name);
+  out.row = row_of(found, name, options.fit.free_scale);
   out.files.push_back({kPage, sample_page(found, options)});
   return out;
 }

@@ -21,7 +21,8 @@ namespace brdf::study {
 struct SampleOptions {
   std::vector<std::vector<Reflectance>> models;  // none: --form auto
   fit::FitOptions fit;
-  bool alone = true;  // its page is no part of an overview
+  std::string fit_words;  // the same as a shell takes it, for the commands that the page shows
+  bool alone = true;      // its page is no part of an overview
 };
 
 // What the page and the JSON are made of.

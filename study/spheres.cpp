@@ -13,6 +13,23 @@ namespace brdf::study {
 namespace {
 
 constexpr std::uint32_t kPixels = 360;  // of a side
+constexpr int kReduction = 3;           // of the small ones
+
+render::BytePicture reduced(const render::BytePicture& picture) {
+  render::BytePicture out(picture.width / kReduction, picture.height / kReduction);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        int sum = 0;
+        for (int j = 0; j < kReduction * kReduction; ++j) {
+          const int row = kReduction * y + j / kReduction, column = kReduction * x + j % kReduction;
+          sum += picture.pixels[std::size_t(row * picture.width + column)][c];
+        }
+        out.pixels[std::size_t(y * out.width + x)][c] =
+            std::uint8_t((sum + kReduction * kReduction / 2) / (kReduction * kReduction));
+      }
+  return out;
+}
 
 std::string png_of(const render::BytePicture& picture) {
   std::vector<unsigned char> rgb;
@@ -59,9 +76,13 @@ class Painter::Studio {
     Spheres out;
     out.difference = png_of(pictures.capture(state, true));
     state.display = render::Display::flip;
-    out.measured = png_of(pictures.capture(state));
+    const render::BytePicture measured = pictures.capture(state);
     state.display = render::Display::picture;
-    out.fitted = png_of(pictures.capture(state));
+    const render::BytePicture fitted = pictures.capture(state);
+    out.measured = png_of(measured);
+    out.fitted = png_of(fitted);
+    out.small_measured = png_of(reduced(measured));
+    out.small_fitted = png_of(reduced(fitted));
     out.notes = render::colour_notes(state);
     return out;
   }

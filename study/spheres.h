@@ -10,9 +10,10 @@
 
 namespace brdf::study {
 
-// PNG files' bytes, all of one size and under the same light; empty where there is none.
+// PNG files' bytes, under the same light; empty where there is none.
 struct Spheres {
   std::string measured, fitted, difference;
+  std::string small_measured, small_fitted;
   std::vector<std::string> notes;  // how channels became colours, where their names do not say it
   std::string missing;             // why there are none
 };

@@ -15,11 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using io::Json;
 
-// What a sample's folder may hold.
-const std::vector<std::string> kSampleFiles{
-    kPage,           kResults,       "sheet.json", "fit.json",      "material.json", "properties.json",
-    "material.glsl", "measured.png", "fitted.png", "difference.png"};
-
 class Study {
  public:
   Study(const std::vector<std::string>& samples, const StudyOptions& options)
@@ -51,7 +46,8 @@ class Study {
     std::vector<fs::path> inputs;
     for (const Row& row : rows_) inputs.emplace_back(row.file);
     io::check_folder_target({"-o", options_.folder}, {kPage, kResults}, inputs);
-    for (const Row& row : rows_) io::check_folder_target({"-o", row.folder}, kSampleFiles, inputs);
+    for (const Row& row : rows_)
+      io::check_folder_target({"-o", row.folder}, {kSampleFiles.begin(), kSampleFiles.end()}, inputs);
   }
 
   void work(std::size_t k) {

@@ -46,10 +46,6 @@ std::string sentence_of(const fit::FormFit& best) {
   }
 }
 
-bool breaks_energy(const fit::FormFit& best) {
-  return best.largest_albedo && best.largest_albedo->value > 1.001;
-}
-
 }  // namespace
 
 std::vector<std::string> weakly_determined(const fit::FormFit& fit) {
@@ -79,9 +75,7 @@ Judgement judge(const fit::FitResult& result) {
     out.warnings.push_back("lack of fit: " + fit::in_words(best.lack_of_fit));
   if (!result.input_fault.empty()) out.warnings.push_back("the samples: " + result.input_fault);
   const bool plain = best.verdict == fit::Verdict::converged && out.warnings.empty();
-  out.mark = !fit::usable(best.verdict)      ? io::Mark::bad
-             : plain && !breaks_energy(best) ? io::Mark::good
-                                             : io::Mark::warn;
+  out.mark = !fit::usable(best.verdict) ? io::Mark::bad : plain ? io::Mark::good : io::Mark::warn;
   return out;
 }
 

@@ -119,6 +119,9 @@ struct ParameterCovariance {
 struct LargestAlbedo {
   double value, theta;  // degrees
   std::string channel;
+
+  // More than all of the light, beyond the integral's own error.
+  bool breaks_energy() const { return value > 1 + 2e-3; }
 };
 
 struct FormFit {

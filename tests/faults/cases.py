@@ -65,7 +65,8 @@ CASES = [
          ["out/index.html", "out/study.json"] +
          [f"out/{sample}/{name}" for sample in ("samples", "more")
           for name in ("index.html", "study.json", "sheet.json", "fit.json", "properties.json", "material.json",
-                       "material.glsl", "measured.png", "fitted.png", "difference.png")],
+                       "material.glsl", "measured.png", "fitted.png", "difference.png",
+                       "measured_small.png", "fitted_small.png")],
          ["samples.csv", "more.csv"], parts=True, draws=True),
     Case("validate a table", ["validate", "samples.csv", "-o", "report.html", "--json"], ["report.html"],
          ["samples.csv"]),

@@ -63,8 +63,9 @@ TEST(Judgement, ATraceThatCouldBeNothingIsNoWarning) {
 
 TEST(Judgement, WarnsOfEnergyAndLackOfFit) {
   fit::FitResult bright = good_fit();
-  bright.ranking[0].largest_albedo->value = 1.4;
+  bright.ranking[0].findings = {"reflects more light than falls on it"};  // as fit says it
   EXPECT_EQ(judge(bright).mark, io::Mark::warn);
+  EXPECT_THAT(judge(bright).warnings, ElementsAre("reflects more light than falls on it"));
   fit::FitResult off = good_fit();
   off.ranking[0].lack_of_fit.beyond_scatter = true;
   EXPECT_EQ(judge(off).mark, io::Mark::warn);
