@@ -18,8 +18,6 @@ using io::Cell;
 using io::Json;
 using io::Mark;
 
-constexpr std::size_t kColumns = 10;
-
 std::string text_of(const Json& json, const char* key) {
   return json.at(key).get<std::string>();
 }
@@ -67,32 +65,41 @@ Cell picture_cell(const Row& row, const char* file, const std::string& link) {
   }
 }
 
-io::Row cells_of(const Row& row, bool pictures) {
-  const std::string name = text_of(row.json, "name"), link = address_of(name) + "/" + kPage;
-  io::Row cells;
-  if (row.fault != Fault::none) {
-    cells = {{.text = name}, {.text = "error", .mark = Mark::bad, .note = text_of(row.json, "error")}};
-    cells.resize(pictures ? kColumns : kColumns - 2);
-    return cells;
-  }
-  const bool warned = !row.json.at("warnings").empty();
-  const double over = number_of(row.json, "residual_over_scatter");
+// What to know of a sample beside its numbers.
+std::string remark_on(const Row& row) {
+  if (row.fault != Fault::none) return text_of(row.json, "error");
+  const auto weak = row.json.at("weakly_determined").get<std::vector<std::string>>();
+  return weak.empty() ? "" : "weakly determined: " + io::joined(weak);
+}
+
+Cell verdict_cell(const Row& row) {
+  if (row.fault != Fault::none) return {.text = "error", .mark = Mark::bad};
   std::string verdict = text_of(row.json, "verdict");
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
-  cells = {{.text = name, .link = link}};
-  if (pictures) {
-    cells.push_back(picture_cell(row, kSmallMeasured, link));
-    cells.push_back(picture_cell(row, kSmallFitted, link));
+  const bool warned = !row.json.at("warnings").empty();
+  return {.text = verdict, .mark = !row.usable() ? Mark::bad : warned ? Mark::warn : Mark::good};
+}
+
+io::Row cells_of(const Row& row, bool pictures) {
+  const bool studied = row.fault == Fault::none;
+  const std::string name = text_of(row.json, "name"), link = studied ? address_of(name) + "/" + kPage : "";
+  io::Row cells{{.text = name, .link = link}};
+  if (pictures)
+    for (const char* picture : {kSmallMeasured, kSmallFitted})
+      cells.push_back(studied ? picture_cell(row, picture, link) : Cell{});
+  cells.push_back(verdict_cell(row));
+  if (studied) {
+    const double over = number_of(row.json, "residual_over_scatter");
+    cells.push_back({.text = text_of(row.json, "form"), .code = true});
+    cells.push_back(share_cell(number_of(row.json, "median_relative_error")));
+    cells.push_back(std::isnan(over) ? Cell{.text = "-"}
+                                     : Cell{.text = io::short_number(over, 2), .sorted_by = over});
+    cells.push_back(energy_cell(row.json));
+    cells.push_back(checks_cell(row.json.at("sheet"), row.json.at("sheet_failed")));
+  } else {
+    cells.resize(cells.size() + 5);
   }
-  const auto weak = row.json.at("weakly_determined").get<std::vector<std::string>>();
-  cells.push_back({.text = verdict, .mark = !row.usable() ? Mark::bad : warned ? Mark::warn : Mark::good});
-  cells.push_back({.text = text_of(row.json, "form"), .code = true});
-  cells.push_back(share_cell(number_of(row.json, "median_relative_error")));
-  cells.push_back(std::isnan(over) ? Cell{.text = "-"}
-                                   : Cell{.text = io::short_number(over, 2), .sorted_by = over});
-  cells.push_back(energy_cell(row.json));
-  cells.push_back(weak.empty() ? Cell{.text = "-"} : Cell{.text = io::joined(weak), .mark = Mark::none});
-  cells.push_back(checks_cell(row.json.at("sheet"), row.json.at("sheet_failed")));
+  cells.push_back({.text = remark_on(row)});
   return cells;
 }
 
@@ -121,17 +128,14 @@ std::string page_of(const std::vector<Row>& rows) {
   report.explain("energy",
                  "The largest fraction of light that the fitted material reflects, over the angles of the "
                  "light. Above 100 % it would give off more than it receives.");
-  report.explain("weakly determined",
-                 "Parameters whose 95 % interval reaches over more than a factor of three: other values "
-                 "would describe the samples nearly as well.");
   report.explain("samples",
                  "The checks of the samples themselves, before anything is fitted: the data sheet.");
   std::vector<std::string> header{"sample"};
   if (drawn > 0) header.insert(header.end(), {"measured", "fitted"});
-  header.insert(header.end(),
-                {"verdict", "form", "median", "x scatter", "energy", "weakly determined", "samples"});
+  header.insert(header.end(), {"verdict", "form", "median", "x scatter", "energy", "samples", "remarks"});
   std::vector<io::Row> cells;
   for (const Row& row : rows) cells.push_back(cells_of(row, drawn > 0));
+  report.style("body { max-width: 78rem; } td img { max-width: 5rem; }");
   report.table(header, cells, true);
   return report.document(io::provenance());
 }

@@ -38,10 +38,21 @@ std::string png_of(const render::BytePicture& picture) {
   return io::png_of_pixels(std::size_t(picture.width), std::size_t(picture.height), rgb);
 }
 
+// Why this material and these samples have no picture; empty: nothing is known against one.
+std::string not_drawn(const std::filesystem::path& samples, const std::string& name,
+                      const Material& material) {
+  if (!std::filesystem::is_regular_file(samples)) return name + ": is no file that can be read again";
+  try {
+    render::require_colours(material.channels, name);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // The sphere under the light of a material's own scene, the samples beside it.
 render::ViewState state_of(const std::filesystem::path& samples, const std::string& name,
                            const Material& material) {
-  render::require_colours(material.channels, name);
   render::ViewState state;
   state.scene = render::material_scene({{name, material}});
   state.other = render::Other::samples;
@@ -55,17 +66,17 @@ render::ViewState state_of(const std::filesystem::path& samples, const std::stri
 class Painter::Studio {
  public:
   Spheres draw(const std::filesystem::path& samples, const std::string& name, const Material& material) {
+    if (const std::string reason = not_drawn(samples, name, material); !reason.empty())
+      return {.missing = reason};
     const std::lock_guard lock(mutex_);
     if (!refusal_.empty()) return {.missing = refusal_};
     try {
       if (!device_) device_.emplace();
-      return drawn(state_of(samples, name, material));
     } catch (const EnvironmentError& error) {
       refusal_ = std::string("no renderer here: ") + error.what();
       return {.missing = refusal_};
-    } catch (const InputError& error) {
-      return {.missing = error.what()};
     }
+    return drawn(state_of(samples, name, material));
   }
 
  private:
