@@ -69,17 +69,25 @@ class Painter::Studio {
     if (const std::string reason = not_drawn(samples, name, material); !reason.empty())
       return {.missing = reason};
     const std::lock_guard lock(mutex_);
-    if (!refusal_.empty()) return {.missing = refusal_};
-    try {
-      if (!device_) device_.emplace();
-    } catch (const EnvironmentError& error) {
-      refusal_ = std::string("no renderer here: ") + error.what();
-      return {.missing = refusal_};
-    }
+    if (!has_device()) return {.missing = refusal_};
     return drawn(state_of(samples, name, material));
   }
 
+  bool can_draw() {
+    const std::lock_guard lock(mutex_);
+    return has_device();
+  }
+
  private:
+  bool has_device() {
+    if (!device_ && refusal_.empty()) try {
+        device_.emplace();
+      } catch (const EnvironmentError& error) {
+        refusal_ = std::string("no renderer here: ") + error.what();
+      }
+    return device_.has_value();
+  }
+
   Spheres drawn(render::ViewState state) {
     render::Pictures pictures(*device_, {});
     state.display = render::Display::difference;
@@ -105,6 +113,10 @@ class Painter::Studio {
 
 Painter::Painter() : studio_(std::make_unique<Studio>()) {}
 Painter::~Painter() = default;
+
+bool Painter::can_draw() {
+  return studio_->can_draw();
+}
 
 Spheres Painter::draw(const std::filesystem::path& samples, const std::string& name,
                       const Material& material) {

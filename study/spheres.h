@@ -26,6 +26,8 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
   ~Painter();
 
+  // Whether there are a renderer and a driver; asked once.
+  bool can_draw();
   // What is missing, a renderer, a driver, colours or samples that can be read again, is said in Spheres::missing.
   // Throws as io::read_samples() where they cannot be read all the same.
   Spheres draw(const std::filesystem::path& samples, const std::string& name, const Material& material);

@@ -81,7 +81,8 @@ class Study {
     io::Content content = io::read_content(row.file);
     const std::string key = io::fingerprint(
         {options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n", content.bytes});
-    if (std::optional<Json> earlier = kept(row.folder, key)) {
+    std::optional<Json> earlier = kept(row.folder, key);
+    if (earlier && (earlier->value("renderer", false) || !painter_.can_draw())) {
       row.json = earlier->at("results").at(0);
       row.kept = true;
       return true;
@@ -93,6 +94,8 @@ class Study {
     row.json = std::move(found.row);
     Json results = io::to_json(io::provenance(options.fit.seed));
     results["results"] = Json::array({row.json});
+    results["renderer"] =
+        painter_.can_draw();  // without one the pictures are still to be made where there is one
     publish(row.folder, found.files, std::move(results), key);
     return true;
   }

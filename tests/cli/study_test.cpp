@@ -35,7 +35,6 @@ class StudyVerb : public testing::Test {
     std::ofstream(folder_.path() / name) << text;
   }
 
-  // Without a driver: what is drawn has no part in this.
   pid_t start(std::vector<std::string> words) {
     words.insert(words.begin(), BRDF_EXECUTABLE);
     std::vector<char*> arguments;
@@ -62,6 +61,22 @@ TEST_F(StudyVerb, WritesThePageOfOneSample) {
   EXPECT_THAT(run("study s.csv --form ward -o out").out, HasSubstr(" (kept)\n"));
   EXPECT_FALSE(json_of(run("study s.csv --form lambert+ward -o out --json"))["results"][0]["kept"]);
   EXPECT_EQ(run("eval --material out/material.json s.csv -o e.csv").exit_code, 0);
+}
+
+// Pictures that were left out because there was no driver are made up for once there is one.
+TEST_F(StudyVerb, WithoutADriverThePageSaysSoAndIsMadeAgainWithOne) {
+  const Outcome with = run("study s.csv --form ward -o with --json");
+  const auto studied = [&] { return json_of(run("study s.csv --form ward -o out --json"))["results"][0]; };
+  {
+    const Setting driver("VK_DRIVER_FILES", "/none"), older("VK_ICD_FILENAMES", "/none");
+    EXPECT_THAT(studied()["no_pictures"].get<std::string>(), HasSubstr("no renderer here: "));
+    EXPECT_TRUE(studied()["kept"]);
+  }
+  EXPECT_THAT(file_text(folder_.path() / "out/index.html"), HasSubstr("No pictures: no renderer here: "));
+  EXPECT_FALSE(fs::exists(folder_.path() / "out/fitted.png"));
+  const io::Json again = studied();
+  EXPECT_EQ(again["kept"], !json_of(with)["results"][0]["no_pictures"].is_null());
+  EXPECT_EQ(fs::exists(folder_.path() / "out/fitted.png"), fs::exists(folder_.path() / "with/fitted.png"));
 }
 
 TEST_F(StudyVerb, ExitCodesSayWhatFailed) {
@@ -111,7 +126,7 @@ TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
       if (fs::exists(entry.path() / "study.json")) names.insert(entry.path().filename());
     return names;
   };
-  setenv("VK_DRIVER_FILES", "/none", 1);
+  const Setting driver("VK_DRIVER_FILES", "/none"), older("VK_ICD_FILENAMES", "/none");
   const pid_t process = start(words);
   ASSERT_GT(process, 0);
   for (int k = 0; k < 6000 && finished().size() < 8; ++k)
@@ -128,7 +143,6 @@ TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
   EXPECT_LE(folders, before.size() + kJobs);
 
   const Outcome outcome = run(again);
-  unsetenv("VK_DRIVER_FILES");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const io::Json results = json_of(outcome)["results"];
   ASSERT_EQ(results.size(), kSamples);
