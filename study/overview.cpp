@@ -76,8 +76,12 @@ Cell verdict_cell(const Row& row) {
   if (row.fault != Fault::none) return {.text = "error", .mark = Mark::bad};
   std::string verdict = text_of(row.json, "verdict");
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
-  const bool warned = !row.json.at("warnings").empty();
-  return {.text = verdict, .mark = !row.usable() ? Mark::bad : warned ? Mark::warn : Mark::good};
+  const std::string mark = text_of(row.json, "mark");
+  return {.text = verdict,
+          .mark = mark == "good"   ? Mark::good
+                  : mark == "warn" ? Mark::warn
+                                   : Mark::bad,
+          .note = text_of(row.json, "form")};
 }
 
 io::Row cells_of(const Row& row, bool pictures) {
@@ -90,14 +94,14 @@ io::Row cells_of(const Row& row, bool pictures) {
   cells.push_back(verdict_cell(row));
   if (studied) {
     const double over = number_of(row.json, "residual_over_scatter");
-    cells.push_back({.text = text_of(row.json, "form"), .code = true});
     cells.push_back(share_cell(number_of(row.json, "median_relative_error")));
-    cells.push_back(std::isnan(over) ? Cell{.text = "-"}
-                                     : Cell{.text = io::short_number(over, 2), .sorted_by = over});
+    cells.push_back(std::isnan(over)
+                        ? Cell{.text = "-"}
+                        : Cell{.text = io::short_number(over, over < 100 ? 2 : 3), .sorted_by = over});
     cells.push_back(energy_cell(row.json));
     cells.push_back(checks_cell(row.json.at("sheet"), row.json.at("sheet_failed")));
   } else {
-    cells.resize(cells.size() + 5);
+    cells.resize(cells.size() + 4);
   }
   cells.push_back({.text = remark_on(row)});
   return cells;
@@ -112,31 +116,43 @@ std::set<std::string> missing_pictures(const std::vector<Row>& rows) {
   return reasons;
 }
 
-std::string page_of(const std::vector<Row>& rows) {
-  io::HtmlReport report("Study of " + std::to_string(rows.size()) + " samples");
-  const auto count = [&](auto&& is) { return std::size_t(std::count_if(rows.begin(), rows.end(), is)); };
-  const std::size_t usable = count([](const Row& r) { return r.usable(); });
-  const std::size_t broken = count([](const Row& r) { return r.fault != Fault::none; });
-  std::string verdict =
-      std::to_string(usable) + " of " + std::to_string(rows.size()) + " samples have a usable fit";
-  if (broken > 0) verdict += "; " + std::to_string(broken) + " could not be studied";
-  report.verdict(usable == rows.size() ? Mark::good : Mark::warn, verdict + ".");
-  const std::size_t drawn =
-      count([](const Row& r) { return r.fault == Fault::none && r.json.at("no_pictures").is_null(); });
-  for (const std::string& reason : missing_pictures(rows))
-    report.paragraph("Without pictures: " + reason + ".");
+std::size_t count(const std::vector<Row>& rows, bool (*is)(const Row&)) {
+  return std::size_t(std::count_if(rows.begin(), rows.end(), is));
+}
+
+bool is_drawn(const Row& row) {
+  return row.fault == Fault::none && row.json.at("no_pictures").is_null();
+}
+
+std::string verdict_of(const std::vector<Row>& rows, std::size_t usable) {
+  const std::size_t broken = count(rows, [](const Row& row) { return row.fault != Fault::none; });
+  return std::to_string(usable) + " of " + std::to_string(rows.size()) + " samples have a usable fit" +
+         (broken > 0 ? "; " + std::to_string(broken) + " could not be studied." : ".");
+}
+
+void add_table(io::HtmlReport& report, const std::vector<Row>& rows) {
   report.explain("energy",
                  "The largest fraction of light that the fitted material reflects, over the angles of the "
                  "light. Above 100 % it would give off more than it receives.");
   report.explain("samples",
                  "The checks of the samples themselves, before anything is fitted: the data sheet.");
+  const bool pictures = count(rows, is_drawn) > 0;
   std::vector<std::string> header{"sample"};
-  if (drawn > 0) header.insert(header.end(), {"measured", "fitted"});
-  header.insert(header.end(), {"verdict", "form", "median", "x scatter", "energy", "samples", "remarks"});
+  if (pictures) header.insert(header.end(), {"measured", "fitted"});
+  header.insert(header.end(), {"verdict", "median", "x scatter", "energy", "samples", "remarks"});
   std::vector<io::Row> cells;
-  for (const Row& row : rows) cells.push_back(cells_of(row, drawn > 0));
+  for (const Row& row : rows) cells.push_back(cells_of(row, pictures));
   report.style("body { max-width: 78rem; } td img { max-width: 5rem; }");
   report.table(header, cells, true);
+}
+
+std::string page_of(const std::vector<Row>& rows) {
+  io::HtmlReport report("Study of " + std::to_string(rows.size()) + " samples");
+  const std::size_t usable = count(rows, [](const Row& row) { return row.usable(); });
+  report.verdict(usable == rows.size() ? Mark::good : Mark::warn, verdict_of(rows, usable));
+  for (const std::string& reason : missing_pictures(rows))
+    report.paragraph("Without pictures: " + reason + ".");
+  add_table(report, rows);
   return report.document(io::provenance());
 }
 

@@ -1,19 +1,17 @@
 #include "study/page.h"
 
+#include "fit/report/page.h"
 #include "io/html_report.h"
 #include "io/shell.h"
 #include "study/links.h"
+#include "validate/checks.h"
 #include "validate/report.h"
+#include "validate/report_plots.h"
 
 namespace brdf::study {
 namespace {
 
 using io::Mark;
-
-void add_verdict(io::HtmlReport& report, const Findings& found) {
-  report.verdict(found.judgement.mark, found.judgement.sentence);
-  for (const std::string& warning : found.judgement.warnings) report.verdict(Mark::warn, warning + ".");
-}
 
 // Measured beside fitted. What a browser turns by itself goes here too, above the still pictures.
 void add_spheres(io::HtmlReport& report, const Findings& found) {
@@ -32,16 +30,20 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
   for (const std::string& note : spheres.notes) report.paragraph(note + ".");
 }
 
+// What the fitted material does, beside what it reflects under every angle of the light.
 void add_properties(io::HtmlReport& report, const Findings& found) {
-  if (found.properties.empty()) return;
   report.heading("Properties of the fitted material");
-  validate::add_tables(report, found.properties);
+  validate::add_properties(report, found.properties);
+  report.begin_fold("Albedo, lobes and reciprocity");
+  validate::add_subject_plots(report, *found.subject, found.properties, validate::CheckOptions{}.max_theta);
+  report.end_fold();
 }
 
-void add_sheet(io::HtmlReport& report, const Findings& found) {
-  report.heading("The samples");
-  validate::add_tables(report, found.sheet.findings);
+void add_sheet(io::HtmlReport& report, const Findings& found, const SampleOptions& options) {
+  report.heading("Data sheet of the samples");
+  validate::add_properties(report, found.sheet.findings);
   validate::add_to_report(report, found.table, found.sheet);
+  fit::add_samples(report, found.fit, found.table, options.fit);
 }
 
 // What a file beside the page is, for people.
@@ -83,11 +85,19 @@ void add_files(io::HtmlReport& report, const Findings& found, const SampleOption
 
 std::string sample_page(const Findings& found, const SampleOptions& options) {
   io::HtmlReport report(found.name);
+  const fit::FormFit& best = found.fit.ranking.front();
+  fit::add_verdict(report, found.fit);
   if (!options.alone) report.raw(std::string("<p><a href=\"../") + kPage + "\">All samples</a></p>\n");
-  add_verdict(report, found);
-  add_spheres(report, found);
-  add_properties(report, found);
-  add_sheet(report, found);
+  if (best.solved()) {
+    add_spheres(report, found);
+    fit::add_slices(report, best, found.table, options.fit.aperture);
+    fit::add_deviation(report, best, found.table, options.fit.aperture);
+    fit::add_parameters(report, best);
+    add_properties(report, found);
+  }
+  fit::add_ranking(report, found.fit);
+  add_sheet(report, found, options);
+  if (best.solved()) fit::add_workings(report, found.fit);
   add_files(report, found, options);
   report.footnote("samples", found.table.source);
   return report.document(io::provenance(options.fit.seed));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/fit.h"
+#include "fit/report/plain_words.h"
 #include "fit/report/report.h"
 #include "fit/stepwise.h"
 #include "io/error.h"
@@ -40,6 +41,15 @@ Json failed_checks(const std::vector<validate::Finding>& findings) {
   return names;
 }
 
+// What stands in the way of using the fit without a thought.
+Json warnings_of(const fit::FitResult& result) {
+  Json texts = Json::array();
+  for (const io::Remark& remark : fit::remarks_on(result.ranking.front()))
+    if (remark.mark == io::Mark::warn || remark.mark == io::Mark::bad) texts.push_back(remark.text);
+  if (!result.input_fault.empty()) texts.push_back("The samples: " + result.input_fault + ".");
+  return texts;
+}
+
 Json row_of(const Findings& found, const std::string& name, bool relative) {
   const fit::FormFit& best = found.fit.ranking.front();
   Json row{{"name", name}, {"file", found.table.source}, {"error", nullptr}};
@@ -47,16 +57,18 @@ Json row_of(const Findings& found, const std::string& name, bool relative) {
   row["channels"] = found.table.channels;
   row["form"] = best.form;
   row["verdict"] = name_of(best.verdict);
+  const io::Mark mark = fit::mark_of(best);
+  row["mark"] = mark == io::Mark::good ? "good" : mark == io::Mark::warn ? "warn" : "bad";
   row["usable"] = fit::usable(best.verdict);
-  row["statement"] = found.judgement.sentence;
-  row["warnings"] = found.judgement.warnings;
+  row["statement"] = fit::verdict_sentence(best);
+  row["warnings"] = warnings_of(found.fit);
   row["median_relative_error"] = number(best.median_relative_error);
   row["cross_validated_error"] = number(best.left_out ? best.left_out->errors.median : fit::kUnknown);
   row["residual_over_scatter"] = number(best.lack_of_fit.residual_over_scatter.value_or(fit::kUnknown));
   row["largest_albedo"] = best.largest_albedo ? number(best.largest_albedo->value) : Json(nullptr);
   row["keeps_energy"] =
       best.largest_albedo && !relative ? Json(!best.largest_albedo->breaks_energy()) : Json(nullptr);
-  row["weakly_determined"] = weakly_determined(best);
+  row["weakly_determined"] = fit::weakly_determined(best);
   row["recommended"] = fit::usable(found.fit.ranking[found.fit.recommended].verdict)
                            ? Json(found.fit.ranking[found.fit.recommended].form)
                            : Json(nullptr);
@@ -82,8 +94,8 @@ void add_material(Findings& found, const SampleOptions& options, Painter& painte
                   std::vector<File>& files) {
   const fit::FormFit& best = found.fit.ranking.front();
   // Commands name it as it is called beside the page.
-  validate::Subject subject = validate::Subject::material(kMaterial, best.material);
-  found.properties = validate::run_checks({std::move(subject)}, {});
+  found.subject = validate::Subject::material(kMaterial, best.material);
+  found.properties = validate::run_checks({*found.subject}, {});
   step();
   found.spheres = painter.draw(found.table.source, found.name, best.material);
   step();
@@ -118,7 +130,6 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   SampleStudy out;
   out.interrupted = found.fit.interrupted;
   if (out.interrupted) return out;
-  found.judgement = judge(found.fit);
   out.files.push_back({kSheet, io::to_text(validate::to_json(found.sheet.findings))});
   out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});
   if (found.fit.ranking.front().solved()) add_material(found, options, painter, step, out.files);

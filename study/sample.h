@@ -12,9 +12,9 @@
 #include "io/samples.h"
 #include "study/folder.h"
 #include "study/spheres.h"
-#include "study/verdict.h"
 #include "validate/data_sheet.h"
 #include "validate/finding.h"
+#include "validate/subject.h"
 
 namespace brdf::study {
 
@@ -31,8 +31,8 @@ struct Findings {
   io::SampleTable table;
   validate::DataSheet sheet;
   fit::FitResult fit;
-  Judgement judgement;
-  std::vector<validate::Finding> properties;  // of the best fit's material; none where there is no fit
+  std::optional<validate::Subject> subject;  // the best fit's material; none where there is no fit
+  std::vector<validate::Finding> properties;
   Spheres spheres;
   std::vector<std::string> files;  // beside the page
   std::string no_shader;           // why there is none of them; empty where there is
