@@ -58,6 +58,7 @@ struct Cell {
   std::string note = {};     // small, beneath; in a matrix folded unless the mark is warn or bad
   std::string link = {};     // the page that the text leads to, relative to this one
   std::string png = {};      // a small picture above the text: the file's bytes
+  std::string alt = {};      // what it shows; empty: the text says it
   std::optional<double> sorted_by =
       {};  // in a sortable table; none: the number or word that the text begins with
 };

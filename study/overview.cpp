@@ -57,9 +57,9 @@ Cell share_cell(double share) {
   return {.text = io::percent(share), .sorted_by = share};
 }
 
-Cell picture_cell(const Row& row, const char* file, const std::string& link) {
+Cell picture_cell(const Row& row, const char* file, const std::string& link, const std::string& alt) {
   try {
-    return {.link = link, .png = io::read_content(row.folder / file).bytes};
+    return {.link = link, .png = io::read_content(row.folder / file).bytes, .alt = alt};
   } catch (const InputError&) {  // none was drawn
     return {.text = "-"};
   }
@@ -89,8 +89,9 @@ io::Row cells_of(const Row& row, bool pictures) {
   const std::string name = text_of(row.json, "name"), link = studied ? address_of(name) + "/" + kPage : "";
   io::Row cells{{.text = name, .link = link}};
   if (pictures)
-    for (const char* picture : {kSmallMeasured, kSmallFitted})
-      cells.push_back(studied ? picture_cell(row, picture, link) : Cell{});
+    for (const auto& [picture, what] :
+         {std::pair{kSmallMeasured, " measured"}, std::pair{kSmallFitted, " fitted"}})
+      cells.push_back(studied ? picture_cell(row, picture, link, name + what) : Cell{});
   cells.push_back(verdict_cell(row));
   if (studied) {
     const double over = number_of(row.json, "residual_over_scatter");
@@ -124,10 +125,13 @@ bool is_drawn(const Row& row) {
   return row.fault == Fault::none && row.json.at("no_pictures").is_null();
 }
 
-std::string verdict_of(const std::vector<Row>& rows, std::size_t usable) {
+std::string verdict_of(const std::vector<Row>& rows, std::size_t usable, std::size_t warned) {
   const std::size_t broken = count(rows, [](const Row& row) { return row.fault != Fault::none; });
-  return std::to_string(usable) + " of " + std::to_string(rows.size()) + " samples have a usable fit" +
-         (broken > 0 ? "; " + std::to_string(broken) + " could not be studied." : ".");
+  std::string text =
+      std::to_string(usable) + " of " + std::to_string(rows.size()) + " samples have a usable fit";
+  if (warned > 0) text += ", " + std::to_string(warned) + " of these with warnings";
+  if (broken > 0) text += "; " + std::to_string(broken) + " could not be studied";
+  return text + ".";
 }
 
 void add_table(io::HtmlReport& report, const std::vector<Row>& rows) {
@@ -149,7 +153,10 @@ void add_table(io::HtmlReport& report, const std::vector<Row>& rows) {
 std::string page_of(const std::vector<Row>& rows) {
   io::HtmlReport report("Study of " + std::to_string(rows.size()) + " samples");
   const std::size_t usable = count(rows, [](const Row& row) { return row.usable(); });
-  report.verdict(usable == rows.size() ? Mark::good : Mark::warn, verdict_of(rows, usable));
+  const std::size_t warned =
+      count(rows, [](const Row& row) { return row.usable() && row.json.at("mark") == "warn"; });
+  report.verdict(usable == rows.size() && warned == 0 ? Mark::good : Mark::warn,
+                 verdict_of(rows, usable, warned));
   for (const std::string& reason : missing_pictures(rows))
     report.paragraph("Without pictures: " + reason + ".");
   add_table(report, rows);
