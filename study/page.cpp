@@ -11,8 +11,6 @@
 namespace brdf::study {
 namespace {
 
-using io::Mark;
-
 // Measured beside fitted. What a browser turns by itself goes here too, above the still pictures.
 void add_spheres(io::HtmlReport& report, const Findings& found) {
   const Spheres& spheres = found.spheres;
@@ -40,10 +38,12 @@ void add_properties(io::HtmlReport& report, const Findings& found) {
 }
 
 void add_sheet(io::HtmlReport& report, const Findings& found, const SampleOptions& options) {
-  report.heading("Data sheet of the samples");
-  validate::add_properties(report, found.sheet.findings);
-  validate::add_to_report(report, found.table, found.sheet);
   fit::add_samples(report, found.fit, found.table, options.fit);
+  report.subheading("Data sheet");
+  validate::add_properties(report, found.sheet.findings);
+  report.begin_fold("Rows, angles, values and what they reflect");
+  validate::add_to_report(report, found.table, found.sheet);
+  report.end_fold();
 }
 
 // What a file beside the page is, for people.

@@ -82,6 +82,42 @@ TEST_F(StudyOfFiles, RedoesInputsAndSettingsThatChanged) {
   EXPECT_EQ(kept_of(run()), 3u);
 }
 
+// The order in which a reader asks; what few ask for is folded.
+TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
+  options_.sample.models.push_back({*find_form("lambert")});
+  options_.sample.fit_words = " --form ward";
+  run();
+  const std::string page = text("s0/index.html");
+  std::size_t last = 0;
+  for (const char* part :
+       {"<h1>s0.csv</h1>", "class=\"verdict", "href=\"../index.html\"",
+        ">Measured and fitted in the plane of incidence<", ">Where the fit deviates<", ">Parameters<",
+        ">Properties of the fitted material<", ">not applicable: ", ">Albedo, lobes and reciprocity<",
+        ">Every form, best first<", ">The samples<", ">Data sheet<", ">Files and commands<",
+        "href=\"material.json\"", "href=\"material.glsl\"", "class=\"commands\"",
+        " --form ward -o material.json\nbrdf validate material.json\n"}) {
+    const std::size_t at = page.find(part, last);
+    ASSERT_NE(at, std::string::npos) << part
+                                     << (page.find(part) < last ? " stands too early" : " is missing");
+    last = at;
+  }
+  const std::size_t spheres = page.find(">measured</p>"), reason = page.find("No pictures: ");
+  EXPECT_NE(spheres == std::string::npos, reason == std::string::npos);
+  EXPECT_LT(std::min(spheres, reason), page.find(">Parameters<"));
+  for (const char* outside : {"http://", "https://", "file://", "src=\"/"})
+    EXPECT_THAT(page, Not(HasSubstr(outside))) << outside;
+}
+
+TEST_F(StudyOfFiles, TheOverviewLeadsToEveryPageAndSorts) {
+  run();
+  const std::string page = text("index.html");
+  for (const char* part :
+       {"<h1>Study of 3 samples</h1>", "3 of 3 samples have a usable fit", "class=\"sortable\"",
+        "href=\"s0/index.html\"", "href=\"s1/index.html\"", "href=\"s2/index.html\""})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_EQ(page.find("http"), std::string::npos);
+}
+
 TEST_F(StudyOfFiles, ABrokenFileIsARowWithItsReasonAndEndsNoOther) {
   std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,x,0.1\n";
   const std::vector<Row> rows = run();
