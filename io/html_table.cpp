@@ -82,12 +82,13 @@ std::string HtmlReport::running_text(std::string_view text) {
 }
 
 std::string HtmlReport::cell_of(const Cell& cell, bool fold_note) {
-  std::string text = linked(cell.link, html_escaped(cell.text));
+  std::string text;
   if (cell.code && !cell.text.empty())
     text = "<code>" + html_escaped(cell.text) + "</code>";
-  else if (cell.link.empty())
-    text = running_text(cell.text);
-  if (!cell.png.empty()) text = linked(cell.link, image(cell.png, cell.alt.empty() ? cell.text : cell.alt)) + text;
+  else if (!cell.text.empty())
+    text = cell.link.empty() ? running_text(cell.text) : linked(cell.link, html_escaped(cell.text));
+  if (!cell.png.empty())
+    text = linked(cell.link, image(cell.png, cell.alt.empty() ? cell.text : cell.alt)) + text;
   const bool fold = fold_note && !cell.note.empty() && cell.mark != Mark::warn && cell.mark != Mark::bad;
   const std::string said = fold ? html_escaped(cell.note) : running_text(cell.note);
   const std::string note = said.empty() ? "" : "<span class=\"note\">" + said + "</span>";

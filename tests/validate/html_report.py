@@ -48,7 +48,8 @@ def charts_of(document):
 
 
 def plots_of(text):
-    return json.loads(PLOTS.search(text).group(1))
+    found = PLOTS.search(text)
+    return json.loads(found.group(1)) if found else []
 
 
 def make_reports(executable, folder):

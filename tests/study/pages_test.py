@@ -1,0 +1,59 @@
+"""The pages of a study in a headless browser: what tests/validate/browser_test.py asks of every page, and the overview
+sorted by a click and by the keyboard, its links and small pictures. pages_test.py EXECUTABLE BROWSER FOLDER"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "validate"))
+from browser import Browser
+from browser_test import check_page
+
+NAMES = "[...document.querySelectorAll('tbody tr')].map(row => row.cells[0].textContent.trim())"
+SORT = "[...document.querySelectorAll('th')].find(head => head.textContent.includes('median')).querySelector('button.sort')"
+
+
+def make_study(executable, folder):
+    def run(*words, expected=0):
+        done = subprocess.run([executable, *words], cwd=folder, capture_output=True, text=True, check=False)
+        assert done.returncode == expected, (words, done.returncode, done.stderr)
+
+    grid = ["--theta-i", "10,40", "--step", "10", "--noise", "0.02", "-o"]
+    run("synth", "--form", "cook_torrance", "--set", "kd=0.3,0.2,0.1", *grid, "paint.csv")
+    run("synth", "--form", "oren_nayar", *grid, "chalk #1.csv")
+    (folder / "broken.csv").write_text("theta_i,phi_i,theta_o,phi_o,f\n1,2,x,4,5\n")
+    run("study", "chalk #1.csv", "paint.csv", "broken.csv", "--form", "oren_nayar", "-o", "study", expected=1)
+    run("study", "chalk #1.csv", "--form", "oren_nayar", "-o", "one")
+    return folder / "study"
+
+
+def check_overview(browser, study):
+    with browser.open(study / "index.html") as page:
+        before = page.evaluate(NAMES)
+        assert before == ["chalk #1", "paint", "broken"], before
+        page.evaluate(SORT + ".click()")
+        up = page.evaluate(NAMES)
+        page.evaluate(SORT + ".focus()")
+        page.key("Enter")
+        down = page.evaluate(NAMES)
+        assert up == ["chalk #1", "paint", "broken"] and down != up and down[-1] != "chalk #1" or down == up[::-1], (up, down)
+        links = page.evaluate("[...document.querySelectorAll('tbody a')].map(a => decodeURI(a.pathname))")
+        assert links and all(pathlib.Path(link.replace("%23", "#")).is_file() for link in links), links
+        nameless = page.evaluate("[...document.links].filter(a => !a.textContent.trim() && !a.querySelector('img[alt]:not([alt=\"\"])')).length")
+        assert nameless == 0, nameless
+
+
+def main():
+    executable, name, folder = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2], pathlib.Path(sys.argv[3])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    study = make_study(executable, folder)
+    with Browser(name) as browser:
+        check_overview(browser, study)
+        for page in (study, study / "paint", folder / "one"):
+            shots = folder / f"pictures_{page.name}"
+            shots.mkdir()
+            check_page(browser, shots, page / "index.html")
+
+
+main()
