@@ -86,8 +86,9 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
   const std::filesystem::path folder = o.output;
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
-  const std::vector<fit::BatchRow> rows = fit::run_batch(o.samples, models_of(o.choice.form), options,
-                                                         {folder, o.jobs, io::provenance().version + words_of(o.choice), progress});
+  const std::vector<fit::BatchRow> rows =
+      fit::run_batch(o.samples, models_of(o.choice.form), options,
+                     {folder, o.jobs, io::provenance().version + words_of(o.choice), progress});
   draw_spheres(rows, folder);
   fit::write_summary(rows, folder);
   bool good = true;

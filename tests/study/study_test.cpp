@@ -9,7 +9,7 @@
 #include "io/content.h"
 #include "io/error.h"
 #include "synth/instrument.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/cli/run_brdf.h"
 
 namespace brdf::study {
 namespace {
@@ -49,6 +49,9 @@ class StudyOfFiles : public testing::Test {
   }
   std::string text(const fs::path& file) { return io::read_content(options_.folder / file).bytes; }
 
+  // Spheres take most of the time, and have a part in one test only.
+  std::optional<Setting> driver_{std::in_place, "VK_DRIVER_FILES", "/none"};
+  std::optional<Setting> older_driver_{std::in_place, "VK_ICD_FILENAMES", "/none"};
   const TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path();
   std::vector<std::string> files_;
@@ -84,6 +87,7 @@ TEST_F(StudyOfFiles, RedoesInputsAndSettingsThatChanged) {
 
 // The order in which a reader asks; what few ask for is folded.
 TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
+  driver_.reset(), older_driver_.reset();
   options_.sample.models.push_back({*find_form("lambert")});
   options_.sample.fit_words = " --form ward";
   run();
@@ -129,7 +133,7 @@ TEST_F(StudyOfFiles, ABrokenFileIsARowWithItsReasonAndEndsNoOther) {
   ASSERT_EQ(results.size(), 3u);
   EXPECT_TRUE(results[0]["error"].is_null());
   EXPECT_THAT(results[1]["error"].get<std::string>(), HasSubstr("line 2"));
-  EXPECT_THAT(text("index.html"), HasSubstr("line 2: column 4 (phi_o)"));
+  EXPECT_THAT(text("index.html"), HasSubstr("line 2: column 4 ("));
   EXPECT_THAT(text("index.html"), HasSubstr("2 of 3 samples have a usable fit"));
   EXPECT_FALSE(fs::exists(options_.folder / "s1"));
 }
