@@ -31,7 +31,7 @@ render::BytePicture reduced(const render::BytePicture& picture) {
   return out;
 }
 
-std::string png_of(const render::BytePicture& picture) {
+std::string png_file(const render::BytePicture& picture) {
   std::vector<unsigned char> rgb;
   rgb.reserve(3 * picture.pixels.size());
   for (const auto& pixel : picture.pixels) rgb.insert(rgb.end(), pixel.begin(), pixel.end());
@@ -93,15 +93,15 @@ class Painter::Studio {
     state.display = render::Display::difference;
     pictures.update(state, {kPixels, kPixels});
     Spheres out;
-    out.difference = png_of(pictures.capture(state, true));
+    out.difference = png_file(pictures.capture(state, true));
     state.display = render::Display::flip;
     const render::BytePicture measured = pictures.capture(state);
     state.display = render::Display::picture;
     const render::BytePicture fitted = pictures.capture(state);
-    out.measured = png_of(measured);
-    out.fitted = png_of(fitted);
-    out.small_measured = png_of(reduced(measured));
-    out.small_fitted = png_of(reduced(fitted));
+    out.measured = png_file(measured);
+    out.fitted = png_file(fitted);
+    out.small_measured = png_file(reduced(measured));
+    out.small_fitted = png_file(reduced(fitted));
     out.notes = render::colour_notes(state);
     return out;
   }
