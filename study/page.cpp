@@ -20,12 +20,14 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
   }
   report.pictures({{.png = spheres.measured,
                     .title = "measured",
-                    .text = "the samples, interpolated between their directions"},
+                    .text = "the samples and what lies between them; hatched: not measured"},
                    {.png = spheres.fitted,
                     .title = "fitted",
                     .text = found.fit.ranking.front().form + ", under the same light"},
-                   {.png = spheres.difference, .title = "difference", .text = "fitted against measured"}});
-  for (const std::string& note : spheres.notes) report.paragraph(note + ".");
+                   {.png = spheres.difference,
+                    .title = "difference",
+                    .text = "fitted less measured: blue -50 %, pale alike, red +50 %"}});
+  if (!spheres.note.empty()) report.paragraph(spheres.note + ".");
 }
 
 // What the fitted material does, beside what it reflects under every angle of the light.

@@ -90,14 +90,13 @@ void add_spheres(const Spheres& spheres, std::vector<File>& files) {
 }
 
 // The material and what is told of it.
-void add_material(Findings& found, const SampleOptions& options, Painter& painter, const Step& step,
-                  std::vector<File>& files) {
+void add_material(Findings& found, const SampleOptions& options, const Step& step, std::vector<File>& files) {
   const fit::FormFit& best = found.fit.ranking.front();
   // Commands name it as it is called beside the page.
   found.subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({*found.subject}, {});
   step();
-  found.spheres = painter.draw(found.table.source, found.name, best.material);
+  found.spheres = draw(found.table, best.material);
   step();
   const Json block = fit::material_block(best, found.fit, found.table, options.fit);
   files.push_back({kMaterial, io::to_text(io::to_json(io::MaterialFile{best.material, block}))});
@@ -118,7 +117,7 @@ fit::FitResult fitted(const io::SampleTable& table, const SampleOptions& options
 }  // namespace
 
 SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
-                         Painter& painter, const Step& step) {
+                         const Step& step) {
   Findings found;
   found.table = io::read_samples(std::move(content));
   found.name = std::filesystem::path(found.table.source).filename().string();
@@ -132,7 +131,7 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   if (out.interrupted) return out;
   out.files.push_back({kSheet, io::to_text(validate::to_json(found.sheet.findings))});
   out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});
-  if (found.fit.ranking.front().solved()) add_material(found, options, painter, step, out.files);
+  if (found.fit.ranking.front().solved()) add_material(found, options, step, out.files);
   for (const File& file : out.files) found.files.push_back(file.name);
   out.row = row_of(found, name, options.fit.free_scale);
   out.files.push_back({kPage, sample_page(found, options)});

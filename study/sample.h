@@ -50,6 +50,6 @@ struct SampleStudy {
 
 // `name` is the row's. Throws InputError where the samples cannot be read or fitted.
 SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
-                         Painter& painter, const Step& step);
+                         const Step& step);
 
 }  // namespace brdf::study

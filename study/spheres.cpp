@@ -1,19 +1,14 @@
 #include "study/spheres.h"
 
-#include <mutex>
-#include <optional>
-
+#include "io/channel_colours.h"
 #include "io/error.h"
-#include "io/html_report.h"
-#include "render/compare/pictures.h"
-#include "render/compare/state.h"
-#include "render/job.h"
+#include "render/compare/measured.h"
 
 namespace brdf::study {
 namespace {
 
-constexpr std::uint32_t kPixels = 360;  // of a side
-constexpr int kReduction = 3;           // of the small ones
+constexpr int kPixels = 360;   // of a side
+constexpr int kReduction = 3;  // of the small ones
 
 render::BytePicture reduced(const render::BytePicture& picture) {
   render::BytePicture out(picture.width / kReduction, picture.height / kReduction);
@@ -31,96 +26,25 @@ render::BytePicture reduced(const render::BytePicture& picture) {
   return out;
 }
 
-std::string png_file(const render::BytePicture& picture) {
-  std::vector<unsigned char> rgb;
-  rgb.reserve(3 * picture.pixels.size());
-  for (const auto& pixel : picture.pixels) rgb.insert(rgb.end(), pixel.begin(), pixel.end());
-  return io::png_of_pixels(std::size_t(picture.width), std::size_t(picture.height), rgb);
-}
-
-// Why this material and these samples have no picture; empty: nothing is known against one.
-std::string not_drawn(const std::filesystem::path& samples, const std::string& name,
-                      const Material& material) {
-  if (!std::filesystem::is_regular_file(samples)) return name + ": is no file that can be read again";
-  try {
-    render::require_colours(material.channels, name);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-// The sphere under the light of a material's own scene, the samples beside it.
-render::ViewState state_of(const std::filesystem::path& samples, const std::string& name,
-                           const Material& material) {
-  render::ViewState state;
-  state.scene = render::material_scene({{name, material}});
-  state.other = render::Other::samples;
-  state.samples = samples;
-  return state;
-}
-
 }  // namespace
 
-// The device, made when the first picture is wanted and kept for the others.
-class Painter::Studio {
- public:
-  Spheres draw(const std::filesystem::path& samples, const std::string& name, const Material& material) {
-    if (const std::string reason = not_drawn(samples, name, material); !reason.empty())
-      return {.missing = reason};
-    const std::lock_guard lock(mutex_);
-    if (!has_device()) return {.missing = refusal_};
-    return drawn(state_of(samples, name, material));
-  }
-
-  bool can_draw() {
-    const std::lock_guard lock(mutex_);
-    return has_device();
-  }
-
- private:
-  bool has_device() {
-    if (!device_ && refusal_.empty()) try {
-        device_.emplace();
-      } catch (const EnvironmentError& error) {
-        refusal_ = std::string("no renderer here: ") + error.what();
-      }
-    return device_.has_value();
-  }
-
-  Spheres drawn(render::ViewState state) {
-    render::Pictures pictures(*device_, {});
-    state.display = render::Display::difference;
-    pictures.update(state, {kPixels, kPixels});
-    Spheres out;
-    out.difference = png_file(pictures.capture(state, true));
-    state.display = render::Display::flip;
-    const render::BytePicture measured = pictures.capture(state);
-    state.display = render::Display::picture;
-    const render::BytePicture fitted = pictures.capture(state);
-    out.measured = png_file(measured);
-    out.fitted = png_file(fitted);
-    out.small_measured = png_file(reduced(measured));
-    out.small_fitted = png_file(reduced(fitted));
-    out.notes = render::colour_notes(state);
-    return out;
-  }
-
-  std::mutex mutex_;
-  std::optional<render::Device> device_;
-  std::string refusal_;  // why nothing can be drawn
-};
-
-Painter::Painter() : studio_(std::make_unique<Studio>()) {}
-Painter::~Painter() = default;
-
-bool Painter::can_draw() {
-  return studio_->can_draw();
+bool can_draw() {
+  return true;
 }
 
-Spheres Painter::draw(const std::filesystem::path& samples, const std::string& name,
-                      const Material& material) {
-  return studio_->draw(samples, name, material);
+Spheres draw(const io::SampleTable& samples, const Material& fitted) {
+  try {
+    const render::MeasuredSpheres spheres = render::measured_spheres(fitted, samples, kPixels);
+    const auto colours = io::channel_colours(fitted.channels);
+    return {.measured = render::png_of(spheres.measured),
+            .fitted = render::png_of(spheres.fitted),
+            .difference = render::png_of(spheres.difference),
+            .small_measured = render::png_of(reduced(spheres.measured)),
+            .small_fitted = render::png_of(reduced(spheres.fitted)),
+            .note = colours ? colours->note : ""};
+  } catch (const InputError& error) {
+    return {.missing = error.what()};
+  }
 }
 
 }  // namespace brdf::study

@@ -82,20 +82,19 @@ class Study {
     const std::string key = io::fingerprint(
         {options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n", content.bytes});
     std::optional<Json> earlier = kept(row.folder, key);
-    if (earlier && (earlier->value("renderer", false) || !painter_.can_draw())) {
+    if (earlier && (earlier->value("renderer", false) || !can_draw())) {
       row.json = earlier->at("results").at(0);
       row.kept = true;
       return true;
     }
     SampleOptions options = options_.sample;
     options.alone = alone();
-    SampleStudy found = study_sample(std::move(content), name, options, painter_, step);
+    SampleStudy found = study_sample(std::move(content), name, options, step);
     if (found.interrupted) return false;
     row.json = std::move(found.row);
     Json results = io::to_json(io::provenance(options.fit.seed));
     results["results"] = Json::array({row.json});
-    results["renderer"] =
-        painter_.can_draw();  // without one the pictures are still to be made where there is one
+    results["renderer"] = can_draw();  // without one the pictures are still to be made where there is one
     publish(row.folder, found.files, std::move(results), key);
     return true;
   }
@@ -109,7 +108,6 @@ class Study {
   const StudyOptions& options_;
   std::vector<std::string> names_;
   std::vector<Row> rows_;
-  Painter painter_;
   std::mutex mutex_;
   int done_ = 0;
 };

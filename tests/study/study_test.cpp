@@ -9,7 +9,7 @@
 #include "io/content.h"
 #include "io/error.h"
 #include "synth/instrument.h"
-#include "tests/cli/run_brdf.h"
+#include "tests/io/temporary_folder.h"
 
 namespace brdf::study {
 namespace {
@@ -49,9 +49,6 @@ class StudyOfFiles : public testing::Test {
   }
   std::string text(const fs::path& file) { return io::read_content(options_.folder / file).bytes; }
 
-  // Spheres take most of the time, and have a part in one test only.
-  std::optional<Setting> driver_{std::in_place, "VK_DRIVER_FILES", "/none"};
-  std::optional<Setting> older_driver_{std::in_place, "VK_ICD_FILENAMES", "/none"};
   const TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path();
   std::vector<std::string> files_;
@@ -87,7 +84,6 @@ TEST_F(StudyOfFiles, RedoesInputsAndSettingsThatChanged) {
 
 // The order in which a reader asks; what few ask for is folded.
 TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
-  driver_.reset(), older_driver_.reset();
   options_.sample.models.push_back({*find_form("lambert")});
   options_.sample.fit_words = " --form ward";
   run();
