@@ -18,7 +18,7 @@ namespace {
 struct Options {
   std::vector<std::string> samples;
   std::string output;
-  bool json = false;
+  bool json = false, no_pictures = false;
   unsigned jobs = 1;
   FitChoice choice;
 };
@@ -65,6 +65,7 @@ Exit run(const Options& o) {
   options.sample.fit = fit_options(o.choice);
   options.sample.fit_words = words_of(o.choice);
   options.settings = io::provenance().version + options.sample.fit_words;
+  options.sample.pictures = !o.no_pictures;
   options.jobs = o.jobs;
   options.progress = progress_line("brdf study");
   const std::vector<study::Row> rows = study::study(o.samples, options);
@@ -92,11 +93,13 @@ void add_study(CLI::App& app) {
                    "Folder of the results: index.html, and with several samples a folder for each")
       ->required();
   verb->add_option("--jobs", o.jobs, "Samples studied at the same time")->check(CLI::Range(1u, 256u));
+  verb->add_flag("--no-pictures", o.no_pictures, "Leave out the spheres, which take most of the time");
   verb->add_flag("--json", o.json, "JSON on stdout");
   verb->footer(
       "Samples whose results are in the folder, made from the same file by the same options, are kept.\n"
       "Examples: brdf study paint.csv -o paint\n"
-      "          brdf study samples/*.csv --jobs 4 -o studied");
+      "          brdf study samples/*.csv --jobs 4 -o studied\n"
+      "          brdf study samples/*.csv --form cook_torrance --no-pictures --json -o numbers");
   on_run(*verb, [options] { return run(*options); });
 }
 

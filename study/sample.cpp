@@ -96,7 +96,10 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
   found.subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({*found.subject}, {});
   step();
-  found.spheres = draw(found.table, best.material);
+  if (options.pictures)
+    found.spheres = draw(found.table, best.material);
+  else
+    found.spheres.missing = "left out by --no-pictures";
   step();
   const Json block = fit::material_block(best, found.fit, found.table, options.fit);
   files.push_back({kMaterial, io::to_text(io::to_json(io::MaterialFile{best.material, block}))});

@@ -22,6 +22,7 @@ struct SampleOptions {
   std::vector<std::vector<Reflectance>> models;  // none: --form auto
   fit::FitOptions fit;
   std::string fit_words;  // the same as a shell takes it, for the commands that the page shows
+  bool pictures = true;
   bool alone = true;      // its page is no part of an overview
 };
 

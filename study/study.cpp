@@ -79,8 +79,9 @@ class Study {
   // False where it was interrupted.
   bool fill(Row& row, const std::string& name, const Step& step) {
     io::Content content = io::read_content(row.file);
-    const std::string key = io::fingerprint(
-        {options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n", content.bytes});
+    const std::string key =
+        io::fingerprint({options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n",
+                         options_.sample.pictures ? "" : "no pictures\n", content.bytes});
     std::optional<Json> earlier = kept(row.folder, key);
     if (earlier && (earlier->value("renderer", false) || !can_draw())) {
       row.json = earlier->at("results").at(0);

@@ -103,7 +103,8 @@ TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
   const std::string table = file_text(folder_.path() / "s.csv");
   std::vector<std::string> words{
       "study", "--form", "ward", "--jobs", std::to_string(kJobs), "-o", (folder_.path() / "out").string()};
-  std::string again = "study --form ward --jobs 2 -o '" + (folder_.path() / "out").string() + "' --json";
+  std::string again =
+      "study --form ward --no-pictures --jobs 2 -o '" + (folder_.path() / "out").string() + "' --json";
   for (std::size_t k = 0; k < kSamples; ++k) {
     const fs::path file = folder_.path() / ("sample" + std::to_string(k) + ".csv");
     std::ofstream(file) << "# sample: " << k << '\n' << table;

@@ -28,6 +28,7 @@ class StudyOfFiles : public testing::Test {
     options_.sample.models = {{*find_form("ward")}};
     options_.settings = "settings";
     options_.jobs = 2;
+    options_.sample.pictures = false;  // they take most of the time
   }
 
   std::string write_sample(const std::string& name, double width) {
@@ -84,6 +85,7 @@ TEST_F(StudyOfFiles, RedoesInputsAndSettingsThatChanged) {
 
 // The order in which a reader asks; what few ask for is folded.
 TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
+  options_.sample.pictures = true;
   options_.sample.models.push_back({*find_form("lambert")});
   options_.sample.fit_words = " --form ward";
   run();
@@ -140,6 +142,15 @@ TEST_F(StudyOfFiles, NothingIsWrittenWhereNoSampleCanBeUsed) {
   files_.resize(1);
   EXPECT_THROW(run(), InputError);
   EXPECT_FALSE(fs::exists(options_.folder));
+}
+
+TEST_F(StudyOfFiles, PicturesThatWereLeftOutAreDrawnOnceTheyAreWanted) {
+  files_.resize(1);
+  EXPECT_EQ(run()[0].json["no_pictures"], "left out by --no-pictures");
+  EXPECT_FALSE(fs::exists(options_.folder / "fitted.png"));
+  options_.sample.pictures = true;
+  EXPECT_EQ(kept_of(run()), 0u);
+  EXPECT_EQ(fs::exists(options_.folder / "fitted.png"), can_draw());
 }
 
 TEST_F(StudyOfFiles, OneSampleIsThePageItself) {
