@@ -23,7 +23,7 @@ struct SampleOptions {
   fit::FitOptions fit;
   std::string fit_words;  // the same as a shell takes it, for the commands that the page shows
   bool pictures = true;
-  bool alone = true;      // its page is no part of an overview
+  bool alone = true;  // its page is no part of an overview
 };
 
 // What the page and the JSON are made of.

@@ -101,8 +101,10 @@ TEST_F(StudyVerb, NamesThatAreNoWebAddressesAreLinked) {
 TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
   constexpr std::size_t kSamples = 50, kJobs = 2;
   const std::string table = file_text(folder_.path() / "s.csv");
-  std::vector<std::string> words{
-      "study", "--form", "ward", "--jobs", std::to_string(kJobs), "-o", (folder_.path() / "out").string()};
+  std::vector<std::string> words{"study",  "--form",
+                                 "ward",   "--no-pictures",
+                                 "--jobs", std::to_string(kJobs),
+                                 "-o",     (folder_.path() / "out").string()};
   std::string again =
       "study --form ward --no-pictures --jobs 2 -o '" + (folder_.path() / "out").string() + "' --json";
   for (std::size_t k = 0; k < kSamples; ++k) {
