@@ -3,6 +3,7 @@
 #include "fit/report/page.h"
 #include "io/html_report.h"
 #include "io/shell.h"
+#include "io/sphere/page.h"
 #include "study/links.h"
 #include "validate/checks.h"
 #include "validate/report.h"
@@ -11,23 +12,23 @@
 namespace brdf::study {
 namespace {
 
-// Measured beside fitted. What a browser turns by itself goes here too, above the still pictures.
+// Measured beside fitted: what the reader turns, or pictures of what no browser could draw.
 void add_spheres(io::HtmlReport& report, const Findings& found) {
   const Spheres& spheres = found.spheres;
   if (spheres.fitted.empty()) {
     report.paragraph("No pictures: " + spheres.missing + ".");
     return;
   }
+  if (!spheres.note.empty()) report.paragraph(spheres.note + ".");
+  const fit::FormFit& best = found.fit.ranking.front();
+  if (io::sphere::obstacle(best.material).empty()) return fit::add_sphere(report, best, found.table);
   report.pictures({{.png = spheres.measured,
                     .title = "measured",
                     .text = "the samples and what lies between them; hatched: not measured"},
-                   {.png = spheres.fitted,
-                    .title = "fitted",
-                    .text = found.fit.ranking.front().form + ", under the same light"},
+                   {.png = spheres.fitted, .title = "fitted", .text = best.form + ", under the same light"},
                    {.png = spheres.difference,
                     .title = "difference",
                     .text = "fitted less measured: blue -50 %, pale alike, red +50 %"}});
-  if (!spheres.note.empty()) report.paragraph(spheres.note + ".");
 }
 
 // What the fitted material does, beside what it reflects under every angle of the light.
