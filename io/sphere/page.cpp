@@ -88,7 +88,8 @@ void add(HtmlReport& report, const Shown& shown) {
            ? std::string("Hatched: not measured. The difference is that of all channels together, relative "
                          "to what was measured. ")
            : std::string()) +
-      "Drag it, or use the arrow keys once it has the focus.</figcaption><script type=\"application/json\">" +
+      "<span class=\"turning\">Drag it, or use the arrow keys once it has the "
+      "focus.</span></figcaption><script type=\"application/json\">" +
       within_script(to_line(data)) + "</script></figure>";
   report.raw(html);
   report.style(kStyle);

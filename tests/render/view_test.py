@@ -233,7 +233,7 @@ try:
     samples = os.path.join(source, "data/synthetic/cook_torrance_metal.csv")
     dropped = drop(samples)
     assert dropped["samples"] == samples and dropped["compare_with"] == "samples" and dropped["display"] == "split"
-    assert 0.3 < dropped["split"] < 0.4, "the split does not cut through the highlight"
+    assert 0.3 < dropped["split"] < 0.4, f"the split at {dropped['split']} does not cut through the highlight"
     assert without_pictures(dropped) == without_pictures(state), "dropping samples lost something"
     copper = damaged("copper.json", json.dumps({
         "format": "brdf-material", "version": 1, "form": "phong", "channels": ["r", "g", "b"],

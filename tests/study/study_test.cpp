@@ -103,9 +103,9 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
                                      << (page.find(part) < last ? " stands too early" : " is missing");
     last = at;
   }
-  const std::size_t spheres = page.find(">measured</p>"), reason = page.find("No pictures: ");
+  const std::size_t spheres = page.find(">Measured beside fitted<"), reason = page.find("No pictures: ");
   EXPECT_NE(spheres == std::string::npos, reason == std::string::npos);
-  EXPECT_LT(std::min(spheres, reason), page.find(">Parameters<"));
+  EXPECT_LT(std::min(spheres, reason), page.find(">Measured and fitted in the plane of incidence<"));
   for (const char* outside : {"http://", "https://", "file://", "src=\"/"})
     EXPECT_THAT(page, Not(HasSubstr(outside))) << outside;
 }

@@ -82,7 +82,7 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   if (r.isotropic_reference)
     say("the reference does not change when it is turned: anisotropy is not needed");
   else if (isotropic <= options.tolerance && anisotropic < 1e300 &&
-      !(r.chosen && r.candidates[*r.chosen].anisotropic))
+           !(r.chosen && r.candidates[*r.chosen].anisotropic))
     say("two widths instead of one change the best error from " + number(isotropic) + " to " +
         number(std::min(anisotropic, isotropic)) + ": anisotropy is not needed");
   else if (isotropic <= options.tolerance && r.chosen)

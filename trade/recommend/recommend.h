@@ -55,7 +55,7 @@ struct Recommendation {
   std::vector<std::string> unneeded;  // features that this scene cannot tell apart, or does not show
   std::vector<std::string> warnings;  // what the chosen form is known to violate
   Coverage coverage;
-  bool isotropic_reference = false;  // then no candidate has two widths
+  bool isotropic_reference = false;            // then no candidate has two widths
   render::Picture picture, reference_picture;  // of the chosen one, else of the best
   std::string costs_from;
   std::string measured_now;  // a sentence on the costs that were not read; "" where no ledger was given
