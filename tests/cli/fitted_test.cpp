@@ -48,7 +48,8 @@ TEST_F(Fitted, MaterialsGiveTheirAlbedoWithAnInterval) {
   // Neither what was changed nor what was never fitted has one.
   EXPECT_THAT(run("albedo --material paint.json --set kd=0.1 --theta 0").out, Not(HasSubstr("interval")));
   EXPECT_FALSE(truth[0].contains("low"));
-  EXPECT_THAT(file_text(folder_.path() / "paint.html"), HasSubstr("Bands: where the fitted values lie with 95 %"));
+  EXPECT_THAT(file_text(folder_.path() / "paint.html"),
+              HasSubstr("Bands: where the fitted values lie with 95 %"));
 }
 
 TEST_F(Fitted, WeightsMayBeSharedAndPhysical) {
