@@ -2,6 +2,7 @@
 
 #include "fit/report/page.h"
 #include "io/html_report.h"
+#include "io/numbers.h"
 #include "io/shell.h"
 #include "io/sphere/page.h"
 #include "study/links.h"
@@ -29,6 +30,16 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
                    {.png = spheres.difference,
                     .title = "difference",
                     .text = "fitted less measured: blue -50 %, pale alike, red +50 %"}});
+}
+
+void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
+  std::vector<io::Figure> pictures;
+  for (const Spheres::Lobe& lobe : spheres.lobes)
+    pictures.push_back({.png = lobe.png,
+                        .title = "light at " + io::short_number(lobe.theta_i) + " degrees",
+                        .text = "the body's radius is the cube root of f_r; dots: measured with this light"});
+  if (!pictures.empty()) report.heading("The lobe, fitted (body) and measured (dots)");
+  if (!pictures.empty()) report.pictures(pictures);
 }
 
 // What the fitted material does, beside what it reflects under every angle of the light.
@@ -94,6 +105,7 @@ std::string sample_page(const Findings& found, const SampleOptions& options) {
   if (best.solved()) {
     add_spheres(report, found);
     fit::add_slices(report, best, found.table, options.fit.aperture);
+    add_lobes(report, found.spheres);
     fit::add_deviation(report, best, found.table, options.fit.aperture);
     fit::add_parameters(report, best);
     add_properties(report, found);

@@ -2,12 +2,15 @@
 
 #include "io/channel_colours.h"
 #include "io/error.h"
+#include "render/compare/lobe_body.h"
+#include "render/compare/lobe_points.h"
 #include "render/compare/measured.h"
 
 namespace brdf::study {
 namespace {
 
-constexpr int kPixels = 360;   // of a side
+constexpr int kPixels = 360;  // of a side
+constexpr int kLobePixels = 480;
 constexpr int kReduction = 3;  // of the small ones
 
 render::BytePicture reduced(const render::BytePicture& picture) {
@@ -26,6 +29,18 @@ render::BytePicture reduced(const render::BytePicture& picture) {
   return out;
 }
 
+// A light at which a lobe is compact, and one at which it is drawn out.
+std::vector<Spheres::Lobe> lobes_of(const io::SampleTable& samples, const Material& fitted) {
+  std::vector<Spheres::Lobe> lobes;
+  for (const double wished : {30.0, 65.0}) {
+    const double theta_i = render::nearest_light(samples, wished);
+    if (!lobes.empty() && lobes.back().theta_i == theta_i) continue;
+    lobes.push_back({theta_i, render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples,
+                                                                       kLobePixels))});
+  }
+  return lobes;
+}
+
 }  // namespace
 
 bool can_draw() {
@@ -41,6 +56,7 @@ Spheres draw(const io::SampleTable& samples, const Material& fitted) {
             .difference = render::png_of(spheres.difference),
             .small_measured = render::png_of(reduced(spheres.measured)),
             .small_fitted = render::png_of(reduced(spheres.fitted)),
+            .lobes = lobes_of(samples, fitted),
             .note = colours ? colours->note : ""};
   } catch (const InputError& error) {
     return {.missing = error.what()};

@@ -1,7 +1,8 @@
-// Spheres of a material and of its samples, where this build can draw.
+// Pictures of a material and of its samples, where this build can draw.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "brdf/material.h"
 #include "io/samples.h"
@@ -12,6 +13,12 @@ namespace brdf::study {
 struct Spheres {
   std::string measured, fitted, difference;
   std::string small_measured, small_fitted;
+  // The fitted lobe as a body with the measured rows as dots, under two of the lights that were measured.
+  struct Lobe {
+    double theta_i;  // degrees
+    std::string png;
+  };
+  std::vector<Lobe> lobes;
   std::string note;     // how channels became colours, where their names do not say it
   std::string missing;  // why there are none
 };

@@ -106,6 +106,9 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
   const std::size_t spheres = page.find(">Measured beside fitted<"), reason = page.find("No pictures: ");
   EXPECT_NE(spheres == std::string::npos, reason == std::string::npos);
   EXPECT_LT(std::min(spheres, reason), page.find(">Measured and fitted in the plane of incidence<"));
+  const std::size_t lobes = page.find(">The lobe, fitted (body) and measured (dots)<");
+  EXPECT_NE(lobes == std::string::npos, reason == std::string::npos);
+  EXPECT_LT(std::min(lobes, reason), page.find(">Where the fit deviates<"));
   for (const char* outside : {"http://", "https://", "file://", "src=\"/"})
     EXPECT_THAT(page, Not(HasSubstr(outside))) << outside;
 }
