@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "validate"))
-from browser import Browser
+from browser import SOFTWARE, Browser
 from browser_test import check_page
 
 NAMES = "[...document.querySelectorAll('tbody tr')].map(row => row.cells[0].textContent.trim())"
@@ -48,7 +48,7 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     study = make_study(executable, folder)
-    with Browser(name) as browser:
+    with Browser(name, *SOFTWARE) as browser:
         check_overview(browser, study)
         for page in (study, study / "paint", folder / "one"):
             shots = folder / f"pictures_{page.name}"

@@ -21,11 +21,13 @@ import time
 WORDS = ["--headless=new", "--no-sandbox", "--disable-background-networking", "--disable-sync", "--disable-extensions",
          "--no-first-run", "--hide-scrollbars", "--proxy-server=127.0.0.1:9", "--host-resolver-rules=MAP * ~NOTFOUND",
          "--remote-debugging-pipe", "about:blank"]
+# WebGL on the processor, the same on every machine.
+SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 SHELL = 'exec "$0" "$@" 3<&$PIPE_IN 4>&$PIPE_OUT'
 
 
 class Browser:
-    def __init__(self, name, *words, patience=120):
+    def __init__(self, name, *words, patience=120, driver=None):
         executable = shutil.which(name)
         if not executable:
             sys.exit(f"{name} is not installed: tools/setup test")
@@ -34,9 +36,13 @@ class Browser:
         to_read, self.to_write = os.pipe()
         self.to_listen, to_answer = os.pipe()
         gpu = [] if any("gl" in word for word in words) else ["--disable-gpu"]
+        # A Vulkan driver that the environment names would take SwiftShader's place.
+        variables = {name: value for name, value in os.environ.items() if not name.startswith("VK_")}
+        if driver:
+            variables["VK_DRIVER_FILES"] = driver
         self.process = subprocess.Popen(
             ["bash", "-c", SHELL, executable, f"--user-data-dir={self.profile}", *gpu, *words, *WORDS],
-            pass_fds=(to_read, to_answer), env=dict(os.environ, PIPE_IN=str(to_read), PIPE_OUT=str(to_answer)),
+            pass_fds=(to_read, to_answer), env=variables | {"PIPE_IN": str(to_read), "PIPE_OUT": str(to_answer)},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_read)
         os.close(to_answer)

@@ -6,7 +6,7 @@ import pathlib
 import shutil
 import sys
 
-from browser import Browser
+from browser import SOFTWARE, Browser
 from html_report import make_pages, plots_of
 
 WIDTHS = (1280, 400)
@@ -14,11 +14,17 @@ WIDTHS = (1280, 400)
 # What the page holds once every fold is open: canvases with their pixels, pictures, what reaches beyond the edge.
 PROBE = """(async () => {
   for (const fold of document.querySelectorAll("details")) fold.open = true;
-  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const frames = () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  for (const sphere of document.querySelectorAll("figure.sphere")) {  // drawn when they come into sight
+    sphere.scrollIntoView();
+    for (let k = 0; k < 100 && !sphere.dataset.shown; ++k) await frames();
+  }
+  scrollTo(0, 0);
+  await frames();
   const ground = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).map(Number);
   const brightness = (r, g, b) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
   const back = brightness(...ground);
-  const canvases = [...document.querySelectorAll("canvas[id]")].map(canvas => {
+  const look = canvas => {
     const box = canvas.getBoundingClientRect();
     const copy = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height});
     const ctx = copy.getContext("2d", {willReadFrequently: true});
@@ -30,11 +36,13 @@ PROBE = """(async () => {
       clear += pixels[k + 3] > 200 && Math.abs(brightness(pixels[k], pixels[k + 1], pixels[k + 2]) - back) > 60;
     }
     return {id: canvas.id, width: box.width, height: box.height, drawn, clear};
-  });
+  };
+  const canvases = [...document.querySelectorAll("canvas[id]")].map(look);
+  const spheres = [...document.querySelectorAll("figure.sphere canvas")].map(look);
   const inBox = element => { while ((element = element.parentElement)) if (element.matches(".scroll")) return true; };
   const wide = [...document.body.querySelectorAll("*")].filter(e => !inBox(e) && !e.matches("[popover]")
       && e.getBoundingClientRect().right > innerWidth + 0.5).map(e => e.outerHTML.slice(0, 120));
-  return {canvases, wide, ground: back, inner: innerWidth, scroll: document.scrollingElement.scrollWidth,
+  return {canvases, spheres, wide, ground: back, inner: innerWidth, scroll: document.scrollingElement.scrollWidth,
     pictures: [...document.images].filter(image => image.complete && image.naturalWidth > 0).length};
 })()"""
 
@@ -77,7 +85,8 @@ def check_look(page, path, width):
     assert not found["wide"], (path, found["wide"])
     plots = plots_of(text)
     assert [c["id"] for c in found["canvases"]] == [f"plot{k}" for k in range(len(plots))], found["canvases"]
-    for canvas in found["canvases"]:
+    assert len(found["spheres"]) == text.count('class="sphere'), (path, found["spheres"])
+    for canvas in found["canvases"] + found["spheres"]:
         assert canvas["width"] > 200 and canvas["height"] > 100, canvas
         assert canvas["drawn"] > 2000 and canvas["clear"] > 500, (path, canvas)
     assert found["pictures"] == text.count("<img "), f"{found['pictures']} pictures shown of {text.count('<img ')}"
@@ -135,10 +144,11 @@ def main():
     executable, name, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    with Browser(name, "--use-angle=swiftshader", "--enable-unsafe-swiftshader") as browser:
+    with Browser(name, *SOFTWARE) as browser:
         check_the_probe(browser, folder)
         for path in make_pages(executable, folder):
             check_page(browser, folder, path)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -3,16 +3,14 @@ still one, mouse, keys and controls, light and dark, 1280 and 400 pixels wide, a
 sphere_test.py SPHERE_PAGE BRDF BROWSER FOLDER"""
 import json
 import math
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "validate"))
-from browser import Browser  # noqa: E402
+from browser import SOFTWARE, Browser  # noqa: E402
 
-SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 LOBE = {"form": "cook_torrance", "weights": {"kd": [0.2, 0.15, 0.05], "ks": [0.6] * 3, "f0": [0.6] * 3}}
 FITTED = {"format": "brdf-material", "version": 1, "channels": ["r", "g", "b"], **LOBE,
           "shape": {"alpha_x": 0.25, "alpha_y": 0.25}}
@@ -152,8 +150,6 @@ def check_controls(page):
 
 def main():
     make, brdf, name, folder = sys.argv[1], sys.argv[2], sys.argv[3], pathlib.Path(sys.argv[4])
-    for variable in [v for v in os.environ if v.startswith("VK_")]:
-        del os.environ[variable]  # another driver than SwiftShader
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for file, material in (("fitted.json", FITTED), ("true.json", TRUE)):

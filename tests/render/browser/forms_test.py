@@ -3,7 +3,6 @@ and within rounding on Mesa's driver, whose compiler rearranges more:
 forms_test.py FORMS_VALUES BROWSER FOLDER"""
 import glob
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -11,7 +10,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "validate"))
-from browser import Browser  # noqa: E402
+from browser import SOFTWARE, Browser  # noqa: E402
 
 SCRIPT = pathlib.Path(__file__).with_name("forms.js").read_text(encoding="utf-8")
 WITHIN = 5e-6  # of the peak, on Mesa
@@ -41,12 +40,7 @@ def result_of(name, path, data, driver=None):
     """What the script makes of the data, on SwiftShader or on Vulkan's driver of that file."""
     path.write_text("<!DOCTYPE html><html><head><meta charset='utf-8'><title>forms</title></head><body><script>\n"
                     f"const data = {json.dumps(data)};\n{SCRIPT}</script></body></html>", encoding="utf-8")
-    for variable in [v for v in os.environ if v.startswith("VK_")]:
-        del os.environ[variable]
-    if driver:
-        os.environ["VK_DRIVER_FILES"] = driver
-    with Browser(name, "--use-angle=swiftshader", "--enable-unsafe-swiftshader", patience=280) as browser, \
-            browser.open(path) as page:
+    with Browser(name, *SOFTWARE, patience=280, driver=driver) as browser, browser.open(path) as page:
         result = page.evaluate("document.documentElement.dataset.result")
         assert not page.console and result, page.console
         return json.loads(result)
