@@ -88,9 +88,22 @@ MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Mat
   keep(rows);
 }
 
+// There is no ratio to a fit that is black.
+void MeasuredReflectance::leave_black_channels(const Directions<double>& d) {
+  std::vector<bool> black(channels_.size(), true);
+  std::vector<double> f(channels_.size());
+  for (std::size_t k = 0; k < d.count && std::find(black.begin(), black.end(), true) != black.end(); ++k) {
+    fitted_values(d.wi(k), d.wo(k), f);
+    for (std::size_t c = 0; c < f.size(); ++c) black[c] = black[c] && !(f[c] > 0);
+  }
+  for (std::size_t c = 0; c < black.size(); ++c)
+    if (black[c]) counterpart_[c] = -1;
+}
+
 MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable& table) {
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
+  leave_black_channels(d);
   Rows rows;
   rows.ratios.resize(channels_.size());
   std::vector<double> f(channels_.size());
@@ -104,13 +117,13 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
     rows.wo.push_back(d.wo(k));
     for (std::size_t c = 0; c < f.size(); ++c) rows.ratios[c].push_back(table.values[c][k] / f[c]);
     light_turns = light_turns || (table.theta_i[k] > 0 && table.phi_i[k] != table.phi_i.back());
+    const auto [low, high] = std::minmax(table.theta_i[k], table.theta_o[k]);
+    range_.inner = std::max(range_.inner, low);
+    range_.outer = std::max(range_.outer, high);
     const double x = d.wi_x[k] + d.wo_x[k], y = d.wi_y[k] + d.wo_y[k], length = std::hypot(x, y);
     if (length < kTilted) continue;
     if (along_x == 0 && along_y == 0) along_x = x / length, along_y = y / length;
     half_turns = half_turns || std::abs(along_x * y - along_y * x) > 0.05 * length;
-    const auto [low, high] = std::minmax(table.theta_i[k], table.theta_o[k]);
-    range_.inner = std::max(range_.inner, low);
-    range_.outer = std::max(range_.outer, high);
   }
   rows.turned = light_turns && half_turns;
   return rows;

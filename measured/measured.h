@@ -16,8 +16,7 @@ namespace brdf::measured {
 struct Seen {
   std::vector<double> f;  // per channel, f_r in 1/sr
   double known = 0;       // [0, 1]: the share of the ratio's variance that the samples near by leave known
-  bool measured =
-      false;  // known to kLeastKnown or more, and within the range of polar angles that was scanned
+  bool measured = false;  // known to kLeastKnown or more, and within the polar angles that were scanned
 };
 
 // Measured over fitted at a place, per channel, and how well that is known.
@@ -35,8 +34,8 @@ constexpr double kLeastKnown = 0.7;
 // and are likelier so. It is a Gaussian process about 1 in half-vector coordinates (coordinates.h, field.h): lengths
 // and noise are the likeliest, the noise not below the sheet's (io/noise.h). Away from all samples the ratio goes to 1,
 // so the fitted value remains, and `measured` is false. Channels without a counterpart in the material (of the same
-// name, or the same colour; a material of one channel serves all), and all where there is none, are interpolated about
-// their geometric mean instead: slowly where f_r is not smooth.
+// name, or the same colour; a material of one channel serves all) or with a black one, and all where there is none, are
+// interpolated about their geometric mean instead: slowly where f_r is not smooth.
 // Domain: unit vectors; 0 below the horizon.
 class MeasuredReflectance final : public ReflectanceModel {
  public:
@@ -78,6 +77,7 @@ class MeasuredReflectance final : public ReflectanceModel {
     bool turned = false;  // light and half vector come from several azimuths
   };
   Rows usable_rows(const io::SampleTable& table);
+  void leave_black_channels(const Directions<double>& d);
   struct Choice {
     Variation variation;
     Turning turning = Turning::isotropic;

@@ -55,6 +55,30 @@ TEST(Measured, WhatWasNotMeasuredIsSaidAndNotInvented) {
   EXPECT_LT(ratio, 1.7);
 }
 
+TEST(Measured, AFitThatIsBlackInAChannelHasNoRatioThere) {
+  io::SampleTable table = scanned(lobes({{0.2, 0.3, 0.15}}), {10, 30, 50}, 0);
+  table.channels = {"r", "g"};
+  table.values.emplace_back(table.rows(), 0.0);
+  Material red = make_material(*find_form("lambert"), {"r", "g"});
+  red.terms[0].weights = {{0.5}, {0}};
+  const MeasuredReflectance measured(table, &red);
+  const Seen seen = measured.at(at(30, 180), at(30, 0));
+  EXPECT_TRUE(seen.measured);
+  EXPECT_NEAR(seen.f[0] / value(lobes({{0.2, 0.3, 0.15}}), at(30, 180), at(30, 0)), 1, 0.05);
+  EXPECT_LT(seen.f[1], 0.01);
+}
+
+TEST(Measured, TheScansRangeIsThatOfAllRows) {
+  io::SampleTable table = scanned(lobes({{0.2, 0.3, 0.3}}), {10, 30, 50}, 0);
+  for (std::size_t k = 0; k < table.rows(); ++k) {  // the mirror direction alone: no half vector is tilted
+    table.theta_o[k] = table.theta_i[k];
+    table.phi_o[k] = table.phi_i[k] + 180;
+  }
+  const MeasuredReflectance measured(table);
+  EXPECT_EQ(measured.range().inner, 50);
+  EXPECT_EQ(measured.range().outer, 50);
+}
+
 TEST(Measured, FarApartIncidencesLeaveAGap) {
   const Material truth = lobes({{0.2, 0.3, 0.1}});
   const io::SampleTable table = scanned(truth, {0, 60}, 0.01);
