@@ -38,7 +38,7 @@ std::vector<std::string> folder_names(const std::vector<std::string>& samples) {
   std::vector<std::string> names;
   for (const std::string& sample : samples) {
     std::string name = fs::path(sample).stem().string();
-    if (!taken.insert(name).second) {
+    if (!is_plain(name) || !taken.insert(name).second) {
       const std::string whole = fs::path(sample).filename().string();
       name = whole;
       for (int k = 2; !taken.insert(name).second; ++k) name = whole + "-" + std::to_string(k);

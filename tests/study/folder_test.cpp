@@ -20,6 +20,8 @@ TEST(FolderNames, AreTheFilesWithoutSuffixAndNeverTheSame) {
   EXPECT_THAT(folder_names({"a/copper.csv", "b/copper.csv", "copper.bsdf", "c/copper.csv"}),
               ElementsAre("copper", "copper.csv", "copper.bsdf", "copper.csv-2"));
   EXPECT_THAT(folder_names({"index.html.csv", "study.json"}), ElementsAre("index.html.csv", "study"));
+  EXPECT_THAT(folder_names({"..csv", "in/...csv"}),
+              ElementsAre("..csv", "...csv"));  // not this one, nor above
   EXPECT_THAT(folder_names({"study.json.csv", "study.json.csv"}),
               ElementsAre("study.json.csv", "study.json.csv-2"));
 }
