@@ -8,6 +8,7 @@
 
 #include "fit/report/html.h"
 #include "fit/report/report.h"
+#include "io/address.h"
 #include "io/error.h"
 #include "io/fingerprint.h"
 #include "io/html_report.h"
@@ -220,13 +221,14 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
       const bool known = fitted && row.best.contains(key) && row.best[key].is_number();
       return io::Cell{known ? io::percent(row.best[key].get<double>()) : "-"};
     };
-    cells.push_back({{.text = io::file_name(row.file), .link = fitted ? row.name + ".html" : ""},
-                     {form, io::Mark::none, true},
-                     {verdict, usable(row) ? io::Mark::good : io::Mark::bad},
-                     share("median_relative_error"),
-                     share("cross_validated_error"),
-                     {row.recommended, io::Mark::none, true},
-                     {first_finding(row)}});
+    cells.push_back(
+        {{.text = io::file_name(row.file), .link = fitted ? io::address_of(row.name + ".html") : ""},
+         {form, io::Mark::none, true},
+         {verdict, usable(row) ? io::Mark::good : io::Mark::bad},
+         share("median_relative_error"),
+         share("cross_validated_error"),
+         {row.recommended, io::Mark::none, true},
+         {first_finding(row)}});
     if (!fitted) continue;
     in_sample.x.push_back(double(k + 1));
     left_out.x.push_back(double(k + 1));
@@ -239,7 +241,8 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   for (const BatchRow& row : rows) {
     const fs::path picture = folder / (row.name + ".png");
     if (row.error.empty() && fs::exists(picture))
-      pictures.push_back({io::read_content(picture).bytes, row.name, "", io::Mark::none, row.name + ".html"});
+      pictures.push_back({io::read_content(picture).bytes, row.name, "", io::Mark::none,
+                          io::address_of(row.name + ".html")});
   }
   if (!pictures.empty()) html.pictures(pictures);
   html.explain("median, left out",

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "io/address.h"
 #include "io/content.h"
 #include "io/error.h"
 #include "io/html_report.h"
 #include "io/numbers.h"
 #include "study/folder.h"
-#include "study/links.h"
 
 namespace brdf::study {
 namespace {
@@ -86,7 +86,8 @@ Cell verdict_cell(const Row& row) {
 
 io::Row cells_of(const Row& row, bool pictures) {
   const bool studied = row.fault == Fault::none;
-  const std::string name = text_of(row.json, "name"), link = studied ? address_of(name) + "/" + kPage : "";
+  const std::string name = text_of(row.json, "name"),
+                    link = studied ? io::address_of(name) + "/" + kPage : "";
   io::Row cells{{.text = name, .link = link}};
   if (pictures)
     for (const auto& [picture, what] :

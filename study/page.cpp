@@ -1,11 +1,12 @@
 #include "study/page.h"
 
 #include "fit/report/page.h"
+#include "io/address.h"
+#include "io/channel_colours.h"
 #include "io/html_report.h"
 #include "io/numbers.h"
 #include "io/shell.h"
 #include "io/sphere/page.h"
-#include "study/links.h"
 #include "validate/checks.h"
 #include "validate/report.h"
 #include "validate/report_plots.h"
@@ -13,23 +14,22 @@
 namespace brdf::study {
 namespace {
 
-// Measured beside fitted: what the reader turns, or pictures of what no browser could draw.
-void add_spheres(io::HtmlReport& report, const Findings& found) {
+// Measured beside fitted: what the reader turns, which needs no renderer here, or pictures of what no browser could draw.
+void add_spheres(io::HtmlReport& report, const Findings& found, bool wanted) {
   const Spheres& spheres = found.spheres;
-  if (spheres.fitted.empty()) {
-    report.paragraph("No pictures: " + spheres.missing + ".");
-    return;
-  }
-  if (!spheres.note.empty()) report.paragraph(spheres.note + ".");
   const fit::FormFit& best = found.fit.ranking.front();
-  if (io::sphere::obstacle(best.material).empty()) return fit::add_sphere(report, best, found.table);
+  const bool turns = wanted && io::sphere::obstacle(best.material).empty();
+  if (!turns && spheres.fitted.empty()) return report.paragraph("No pictures: " + spheres.missing + ".");
+  if (const auto colours = io::channel_colours(best.material.channels); colours && !colours->note.empty())
+    report.paragraph(colours->note + ".");
+  if (turns) return fit::add_sphere(report, best, found.table);
   report.pictures({{.png = spheres.measured,
                     .title = "measured",
                     .text = "the samples and what lies between them; hatched: not measured"},
                    {.png = spheres.fitted, .title = "fitted", .text = best.form + ", under the same light"},
                    {.png = spheres.difference,
                     .title = "difference",
-                    .text = "fitted less measured: blue -50 %, pale alike, red +50 %"}});
+                    .text = "fitted less measured: blue -50 %, white alike, red +50 %"}});
 }
 
 void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
@@ -83,7 +83,7 @@ void add_files(io::HtmlReport& report, const Findings& found, const SampleOption
   report.heading("Files and commands");
   std::vector<io::Row> rows;
   for (const std::string& file : found.files)
-    rows.push_back({{.text = file, .link = address_of(file)}, {.text = meaning_of(file)}});
+    rows.push_back({{.text = file, .link = io::address_of(file)}, {.text = meaning_of(file)}});
   report.table({"file", "what it is"}, rows);
   if (!found.no_shader.empty()) report.paragraph("No shader: " + found.no_shader + ".");
   const std::string samples = io::shell_file(found.table.source), material = kMaterial;
@@ -103,7 +103,7 @@ std::string sample_page(const Findings& found, const SampleOptions& options) {
   fit::add_verdict(report, found.fit);
   if (!options.alone) report.raw(std::string("<p><a href=\"../") + kPage + "\">All samples</a></p>\n");
   if (best.solved()) {
-    add_spheres(report, found);
+    add_spheres(report, found, options.pictures);
     fit::add_slices(report, best, found.table, options.fit.aperture);
     add_lobes(report, found.spheres);
     fit::add_deviation(report, best, found.table, options.fit.aperture);

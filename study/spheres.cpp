@@ -1,6 +1,5 @@
 #include "study/spheres.h"
 
-#include "io/channel_colours.h"
 #include "io/error.h"
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_points.h"
@@ -50,14 +49,13 @@ bool can_draw() {
 Spheres draw(const io::SampleTable& samples, const Material& fitted) {
   try {
     const render::MeasuredSpheres spheres = render::measured_spheres(fitted, samples, kPixels);
-    const auto colours = io::channel_colours(fitted.channels);
     return {.measured = render::png_of(spheres.measured),
             .fitted = render::png_of(spheres.fitted),
             .difference = render::png_of(spheres.difference),
             .small_measured = render::png_of(reduced(spheres.measured)),
             .small_fitted = render::png_of(reduced(spheres.fitted)),
             .lobes = lobes_of(samples, fitted),
-            .note = colours ? colours->note : ""};
+            .missing = ""};
   } catch (const InputError& error) {
     return {.missing = error.what()};
   }

@@ -19,7 +19,6 @@ struct Spheres {
     std::string png;
   };
   std::vector<Lobe> lobes;
-  std::string note;     // how channels became colours, where their names do not say it
   std::string missing;  // why there are none
 };
 

@@ -1,6 +1,6 @@
-#include "study/links.h"
+#include "io/address.h"
 
-namespace brdf::study {
+namespace brdf::io {
 
 std::string address_of(std::string_view name) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~",
@@ -16,4 +16,4 @@ std::string address_of(std::string_view name) {
   return address;
 }
 
-}  // namespace brdf::study
+}  // namespace brdf::io
