@@ -22,14 +22,14 @@ addEventListener("resize", boxes);
 document.addEventListener("toggle", boxes, true);
 boxes();
 
-// A click on a column's sign sorts by it, a second one the other way round; numbers by size, gaps last.
+// A click on a column's sign sorts by it, a second one the other way round; numbers by size, words after them both ways.
 for (const table of document.querySelectorAll("table.sortable")) {
   const body = table.tBodies[0], heads = [...table.tHead.rows[0].cells];
   const key = (row, k) => {
     const cell = row.cells[k], text = cell.dataset.value ?? cell.textContent.trim(), number = Number.parseFloat(text);
     return Number.isFinite(number) ? number : text;
   };
-  const before = (a, b) => typeof a === typeof b ? (a < b ? -1 : a > b ? 1 : 0) : typeof a === "number" ? -1 : 1;
+  const before = (a, b, way) => typeof a === typeof b ? way * (a < b ? -1 : a > b ? 1 : 0) : typeof a === "number" ? -1 : 1;
   for (const [k, head] of heads.entries()) {
     const button = document.createElement("button");
     button.className = "sort";
@@ -39,7 +39,7 @@ for (const table of document.querySelectorAll("table.sortable")) {
       const down = head.ariaSort === "ascending";
       for (const other of heads) other.ariaSort = null;
       head.ariaSort = down ? "descending" : "ascending";
-      body.append(...[...body.rows].sort((a, b) => before(key(a, k), key(b, k)) * (down ? -1 : 1)));
+      body.append(...[...body.rows].sort((a, b) => before(key(a, k), key(b, k), down ? -1 : 1)));
     });
     head.append(button);
   }

@@ -135,8 +135,7 @@ TEST(Conclusion, IsTheCheapestThatIsAccurateEnough) {
   EXPECT_EQ(cheapest_within(all, 1e-6), nullptr);
   EXPECT_EQ(conclusion(all),
             "Within a mean error of 0.01 the cheapest is coarse at 0.2 of the exact cost (largest error "
-            "0.1); within "
-            "0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
+            "0.1); within 0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
   EXPECT_EQ(conclusion({all[0], all[3]}), "Nothing cheaper stays within a mean error of 0.01: take exact.");
 }
 

@@ -119,7 +119,7 @@ def check_paper(page, path):
     assert closed == 0, (path, closed)
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") in ("rgb(255, 255, 255)", "rgba(0, 0, 0, 0)")
     assert page.evaluate("[...document.querySelectorAll('details.commands')].every(e => !e.offsetHeight)"), path
-    if page.evaluate("document.querySelector('canvas') !== null"):
+    if page.evaluate("document.querySelector('canvas[id]') !== null"):
         assert page.evaluate("charts[0].options.scales.x.ticks.color") == "#555", path
 
 

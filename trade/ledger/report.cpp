@@ -61,6 +61,10 @@ std::string error_text(double error) {
   return error <= kExact ? "exact" : number(error);
 }
 
+io::Cell error_cell(double error) {
+  return {.text = error_text(error), .sorted_by = error};
+}
+
 io::Cell choice_cell(const LedgerRow& row) {
   return {.text = row.choice, .note = row.note};
 }
@@ -74,10 +78,10 @@ void add_choices(io::HtmlReport& report, const std::vector<const LedgerRow*>& ro
              ? io::Cell{.text = "on the front", .mark = io::Mark::good}
              : io::Cell{.text = "dominated", .mark = io::Mark::absent, .note = "by " + row->dominated_by},
          {number(row->cost_ratio)},
-         {error_text(row->error.mean)},
-         {error_text(row->error.p99)},
-         {error_text(row->error.max)},
-         {row->image_error ? error_text(*row->image_error) : "-"}});
+         error_cell(row->error.mean),
+         error_cell(row->error.p99),
+         error_cell(row->error.max),
+         row->image_error ? error_cell(*row->image_error) : io::Cell{"-"}});
   report.table({"choice", "front", "cost", "mean", "p99", "max", "image error"}, cells, true);
 }
 
@@ -114,9 +118,10 @@ void add_extremes(io::HtmlReport& report, const Ledger& ledger) {
       const bool warn = extreme.max > 10 * row.error.max && extreme.max > 1e-3;
       const io::Row cells{{row.question},
                           {row.choice},
-                          {error_text(row.error.max)},
-                          {extreme.max >= 1e30 ? "not finite" : error_text(extreme.max),
-                           warn ? io::Mark::warn : io::Mark::none},
+                          error_cell(row.error.max),
+                          {.text = extreme.max >= 1e30 ? "not finite" : error_text(extreme.max),
+                           .mark = warn ? io::Mark::warn : io::Mark::none,
+                           .sorted_by = std::min(extreme.max, 1e30)},
                           {extreme.domain}};
       all.push_back(cells);
       if (warn) far.push_back(cells);
@@ -150,13 +155,12 @@ void add_summary(io::HtmlReport& report, const std::vector<std::string>& questio
     cells.push_back({{question},
                      {best ? best->choice : exact_name(rows)},
                      {best ? number(taken.cost_ratio) : "1"},
-                     {best ? error_text(taken.error.mean) : "exact"},
-                     {best ? error_text(taken.error.max) : "exact"}});
+                     error_cell(best ? taken.error.mean : 0),
+                     error_cell(best ? taken.error.max : 0)});
   }
-  report.verdict(io::Mark::none,
-                 "In " + std::to_string(gained) + " of " + std::to_string(questions.size()) +
-                     " questions something cheaper stays within a mean error of 0.01; in the others "
-                     "take the exact way.");
+  report.verdict(io::Mark::none, "In " + std::to_string(gained) + " of " + std::to_string(questions.size()) +
+                                     " questions something cheaper stays within a mean error of 0.01; in the "
+                                     "others take the exact way.");
   report.heading("What to take within a mean error of 0.01");
   report.table({"question", "choice", "cost", "mean", "max"}, cells, true);
 }
@@ -195,9 +199,8 @@ std::string to_html(const Ledger& ledger) {
                    (ledger.quick ? ". A quick run: fewer points." : "."));
   report.paragraph(
       "Times are lower quartiles of interleaved runs, costs medians of pairs of neighbouring runs; cost 1 is "
-      "the exact way. A choice is dominated where another is not dearer and in no error worse. Means up to "
-      "1e-14 are "
-      "called exact: they are the rounding of double precision.");
+      "the exact way. A choice is dominated where another is not dearer and in no error worse. Errors up to "
+      "1e-14 are called exact: they are the rounding of double precision.");
   report.end_fold();
   add_claims(report, ledger);
   for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit) {
