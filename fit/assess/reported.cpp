@@ -107,8 +107,12 @@ Extent extent_of(const Reported& r, const Model& model, std::span<const double> 
   return {std::max(r.estimate.value - half_width, r.min), std::min(r.estimate.value + half_width, r.max)};
 }
 
+std::string label(const std::string& name, const std::string& channel) {
+  return channel.empty() ? name : name + "[" + channel + "]";
+}
+
 std::string label(const Estimate& e) {
-  return e.channel.empty() ? e.name : e.name + "[" + e.channel + "]";
+  return label(e.name, e.channel);
 }
 
 std::string shape_text(const Material& m) {

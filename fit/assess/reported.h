@@ -32,8 +32,9 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
 // range for the others.
 Extent extent_of(const Reported& r, const Model& model, std::span<const double> p, double half_width);
 
-// "ks[r]".
+// "ks[r]"; "alpha" where all channels share it.
 std::string label(const Estimate& e);
+std::string label(const std::string& name, const std::string& channel);
 // "sigma 0.3, alpha_x 0.1, alpha_y 0.1": of the first channel.
 std::string shape_text(const Material& m);
 // "a, b and c".

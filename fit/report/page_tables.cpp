@@ -53,7 +53,7 @@ void add_intervals(io::HtmlReport& report, const FormFit& f) {
   for (const Estimate& e : f.estimates) {
     const NamedParameter parameter = named(f, e);
     if (parameter.repeats) continue;
-    const std::string name = e.channel.empty() ? parameter.symbol : parameter.symbol + " [" + e.channel + "]";
+    const std::string name = label(parameter.symbol, e.channel);
     const bool free = e.status == Status::free;
     const auto if_free = [&](const std::string& text) { return Cell{free ? text : "-"}; };
     rows.push_back({{name, Mark::none, true},

@@ -80,6 +80,13 @@ bool is_weak(const FormFit& fit, const Estimate& e) {
   return extent.high - extent.low > 2 * std::max(kWideShare * std::abs(e.value), kWideRange * range);
 }
 
+// Whether a finding's first word is a parameter, whose name has its own case: "f0 is at its upper bound 1".
+bool begins_with_name(const FormFit& fit, std::string_view text) {
+  const std::string_view word = text.substr(0, text.find_first_of(" ,"));
+  return std::any_of(fit.estimates.begin(), fit.estimates.end(),
+                     [&](const Estimate& e) { return e.name == word || named(fit, e).symbol == word; });
+}
+
 }  // namespace
 
 Mark mark_of(const FormFit& f) {
@@ -140,8 +147,8 @@ std::string weakness_text(const FormFit& fit) {
 std::vector<io::Remark> remarks_on(const FormFit& f) {
   std::vector<io::Remark> remarks;
   const Mark mark = usable(f.verdict) ? Mark::warn : Mark::bad;
-  const auto sentence = [](std::string text) {
-    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+  const auto sentence = [&](std::string text) {
+    if (!begins_with_name(f, text)) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
     return text + ".";
   };
   for (const std::string& finding : f.findings) remarks.push_back({mark, sentence(finding)});

@@ -164,8 +164,7 @@ std::string extent_text(double low, double high) {
 }
 
 // The value with its interval; where the model is wrong, also with what that adds.
-std::string estimate_text(const Estimate& e, bool wrong) {
-  const std::string name = label(e);
+std::string estimate_text(const Estimate& e, const std::string& name, bool wrong) {
   switch (e.status) {
     case Status::unidentified:
       return name + " not identified";
@@ -348,7 +347,9 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   if (const std::string weak = weakness_text(best); !weak.empty()) out << "  " << weak << '\n';
   if (best.solved()) out << "  " << in_words(best.lack_of_fit) << '\n';
   for (const Estimate& e : best.estimates)
-    out << "  " << estimate_text(e, best.lack_of_fit.beyond_scatter) << '\n';
+    if (const NamedParameter parameter = named(best, e); !parameter.repeats)
+      out << "  " << estimate_text(e, label(parameter.symbol, e.channel), best.lack_of_fit.beyond_scatter)
+          << '\n';
   if (const std::string text = recommendation(result); !text.empty()) out << text << '\n';
 }
 

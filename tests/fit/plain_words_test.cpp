@@ -71,6 +71,9 @@ TEST(PlainWords, EnergyTurnsTheMarkAndAnUnusableFitIsBad) {
   ASSERT_EQ(remarks_on(f).size(), 2u);
   EXPECT_EQ(remarks_on(f)[0].mark, io::Mark::warn);
   EXPECT_EQ(remarks_on(f)[0].text, "Reflects more light than falls on it: 147 % at 85 degrees (g).");
+  f.findings = {"f0 is at its upper bound 1 in r", "kd, ks and alpha are not identified: too few"};
+  EXPECT_EQ(remarks_on(f)[0].text, "f0 is at its upper bound 1 in r.");
+  EXPECT_EQ(remarks_on(f)[1].text, "kd, ks and alpha are not identified: too few.");
   f.verdict = Verdict::misfit;
   EXPECT_EQ(mark_of(f), io::Mark::bad);
 }
