@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/channel_colours.h"
+#include "io/colour_scales.h"
 #include "io/html_markup.h"
 #include "io/html_report.h"
 #include "io/json.h"
@@ -84,7 +85,7 @@ void append_ticks(std::string& html, const char* extra, const std::vector<std::s
 }  // namespace
 
 std::vector<int> channel_palette(const std::vector<std::string>& channels) {
-  constexpr std::array kRedGreenBlue{1, 2, 0};  // in kDraw's palette
+  constexpr std::array kRedGreenBlue{1, 2, 0};  // of --c0 to --c7 in html_page.css
   std::vector<int> numbers(channels.size(), -1);
   const auto colours = channel_colours(channels);
   if (colours && channels.size() > 1)
@@ -120,18 +121,12 @@ void HtmlReport::map(const HeatMap& m) {
 }
 
 void map_colour(double x, unsigned char rgb[3], Colours colours) {
-  // Five stations of even lightness steps.
-  using Stations = double[5][3];
-  constexpr Stations kSequential = {
-      {48, 18, 59}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
-  constexpr Stations kDiverging = {
-      {31, 95, 168}, {143, 175, 212}, {255, 255, 255}, {217, 140, 149}, {178, 24, 43}};
-  const Stations& stations = colours == Colours::sequential ? kSequential : kDiverging;
+  const ColourScale& stations = colours == Colours::sequential ? kSequentialScale : kDivergingScale;
   const double at = 4 * std::fmin(std::fmax(x, 0.0), 1.0);
-  const int k = at >= 4 ? 3 : int(at);
-  for (int c = 0; c < 3; ++c)
-    rgb[c] =
-        static_cast<unsigned char>(stations[k][c] + (at - k) * (stations[k + 1][c] - stations[k][c]) + 0.5);
+  const std::size_t k = at >= 4 ? 3 : std::size_t(at);
+  for (std::size_t c = 0; c < 3; ++c)
+    rgb[c] = static_cast<unsigned char>(stations[k][c] +
+                                        (at - double(k)) * (stations[k + 1][c] - stations[k][c]) + 0.5);
 }
 
 }  // namespace brdf::io

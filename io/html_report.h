@@ -174,9 +174,6 @@ std::string html_escaped(std::string_view text);
 // "copper.csv" of "/data/copper.csv": what a title shows. The path belongs into a footnote.
 std::string file_name(std::string_view path);
 
-// A PNG (8 bits) of row-major pixels, top row first: RGB, or RGBA where there are four bytes for each pixel.
-std::string png_of_pixels(std::size_t width, std::size_t height, const std::vector<unsigned char>& pixels);
-
 // The colour of x in [0, 1] (beyond it: of the nearer end).
 void map_colour(double x, unsigned char rgb[3], Colours colours = Colours::sequential);
 

@@ -1,10 +1,10 @@
-#include <stb/stb_image_write.h>
+#include "io/png.h"
 
-#include "io/html_report.h"
+#include <stb/stb_image_write.h>
 
 namespace brdf::io {
 
-std::string png_of_pixels(std::size_t width, std::size_t height, const std::vector<unsigned char>& pixels) {
+std::string png_of_pixels(std::size_t width, std::size_t height, std::span<const unsigned char> pixels) {
   const int channels = pixels.size() == 4 * width * height ? 4 : 3;
   std::string png;
   const auto append = [](void* context, void* data, int size) {

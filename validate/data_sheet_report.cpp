@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "io/in_plane.h"
 #include "io/shell.h"
 #include "io/text.h"
 #include "validate/sheet_checks.h"
@@ -28,9 +29,9 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   for (const auto& [light, members] : groups) {
     io::Series s{"light at " + io::to_text(light.first) + " degrees", {}, {}, io::Series::Style::points};
     for (const std::size_t k : members) {
-      const double phi = std::abs(std::remainder(t.phi_o[k] - light.second, 360.0));
-      if (t.theta_o[k] != 0 && phi != 0 && phi != 180) continue;
-      s.x.push_back(phi == 0 ? -t.theta_o[k] : t.theta_o[k]);
+      const double angle = io::in_plane_angle(t, k);
+      if (std::isnan(angle)) continue;
+      s.x.push_back(angle);
       s.y.push_back(t.values.front()[k]);
     }
     if (!s.x.empty() && plane.series.size() < 8) plane.series.push_back(std::move(s));

@@ -59,6 +59,11 @@ struct Finding {
   }
 };
 
+// Whether a report shows where it was found: of what does not hold.
+inline bool shows_witness(const Finding& f) {
+  return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
+}
+
 // Whether this value is worse than the worst so far; one that is no number is the worst of all, and stays.
 inline bool is_worst(double value, double worst) {
   return !std::isnan(worst) && !(value < worst);

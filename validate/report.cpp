@@ -24,10 +24,6 @@ std::string plain(Outcome outcome) {
   return name;
 }
 
-bool shows_witness(const Finding& f) {
-  return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
-}
-
 io::Json to_json(const Witness& w) {
   io::Json json = io::Json::object();
   for (const auto& [name, value] : w.parameters) json[name] = value;

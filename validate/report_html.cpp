@@ -97,10 +97,6 @@ void add_spheres(io::HtmlReport& report, const ReportContent& content) {
       io::sphere::add(report, {.title = io::file_name(s.name()), .fitted = m});
 }
 
-bool shows_command(const Finding& f) {
-  return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
-}
-
 }  // namespace
 
 void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings) {
@@ -122,7 +118,7 @@ void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings
     row->cells[std::size_t(std::ranges::find(names, f.subject) - names.begin())] = {
         .text = outcome,
         .mark = mark_of(f.outcome),
-        .command = shows_command(f) ? f.witness->command : "",
+        .command = shows_witness(f) ? f.witness->command : "",
         .note = f.statement};
   }
   report.matrix(matrix);

@@ -6,6 +6,7 @@
 #include "brdf/integrals.h"
 #include "io/glossary.h"
 #include "io/numbers.h"
+#include "io/png.h"
 #include "io/text.h"
 #include "validate/extremes.h"
 #include "validate/pair_search.h"

@@ -1,7 +1,6 @@
 // Measured against fitted: slices through the plane of incidence, and where the fit deviates over the half angles.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "brdf/aperture.h"
@@ -9,7 +8,9 @@
 #include "fit/assess/derived.h"
 #include "fit/report/page.h"
 #include "io/channel_colours.h"
+#include "io/in_plane.h"
 #include "io/numbers.h"
+#include "io/png.h"
 
 namespace brdf::fit {
 namespace {
@@ -34,14 +35,6 @@ std::vector<std::vector<double>> fitted_values(const Material& material, const D
   return out;
 }
 
-// Signed detector angle of a row in the plane of incidence (mirror side positive); NaN outside the plane.
-double in_plane_angle(const io::SampleTable& t, std::size_t k) {
-  const double turn = std::remainder(t.phi_o[k] - t.phi_i[k], 360.0);
-  if (t.theta_o[k] == 0 || std::abs(std::abs(turn) - 180) < 0.5) return t.theta_o[k];
-  if (std::abs(turn) < 0.5) return -t.theta_o[k];
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 // The rows of one light in the plane of incidence, by the detector's angle.
 struct Slice {
   double theta_i, phi_i;  // degrees
@@ -52,7 +45,7 @@ struct Slice {
 std::vector<Slice> slices_of(const io::SampleTable& table) {
   std::map<double, std::map<double, Slice>> by_light;
   for (std::size_t k = 0; k < table.rows(); ++k)
-    if (const double angle = in_plane_angle(table, k); std::isfinite(angle)) {
+    if (const double angle = io::in_plane_angle(table, k); std::isfinite(angle)) {
       Slice& slice = by_light[table.theta_i[k]][table.phi_i[k]];
       slice.theta_i = table.theta_i[k];
       slice.phi_i = table.phi_i[k];

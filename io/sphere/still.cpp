@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "io/html_report.h"
+#include "io/png.h"
+#include "io/srgb.h"
 
 namespace brdf::io::sphere {
 namespace {
@@ -14,9 +16,7 @@ constexpr double kRadius = 0.47, kRim = 0.9999;
 using Pixel = std::array<unsigned char, 4>;
 
 unsigned char encoded(double linear) {
-  const double x = std::clamp(linear, 0.0, 1.0);
-  return static_cast<unsigned char>(
-      std::lround(255 * (x < 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
+  return static_cast<unsigned char>(std::lround(255 * srgb_encoded(std::clamp(linear, 0.0, 1.0))));
 }
 
 double sum(const Colour& f) {

@@ -8,7 +8,8 @@
 namespace brdf::io::sphere {
 
 // Fitted, measured and difference beside each other (or the fitted one alone) from first_view(), as sphere.glsl draws
-// them: a PNG of `side` pixels a sphere, transparent beside them. `exposure` in stops; at 0 a white diffuser that faces the light is white.
+// them: a PNG of `side` pixels a sphere, transparent beside them. `exposure` in stops; at 0 a white diffuser that faces
+// the light is white.
 std::string still_picture(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure,
                           int side);
 

@@ -26,9 +26,9 @@ void draw_text(BytePicture& picture, glm::vec2 baseline, const std::string& text
 
 // The text where it is no wider, else with its middle left out.
 std::string elided(const std::string& text, int pixels, float width);
-// White words on a dark ground in a lower corner, at most `width` pixels wide (0: as the picture): a picture's name.
+// White words on a dark ground in a lower corner, at most `most` pixels wide (0: as the picture): a picture's name.
 enum class Corner { left, right };
-void draw_label(BytePicture& picture, const std::string& text, Corner corner = Corner::left, int width = 0);
+void draw_label(BytePicture& picture, const std::string& text, Corner corner = Corner::left, int most = 0);
 // The height of a label's letters: in proportion to the picture, and legible; and that of one with many words.
 int label_pixels(const BytePicture& picture);
 int smallest_label(const BytePicture& picture);

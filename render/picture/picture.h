@@ -59,7 +59,7 @@ double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
 
 // Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
 glm::vec3 false_color(float relative_difference);
-// Of a signed one: blue -50 % and below, pale 0, red 50 % and above.
+// Of a signed one: blue -50 % and below, white 0, red 50 % and above.
 glm::vec3 signed_color(float relative_difference);
 constexpr float kMostSigned = 0.5f;
 enum class Scale { logarithmic, plus_minus };

@@ -5,10 +5,10 @@
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
-#include <stb_image_write.h>
 
 #include "io/error.h"
 #include "io/output.h"
+#include "io/png.h"
 #include "io/provenance.h"
 #include "render/picture/picture.h"
 #include "render/scene/texture.h"
@@ -27,17 +27,13 @@ Imf::Slice slice(const Picture& picture, int channel, const Imath::Box2i& window
                           sizeof(glm::vec4) * std::size_t(picture.width));
 }
 
-void append_bytes(void* context, void* data, int size) {
-  static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
-}
-
 }  // namespace
 
 std::string png_of(const BytePicture& picture) {
-  std::string bytes;
-  stbi_write_png_to_func(append_bytes, &bytes, picture.width, picture.height, 3, picture.pixels.data(),
-                         picture.width * 3);
-  return bytes;
+  static_assert(sizeof(picture.pixels[0]) == 3);
+  return io::png_of_pixels(
+      std::size_t(picture.width), std::size_t(picture.height),
+      {reinterpret_cast<const unsigned char*>(picture.pixels.data()), 3 * picture.pixels.size()});
 }
 
 void write_png(const std::filesystem::path& file, const BytePicture& picture) {

@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "brdf/math.h"
+#include "io/colour_scales.h"
+#include "io/srgb.h"
 #include "render/scene/scene.h"
 
 namespace brdf::render {
 
 // What a scalar brings along beside its arithmetic; shaders/emit_shaders.cpp has GLSL's.
-inline float to_power(float x, float exponent) {
-  return std::pow(x, exponent);
-}
+using io::to_power;
 inline float log_10(float x) {
   return std::log10(x);
 }
@@ -28,11 +28,7 @@ S sky_color(const S& horizon, const S& zenith, const S& up) {
   return mixed(horizon, zenith, math::sqrt(at_least(up, S(0))));
 }
 
-template <class S>
-S srgb_encoded(const S& x) {
-  const S curve = S(1.055) * to_power(x, S(1) / S(2.4)) - S(0.055);
-  return select(S(0.0031308) < x, curve, S(12.92) * x);
-}
+using io::srgb_encoded;
 
 // One channel, linear and exposed, as it is shown.
 template <class S>
@@ -68,17 +64,15 @@ std::array<S, 3> false_color_of(const S& relative) {
   return color;
 }
 
-// Colour of a signed relative difference: blue at -50 % and below, pale at 0, red at 50 % and above.
+// Colour of a signed relative difference: blue at -50 % and below, white at 0, red at 50 % and above.
 template <class S>
 std::array<S, 3> signed_color_of(const S& relative) {
-  constexpr std::array kStops{std::array{0.08, 0.24, 0.60}, std::array{0.35, 0.60, 0.85},
-                              std::array{0.93, 0.93, 0.90}, std::array{0.95, 0.55, 0.35},
-                              std::array{0.65, 0.05, 0.10}};
+  constexpr const io::ColourScale& kScale = io::kDivergingScale;
   const S t = (at_most(at_least(relative * S(2), S(-1)), S(1)) + S(1)) * S(2);
   std::array<S, 3> color;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto between = [&](std::size_t k) {
-      return mixed(S(kStops[k][c]), S(kStops[k + 1][c]), t - S(double(k)));
+      return mixed(S(kScale[k][c] / 255), S(kScale[k + 1][c] / 255), t - S(double(k)));
     };
     color[c] =
         select(t < S(2), select(t < S(1), between(0), between(1)), select(t < S(3), between(2), between(3)));

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "io/html_report.h"
+#include "io/png.h"
 #include "render/picture/picture.h"
 #include "render/scene/texture.h"
 #include "tests/fuzz/fuzz.h"

@@ -4,6 +4,7 @@
 
 #include "io/glossary.h"
 #include "io/json.h"
+#include "io/png.h"
 
 namespace brdf::io {
 namespace {

@@ -96,7 +96,7 @@ TEST(Picture, WhatWasNotMeasuredIsHatchedAndLeftOut) {
     EXPECT_EQ(shown.pixels[k][0], shown.pixels[k][2]);
   }
   EXPECT_NE(shown.pixels[11], shown.pixels[12]);
-  // 25 % brighter: half way from pale to red.
+  // 25 % brighter: half way from white to red.
   EXPECT_GT(signs.pixels[0][0], signs.pixels[0][2]);
   std::swap(a, b);
   for (glm::vec4& pixel : b.pixels) pixel.a = 1;

@@ -1,0 +1,25 @@
+// sRGB's encoding of light, for numbers and for the scalar that writes shaders.
+#pragma once
+
+#include <cmath>
+
+#include "brdf/math.h"
+
+namespace brdf::io {
+
+// What a scalar brings along beside its arithmetic.
+inline float to_power(float x, float exponent) {
+  return std::pow(x, exponent);
+}
+inline double to_power(double x, double exponent) {
+  return std::pow(x, exponent);
+}
+
+// One channel in [0, 1] (IEC 61966-2-1).
+template <class S>
+S srgb_encoded(const S& x) {
+  const S curve = S(1.055) * to_power(x, S(1) / S(2.4)) - S(0.055);
+  return select(S(0.0031308) < x, curve, S(12.92) * x);
+}
+
+}  // namespace brdf::io
