@@ -19,28 +19,24 @@ const std::vector<GlossaryTerm>& quantities() {
       {"phi_o", "Azimuth of the viewer about the normal.", true},
       {"theta_h",
        "Angle between the normal and the half vector, which lies midway between light and viewer: 0 where a "
-       "mirror "
-       "would shine.",
+       "mirror would shine.",
        true},
       {"theta_d", "Angle between the light and the half vector: half of the angle between light and viewer.",
        true},
       {"form", "The formula that is fitted, by its name in the catalogue."},
       {"verdict",
        "Whether the fitted material may be used. converged: yes, every parameter is known. at_bound: yes, a "
-       "parameter "
-       "stands at the end of its range. determined: yes, what it gives is known though not every parameter. "
-       "not_identifiable, misfit, diverged, interrupted: no."},
+       "parameter stands at the end of its range. determined: yes, what it gives is known though not every "
+       "parameter. not_identifiable, misfit, diverged, interrupted: no."},
       {"left out",
        "The error on incidences that were not fitted, fold by fold: how well the form predicts what it has "
-       "not seen. "
-       "Smaller is better; forms are ranked by it."},
+       "not seen. Smaller is better; forms are ranked by it."},
       {"median", "Half of the values are off by less than this share of themselves."},
       {"90 %", "Nine values in ten are off by less than this."},
       {"off by 2", "The share of the light in values that are off by more than a factor of two."},
       {"x scatter",
        "The usual deviation of fit from samples over how much the samples themselves scatter. 1: nothing is "
-       "left to "
-       "explain. Well above 1: the form lacks something."},
+       "left to explain. Well above 1: the form lacks something."},
       {"scatter",
        "How much measured values differ from a smooth law through their neighbours, relative to themselves."},
       {"lack of fit",
@@ -50,23 +46,20 @@ const std::vector<GlossaryTerm>& quantities() {
       {"ratio there", "Measured over fitted in the middle of that place: above 1 the fit is too dark."},
       {"BIC",
        "Bayesian information criterion (Schwarz, 1978): misfit plus a fee for every parameter. Only "
-       "differences count; "
-       "smaller is better.",
+       "differences count; smaller is better.",
        true},
       {"parameters", "How many numbers were fitted."},
       {"residual",
        "What the fit makes small: how the difference of a fitted and a measured value is counted."},
       {"log",
        "Residual: difference of ln(1 + f_r cos theta_i) of fit and sample: of bright values a share, of dark "
-       "ones the "
-       "difference itself."},
+       "ones the difference itself."},
       {"cosine L2", "Residual: difference of f_r cos theta_i of fit and sample; bright values decide."},
       {"cube root",
        "Residual: cube root of the squared difference of f_r cos theta_i; large differences count little."},
       {"log-relative",
        "Residual: difference of ln(f_r cos theta_i cos theta_o + 0.001) of fit and sample: a tenth too much "
-       "counts alike "
-       "in the dark and in the bright."},
+       "counts alike in the dark and in the bright."},
       {"free", "Fitted, and determined by the samples."},
       {"95 % (statistical)",
        "Where the parameter lies in 95 of 100 repetitions of the measurement, if the form were right."},
@@ -78,16 +71,15 @@ const std::vector<GlossaryTerm>& quantities() {
       {"standard error", "One standard deviation of the parameter, if the form were right."},
       {"status",
        "free: fitted and known. fixed: given. at_bound: at the end of its range. unidentified: the samples "
-       "say nothing "
-       "of it."},
+       "say nothing of it."},
       {"correlation",
        "How far two parameters stand in for each other: near 1 or -1 only a combination of the two is "
        "known."},
       {"starts", "How many of the random starting points ended here."},
       {"cost", "What was minimised; or, among choices, time relative to the exact way."},
       {"reflected fraction",
-       "The share of light from one direction that is reflected into all directions (directional "
-       "albedo). Above 1 a material would give off more than it receives."},
+       "The share of light from one direction that is reflected into all directions (directional albedo). "
+       "Above 1 a material would give off more than it receives."},
       {"energy", "Whether no light gives back more than it brings: the reflected fraction is at most 1."},
       {"reciprocity", "Whether f_r stays the same when light and viewer change places (Helmholtz)."},
       {"positivity", "Whether no value is negative."},
@@ -100,8 +92,8 @@ const std::vector<GlossaryTerm>& quantities() {
       {"ns", "Nanoseconds for one evaluation on the machine named at the top."},
       {"image error", "Mean difference of the two pictures' radiance over the mean of the reference's."},
       {"brdf error",
-       "Mean difference of f_r cos over all directions over the mean: it counts directions that this "
-       "scene may never show."},
+       "Mean difference of f_r cos over all directions over the mean: it counts directions that this scene "
+       "may never show."},
       {"front", "The choices that nothing beats: every other is dearer or less accurate than one of these."},
       {"dominated", "Another choice is not dearer and in no error worse."},
   };

@@ -1,6 +1,5 @@
 #include "io/html_report.h"
 
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>

@@ -22,8 +22,8 @@ std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
 
 // Fills in how far the free parameters move. The interval with lack of fit is the jackknife's over folds (Bell and
 // McCaffrey 2002, CR3, groups of incidences as clusters), its bias within the error, Student's t with the degrees of
-// freedom that the folds' kurtosis leaves (Satterthwaite 1946): it holds where the model's error is shared within an incidence, and incidences could have been others.
-// What no incidence sees, an error that all share, is not in it.
+// freedom that the folds' kurtosis leaves (Satterthwaite 1946): it holds where the model's error is shared within an
+// incidence, and incidences could have been others. What no incidence sees, an error that all share, is not in it.
 void add_movement(const Model& model, std::span<const double> solution,
                   const std::vector<std::vector<double>>& folds,
                   const std::vector<std::vector<double>>& metrics, std::vector<Estimate>& estimates);

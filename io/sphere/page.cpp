@@ -68,8 +68,8 @@ void add(HtmlReport& report, const Shown& shown) {
       {"stations", stations()}};
   if (measured) data["table"] = to_json(table_of(fitted, shown.measured, shown.table));
   const std::string what =
-                        measured ? "fitted, measured and the difference of the two" : "as its formula says",
-                    name = shown.title + " on a sphere: " + what;
+      measured ? "fitted, measured and the difference of the two" : "as its formula says";
+  const std::string name = shown.title + " on a sphere: " + what;
   std::string html = "<figure class=\"sphere" + std::string(measured ? "" : " one") +
                      "\"><p class=\"title\">" + html_escaped(shown.title) + " on a sphere</p>" +
                      "<canvas tabindex=\"0\" role=\"application\" aria-label=\"" + html_escaped(name) +
