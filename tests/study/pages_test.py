@@ -12,6 +12,13 @@ from browser_test import check_page
 NAMES = "[...document.querySelectorAll('tbody tr')].map(row => row.cells[0].textContent.trim())"
 SORT = "[...document.querySelectorAll('th')].find(head => head.textContent.includes('median')).querySelector('button.sort')"
 
+SPHERE = """(async () => {
+  const figure = document.querySelector("figure.sphere");
+  figure.scrollIntoView();
+  for (let k = 0; k < 200 && !figure.dataset.shown; ++k) await new Promise(done => setTimeout(done, 50));
+  return figure.dataset.shown ?? "nothing";
+})()"""
+
 
 def make_study(executable, folder):
     def run(*words, expected=0):
@@ -43,6 +50,14 @@ def check_overview(browser, study):
         assert nameless == 0, nameless
 
 
+def check_sphere(browser, folder):
+    """The sphere draws itself in place of the picture."""
+    with browser.open(folder / "index.html") as page:
+        shown = page.evaluate(SPHERE)
+        assert shown == "fitted measured difference", shown
+        assert not page.console, page.console
+
+
 def main():
     executable, name, folder = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2], pathlib.Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
@@ -50,6 +65,7 @@ def main():
     study = make_study(executable, folder)
     with Browser(name, *SOFTWARE) as browser:
         check_overview(browser, study)
+        check_sphere(browser, study / "paint")
         for page in (study, study / "paint", folder / "one"):
             shots = folder / f"pictures_{page.name}"
             shots.mkdir()
