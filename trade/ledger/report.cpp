@@ -62,7 +62,7 @@ std::string error_text(double error) {
 }
 
 io::Cell error_cell(double error) {
-  return {.text = error_text(error), .sorted_by = error};
+  return {.text = error_text(error), .sorted_by = error <= kExact ? 0 : error};
 }
 
 io::Cell choice_cell(const LedgerRow& row) {
