@@ -163,6 +163,9 @@ MaterialFile read_material_file(const Content& content) {
   const Json json = read_json(content);
   const JsonPlace place(json, content.name);
   if (!json.is_object()) place.fail("must be an object");
+  if (place.has("ranking"))
+    throw InputError(content.name +
+                     ": is the result of a fit (fit --json); the material is what its -o wrote");
   place.at("format");
   place.at("version");
   return material_from_json(place);

@@ -41,6 +41,9 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
 namespace {
 
 SampleTable read_text(Content text, bool need_values) {
+  for (const auto& [magic, kind] : {std::pair("\x89PNG", "PNG"), std::pair("\xff\xd8\xff", "JPEG")})
+    if (text.bytes.starts_with(magic))
+      throw InputError(text.name + ": is a picture (" + kind + "), not a table of samples");
   if (is_json(text)) throw InputError(text.name + ": is JSON, not a table of samples");
   const std::string transcoded = make_utf8(text);
   SampleTable table = need_values && zemax::recognises(text)  ? zemax::read(text)

@@ -31,6 +31,11 @@ bool is_plain(const std::string& name) {
   return !name.empty() && name == fs::path(name).filename() && name != "." && name != "..";
 }
 
+// Of what the results were made of, and of themselves: a row that was edited is made anew.
+std::string sealed(const std::string& key, const Json& results) {
+  return io::fingerprint({key, results.value("results", Json()).dump()});
+}
+
 }  // namespace
 
 std::vector<std::string> folder_names(const std::vector<std::string>& samples) {
@@ -51,7 +56,7 @@ std::vector<std::string> folder_names(const std::vector<std::string>& samples) {
 void publish(const fs::path& folder, const std::vector<File>& files, Json results, const std::string& key) {
   const std::optional<Json> before = results_in(folder);
   io::make_folder(folder);
-  results["key"] = key;
+  results["key"] = sealed(key, results);
   results["files"] = Json::object();
   for (const File& file : files) {
     io::write_file_atomically(folder / file.name, file.bytes);
@@ -67,7 +72,8 @@ void publish(const fs::path& folder, const std::vector<File>& files, Json result
 
 std::optional<Json> kept(const fs::path& folder, const std::string& key) {
   std::optional<Json> results = results_in(folder);
-  if (!results || !results->contains("key") || (*results)["key"] != key) return std::nullopt;
+  if (!results || !results->contains("key") || (*results)["key"] != sealed(key, *results))
+    return std::nullopt;
   try {
     for (const auto& [name, fingerprint] : (*results)["files"].items())
       if (!is_plain(name) || fingerprint != io::fingerprint({io::read_content(folder / name).bytes}))

@@ -1,11 +1,18 @@
 #include <cmath>
+#include <numeric>
 
+#include "io/evenly.h"
 #include "io/in_plane.h"
 #include "io/shell.h"
 #include "io/text.h"
 #include "validate/sheet_checks.h"
 
 namespace brdf::validate {
+namespace {
+
+constexpr std::size_t kMostCurves = 8;  // that a legend holds
+
+}  // namespace
 
 void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataSheet& sheet) {
   if (t.rows() == 0) return;
@@ -25,6 +32,7 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
       plane.series.back().label = "light at " + io::to_text(theta_i) + " degrees";
       plane.series.back().style = io::Series::Style::points;
     }
+  std::vector<io::Series> lights;
   const auto groups = is_of_cells(t) ? decltype(by_light(t)){} : by_light(t);
   for (const auto& [light, members] : groups) {
     io::Series s{"light at " + io::to_text(light.first) + " degrees", {}, {}, io::Series::Style::points};
@@ -34,15 +42,21 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
       s.x.push_back(angle);
       s.y.push_back(t.values.front()[k]);
     }
-    if (!s.x.empty() && plane.series.size() < 8) plane.series.push_back(std::move(s));
+    if (!s.x.empty()) lights.push_back(std::move(s));
   }
+  if (lights.size() > kMostCurves)
+    plane.caption +=
+        " " + std::to_string(kMostCurves) + " of " + std::to_string(lights.size()) + " lights are shown.";
+  for (io::Series& s : io::evenly(std::move(lights), kMostCurves)) plane.series.push_back(std::move(s));
   if (!plane.series.empty()) report.plot(plane);
   io::Plot albedo;
   albedo.title = "Reflected fraction by integrating the samples: " + io::file_name(t.source);
   albedo.x_label = "polar angle of the light, degrees";
   albedo.y_label = "reflected fraction";
   const std::vector<int> palette = io::channel_palette(t.channels);
-  for (std::size_t c = 0; c < t.channels.size() && c < 8; ++c) {
+  std::vector<std::size_t> channels(t.channels.size());
+  std::iota(channels.begin(), channels.end(), 0);
+  for (const std::size_t c : io::evenly(channels, kMostCurves)) {
     io::Series s{t.channels[c], {}, {}};
     s.colour = palette[c];
     for (const MeasuredAlbedo& a : sheet.albedo) {
@@ -57,6 +71,9 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   albedo.caption =
       "The band is the bound: it holds what no sample is near to, the coarseness of the sampling, and half "
       "the noise floor.";
+  if (channels.size() > kMostCurves)
+    albedo.caption +=
+        " " + std::to_string(kMostCurves) + " of " + std::to_string(channels.size()) + " channels are shown.";
   albedo.command = "brdf validate " + io::shell_file(t.source) + " --json";
   if (!albedo.series.empty() && albedo.series[0].x.size() > 1) report.plot(albedo);
 }

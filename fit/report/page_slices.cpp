@@ -8,6 +8,7 @@
 #include "fit/assess/derived.h"
 #include "fit/report/page.h"
 #include "io/channel_colours.h"
+#include "io/evenly.h"
 #include "io/in_plane.h"
 #include "io/numbers.h"
 #include "io/png.h"
@@ -51,7 +52,7 @@ std::vector<Slice> slices_of(const io::SampleTable& table) {
       slice.phi_i = table.phi_i[k];
       slice.rows.emplace_back(angle, k);
     }
-  std::vector<Slice> all, out;
+  std::vector<Slice> all;
   for (auto& [theta, azimuths] : by_light) {
     auto& [phi, most] = *std::max_element(azimuths.begin(), azimuths.end(), [](const auto& a, const auto& b) {
       return a.second.rows.size() < b.second.rows.size();
@@ -60,10 +61,7 @@ std::vector<Slice> slices_of(const io::SampleTable& table) {
     std::sort(most.rows.begin(), most.rows.end());
     all.push_back(std::move(most));
   }
-  const std::size_t count = std::min(kSlices, all.size());
-  for (std::size_t s = 0; s < count; ++s)
-    out.push_back(all[count == 1 ? 0 : s * (all.size() - 1) / (count - 1)]);
-  return out;
+  return io::evenly(std::move(all), kSlices);
 }
 
 // Every half degree between the outermost samples, and where the samples are.

@@ -134,6 +134,11 @@ TEST_F(ReadingCli, HostileTextIsRefusedInOneLineThatATerminalCanShow) {
                    "large.json: $.version: '1e400' is beyond the range of numbers");
   }
   expect_refused("fit m.json", "m.json: is JSON, not a table of samples");
+  write("p.png", "\x89PNG\r\n");
+  expect_refused("validate p.png", "p.png: is a picture (PNG), not a table of samples");
+  write("f.json", "{\"ranking\": []}");
+  expect_refused("validate f.json",
+                 "f.json: is the result of a fit (fit --json); the material is what its -o wrote");
   expect_refused("fit escape.csv", "channel '\\x1b[31mred' must not hold control characters");
   expect_refused("fit merl.binary", "merl.binary: the MERL file has 1012 bytes where");
   const Outcome outcome = run("fit '\x1b[31m.csv'");

@@ -33,6 +33,11 @@ class Published : public testing::Test {
     for (const char* name : names) files.push_back({name, std::string("content of ") + name});
     publish(folder_, files, {{"results", {1, 2}}}, key);
   }
+  void edit(const char* what, const io::Json& value) {
+    io::Json results = io::Json::parse(io::read_content(folder_ / kResults).bytes);
+    results[what] = value;
+    std::ofstream(folder_ / kResults) << results;
+  }
   TemporaryFolder temporary_;
   fs::path folder_ = temporary_.path() / "new" / "sample";
 };
@@ -73,15 +78,20 @@ TEST_F(Published, RemovesWhatItWroteEarlierAndNothingElse) {
 
 TEST_F(Published, TrustsNoForeignDocument) {
   std::ofstream(temporary_.path() / "precious") << "kept";
-  for (const char* text :
-       {"{", "[]", R"({"files": 3, "key": "key"})", R"({"key": "key", "files": {"../precious": "x"}})",
-        R"({"key": "key", "files": {"": "x"}})"}) {
+  for (const char* text : {"{", "[]", R"({"files": 3, "key": "key"})"}) {
     fs::create_directories(folder_);
     std::ofstream(folder_ / kResults) << text;
     EXPECT_FALSE(kept(folder_, "key")) << text;
     write({"a.json"}, "key");
     EXPECT_TRUE(kept(folder_, "key")) << text;
   }
+  for (const char* files : {"3", R"({"../precious": "x"})", R"({"": "x"})"}) {
+    edit("files", io::Json::parse(files));
+    EXPECT_FALSE(kept(folder_, "key")) << files;
+    write({"a.json"}, "key");
+  }
+  edit("results", {"a row of somebody's own"});
+  EXPECT_FALSE(kept(folder_, "key"));
   std::ofstream(folder_ / kResults) << R"({"files": {"../../precious": "x"}})";
   write({"a.json"}, "key");
   EXPECT_TRUE(fs::exists(temporary_.path() / "precious"));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "validate/check_words.h"
+#include "validate/data_sheet.h"
 #include "validate/report.h"
 
 namespace brdf::validate {
@@ -54,6 +55,27 @@ TEST(ValidatePage, OneFailureTurnsTheVerdict) {
   EXPECT_NE(to_html(content).find("<p class=\"verdict warn\">"), std::string::npos);
   content.findings[0].outcome = Outcome::pass;
   EXPECT_NE(to_html(content).find("<p class=\"verdict good\">"), std::string::npos);
+}
+
+TEST(ValidatePage, OfManyLightsEightAreShownFromTheFirstToTheLast) {
+  io::SampleTable table;
+  table.channels = {"f"};
+  table.values.resize(1);
+  table.sigma.resize(1);
+  table.source = "scan.csv";
+  for (int theta_i = 5; theta_i <= 80; theta_i += 5)
+    for (int theta_o = 0; theta_o <= 80; theta_o += 10) {
+      table.add_directions(theta_i, 0, theta_o, 180);
+      table.values[0].push_back(0.2);
+      table.lines.push_back(std::uint32_t(table.lines.size() + 2));
+    }
+  io::HtmlReport report("sheet");
+  add_to_report(report, table, data_sheet(table));
+  const std::string html = report.document({});
+  EXPECT_NE(html.find("8 of 16 lights are shown."), std::string::npos);
+  for (const char* light : {"light at 5 degrees", "light at 80 degrees"})
+    EXPECT_NE(html.find(light), std::string::npos) << light;
+  EXPECT_EQ(html.find("light at 10 degrees"), std::string::npos);
 }
 
 }  // namespace
