@@ -26,7 +26,7 @@ double number_of(const Json& json, const char* key) {
   return json.at(key).is_number() ? json.at(key).get<double>() : std::nan("");
 }
 
-// "5 of 12" where some failed, with their names beneath.
+// How many passed, or where some failed how many of those, with their names beneath.
 Cell checks_cell(const Json& counts, const Json& failed) {
   const int good = counts.at("pass").get<int>(), open = counts.at("undecided").get<int>(),
             known = counts.at("known_violation").get<int>();

@@ -5,7 +5,6 @@
 #include "fit/fit.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
-#include "fit/stepwise.h"
 #include "io/error.h"
 #include "io/glsl.h"
 #include "io/material_json.h"
@@ -112,11 +111,6 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
   add_spheres(found.spheres, files);
 }
 
-fit::FitResult fitted(const io::SampleTable& table, const SampleOptions& options) {
-  return options.models.empty() ? fit::fit_stepwise(table, options.fit)
-                                : fit::fit(table, options.models, options.fit);
-}
-
 }  // namespace
 
 SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
@@ -127,7 +121,7 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   found.sheet = validate::data_sheet(found.table, validate::CheckOptions{}.max_theta);
   if (options.fit.free_scale) io::make_relative(found.table);
   step();
-  found.fit = fitted(found.table, options);
+  found.fit = fit::fit(found.table, options.models, options.fit);
   step();
   SampleStudy out;
   out.interrupted = found.fit.interrupted;
