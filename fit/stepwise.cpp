@@ -63,11 +63,15 @@ Stage one_lobe() {
   return stage;
 }
 
-// A sum has one diffuse term: that of the first form, in the place of the lobe's own.
+// A sum has one diffuse term: that of the first form, in the place of the lobe's own. Where there is no lobe it stands
+// alone.
 Stage better_diffuse_term(const Forms& model) {
   Stage stage{"a diffuse term with a shape", {}};
-  for (const Reflectance& form : diffuse_forms())
-    if (!info(form).shape.empty()) stage.candidates.push_back({form, model.back()});
+  for (const Reflectance& form : diffuse_forms()) {
+    if (info(form).shape.empty()) continue;
+    stage.candidates.push_back({form});
+    if (has_lobe(info(model.back()))) stage.candidates.back().push_back(model.back());
+  }
   return stage;
 }
 
@@ -122,7 +126,7 @@ class Stepwise {
       throw InputError("--form auto decides by rows left out: it needs samples of several directions");
     result_.steps.push_back({"a diffuse term", chosen_.form, chosen_.left_out->value, 0, 0, 1, 1, true});
     decide(first, std::move(tried));
-    if (has_lobe(info(model_.front()))) step(better_diffuse_term(model_));
+    step(better_diffuse_term(model_));
     if (has_lobe(info(model_.back()))) step(second_lobe(model_));
     return finished({});
   }

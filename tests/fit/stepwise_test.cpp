@@ -33,8 +33,18 @@ TEST(Stepwise, MattSamplesKeepADiffuseTerm) {
   matt.terms[0].weights = {{0.5}};
   const FitResult result = fit_stepwise(fine_hemisphere(matt, 0.03, 1), {});
   EXPECT_EQ(result.ranking.front().form, "lambert");
-  ASSERT_EQ(result.steps.size(), 2u);
+  ASSERT_EQ(result.steps.size(), 3u);
   EXPECT_FALSE(result.steps[1].kept);
+  EXPECT_FALSE(result.steps[2].kept);
+}
+
+TEST(Stepwise, ARoughMattSurfaceAsksForADiffuseTermWithAShape) {
+  Material rough = make_material(*find_form("oren_nayar"), {"f"});
+  rough.terms[0].shape[0] = {0.42};
+  rough.terms[0].weights = {{0.6}};
+  const FitResult result = fit_stepwise(fine_hemisphere(rough, 0.03, 2), {});
+  EXPECT_EQ(result.ranking.front().form, "oren_nayar");
+  EXPECT_EQ(last_kept(result).added, "a diffuse term with a shape");
 }
 
 TEST(Stepwise, OneLobeStaysOne) {
