@@ -14,27 +14,28 @@
 namespace brdf::study {
 namespace {
 
-// Measured beside fitted: what the reader turns, which needs no renderer here, or pictures of what no browser could draw.
-void add_spheres(io::HtmlReport& report, const Findings& found, bool wanted) {
+// Measured beside fitted: what the reader turns, or pictures of what no browser could draw.
+void add_spheres(io::HtmlReport& report, const Findings& found) {
   const Spheres& spheres = found.spheres;
   const fit::FormFit& best = found.fit.ranking.front();
-  const bool turns = wanted && io::sphere::obstacle(best.material).empty();
-  if (!turns && spheres.fitted.empty()) return report.paragraph("No pictures: " + spheres.missing + ".");
+  if (!spheres.missing.empty()) return report.paragraph("No pictures: " + spheres.missing + ".");
   if (const auto colours = io::channel_colours(best.material.channels); colours && !colours->note.empty())
     report.paragraph(colours->note + ".");
-  if (turns) return fit::add_sphere(report, best, found.table);
-  report.pictures({{.png = spheres.measured,
-                    .title = "measured",
-                    .text = "the samples and what lies between them; hatched: not measured"},
-                   {.png = spheres.fitted, .title = "fitted", .text = best.form + ", under the same light"},
-                   {.png = spheres.difference,
-                    .title = "difference",
-                    .text = "fitted less measured: blue -50 %, white alike, red +50 %"}});
+  if (io::sphere::obstacle(best.material).empty())
+    return fit::add_sphere(report, best, found.name, spheres.seen);
+  report.pictures(
+      {{.png = spheres.whole.measured,
+        .title = "measured",
+        .text = "the samples and what lies between them; hatched: not measured"},
+       {.png = spheres.whole.fitted, .title = "fitted", .text = best.form + ", under the same light"},
+       {.png = spheres.whole.difference,
+        .title = "difference",
+        .text = "fitted less measured: blue -50 %, white alike, red +50 %"}});
 }
 
 void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
   std::vector<io::Figure> pictures;
-  for (const Spheres::Lobe& lobe : spheres.lobes)
+  for (const Lobe& lobe : spheres.lobes)
     pictures.push_back({.png = lobe.png,
                         .title = "light at " + io::short_number(lobe.theta_i) + " degrees",
                         .text = "the body's radius is the cube root of f_r; dots: measured with this light"});
@@ -103,7 +104,7 @@ std::string sample_page(const Findings& found, const SampleOptions& options) {
   fit::add_verdict(report, found.fit);
   if (!options.alone) report.raw(std::string("<p><a href=\"../") + kPage + "\">All samples</a></p>\n");
   if (best.solved()) {
-    add_spheres(report, found, options.pictures);
+    add_spheres(report, found);
     fit::add_slices(report, best, found.table, options.fit.aperture);
     add_lobes(report, found.spheres);
     fit::add_deviation(report, best, found.table, options.fit.aperture);

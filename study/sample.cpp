@@ -80,12 +80,12 @@ Json row_of(const Findings& found, const std::string& name, bool relative) {
 }
 
 void add_spheres(const Spheres& spheres, std::vector<File>& files) {
-  if (spheres.fitted.empty()) return;
-  files.push_back({kMeasured, spheres.measured});
-  files.push_back({kFitted, spheres.fitted});
-  files.push_back({kDifference, spheres.difference});
-  files.push_back({kSmallMeasured, spheres.small_measured});
-  files.push_back({kSmallFitted, spheres.small_fitted});
+  if (!spheres.missing.empty()) return;
+  files.push_back({kMeasured, spheres.whole.measured});
+  files.push_back({kFitted, spheres.whole.fitted});
+  files.push_back({kDifference, spheres.whole.difference});
+  files.push_back({kSmallMeasured, spheres.small.measured});
+  files.push_back({kSmallFitted, spheres.small.fitted});
 }
 
 // The material and what is told of it.

@@ -1,31 +1,25 @@
-// Pictures of a material and of its samples, where this build can draw.
+// Pictures of a material and of its samples, under the same light.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "brdf/material.h"
-#include "io/samples.h"
+#include "io/sphere/still.h"
+#include "measured/measured.h"
+#include "study/lobes.h"
 
 namespace brdf::study {
 
-// PNG files' bytes, under the same light; empty where there is none.
 struct Spheres {
-  std::string measured, fitted, difference;
-  std::string small_measured, small_fitted;
-  // The fitted lobe as a body with the measured rows as dots, under two of the lights that were measured.
-  struct Lobe {
-    double theta_i;  // degrees
-    std::string png;
-  };
+  io::sphere::Stills whole, small;
   std::vector<Lobe> lobes;
-  std::string missing;  // why there are none
+  std::string missing;  // why there are no pictures
+  // The samples as they were drawn, for what a page turns.
+  std::shared_ptr<const measured::MeasuredReflectance> seen;
 };
 
-// Whether this build has the renderer. No driver is needed: these pictures are traced.
-bool can_draw();
-
-// What is missing, the renderer or colours, is said in Spheres::missing.
+// Channels that are no colours have none: Spheres::missing says so.
 Spheres draw(const io::SampleTable& samples, const Material& fitted);
 
 }  // namespace brdf::study

@@ -79,11 +79,11 @@ class Study {
   // False where it was interrupted.
   bool fill(Row& row, const std::string& name, const Step& step) {
     io::Content content = io::read_content(row.file);
-    const std::string key =
-        io::fingerprint({options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n",
-                         options_.sample.pictures ? "" : "no pictures\n", content.bytes});
+    const std::string key = io::fingerprint(
+        {options_.settings, "\n", row.file, alone() ? "\nalone\n" : "\none of many\n",
+         options_.sample.pictures ? "" : "no pictures\n", has_lobes() ? "" : "no lobes\n", content.bytes});
     std::optional<Json> earlier = kept(row.folder, key);
-    if (earlier && (earlier->value("renderer", false) || !can_draw())) {
+    if (earlier) {
       row.json = earlier->at("results").at(0);
       row.kept = true;
       return true;
@@ -95,7 +95,6 @@ class Study {
     row.json = std::move(found.row);
     Json results = io::to_json(io::provenance(options.fit.seed));
     results["results"] = Json::array({row.json});
-    results["renderer"] = can_draw();  // without one the pictures are still to be made where there is one
     publish(row.folder, found.files, std::move(results), key);
     return true;
   }

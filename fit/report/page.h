@@ -2,10 +2,14 @@
 // nothing to show.
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
 #include "io/html_report.h"
 #include "io/samples.h"
+#include "measured/measured.h"
 
 namespace brdf::fit {
 
@@ -15,6 +19,9 @@ void add_verdict(io::HtmlReport& report, const FitResult& result);
 // The fitted material, the samples and the difference on a sphere that turns (io/sphere/page.h); nothing where the
 // channels are no colours.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table);
+// Of samples that were prepared, whose material has no io::sphere::obstacle().
+void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,
+                const std::shared_ptr<const measured::MeasuredReflectance>& seen);
 
 // Samples and the fitted curve in the plane of incidence, up to three channels and four angles of the light. The curve
 // is evaluated every half degree and where a sample is; `aperture` is the detector's, in degrees.

@@ -6,9 +6,14 @@ namespace brdf::fit {
 
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table) {
   if (!io::sphere::obstacle(fit.material).empty()) return;
+  add_sphere(report, fit, io::file_name(table.name()),
+             std::make_shared<const measured::MeasuredReflectance>(table, &fit.material));
+}
+
+void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,
+                const std::shared_ptr<const measured::MeasuredReflectance>& seen) {
   report.heading("Measured beside fitted");
-  const auto seen = std::make_shared<const measured::MeasuredReflectance>(table, &fit.material);
-  io::sphere::add(report, {.title = io::file_name(table.name()),
+  io::sphere::add(report, {.title = title,
                            .fitted = fit.material,
                            .measured = measured::on_sphere(seen),
                            .table = measured::table_size(*seen)});

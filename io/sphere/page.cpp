@@ -4,6 +4,7 @@
 #include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/glsl.h"
+#include "io/hatching.h"
 #include "io/html_markup.h"
 #include "io/json.h"
 #include "io/sphere/files.h"
@@ -65,7 +66,8 @@ void add(HtmlReport& report, const Shown& shown) {
   Json data{
       {"shader", "#version 300 es\nprecision highp float;\nprecision highp int;\n" + functions + kShader},
       {"exposure", exposure},
-      {"stations", stations()}};
+      {"stations", stations()},
+      {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}}};
   if (measured) data["table"] = to_json(table_of(fitted, shown.measured, shown.table));
   const std::string what =
       measured ? "fitted, measured and the difference of the two" : "as its formula says";

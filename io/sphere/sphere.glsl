@@ -9,6 +9,7 @@ uniform highp sampler3D ratio;  // measured over fitted, see io/sphere/table.h
 uniform vec4 counts;         // of the ratio's nodes: theta_h, theta_d, phi_d, phi_h
 uniform vec3 scale;          // the logarithms that bytes 0 and 255 stand for, and the floor
 uniform vec3 stations[5];    // colours of the difference
+uniform vec3 hatching;       // period in pixels, dark, bright
 out vec4 colour;
 const float kPi = 3.14159265, kRim = 0.9999;  // at the rim itself rounding would put the viewer below the horizon
 
@@ -53,9 +54,10 @@ vec3 difference(vec3 fitted, vec3 known) {
   return mix(stations[k], stations[k + 1], at - float(k));
 }
 
+// As io/hatching.h, whose rows count from the top.
 vec3 hatched() {
-  float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, radius / 8.0);
-  return vec3(stripe < radius / 40.0 ? 0.35 : 0.55);
+  float stripe = mod(floor(gl_FragCoord.x) - floor(gl_FragCoord.y), hatching.x);
+  return vec3(stripe < hatching.x / 2.0 ? hatching.y : hatching.z);
 }
 
 void main() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/hatching.h"
 #include "io/html_report.h"
 #include "io/png.h"
 #include "io/srgb.h"
@@ -27,9 +28,8 @@ Pixel lit(const Colour& f, double light) {
   return {encoded(f[0] * light), encoded(f[1] * light), encoded(f[2] * light), 255};
 }
 
-// As hatched() of sphere.glsl.
-Pixel hatched(int x, int y, double radius) {
-  const auto grey = static_cast<unsigned char>(std::fmod(x + y, radius / 8) < radius / 40 ? 89 : 140);
+Pixel hatched(int x, int y) {
+  const unsigned char grey = hatching(std::size_t(x), std::size_t(y));
   return {grey, grey, grey, 255};
 }
 
@@ -40,34 +40,60 @@ Pixel difference(const Colour& fitted, const Colour& known) {
   return {rgb[0], rgb[1], rgb[2], 255};
 }
 
+// Fitted and, where there is a measurement, measured and difference: a square of RGBA pixels each.
+using Panels = std::vector<std::vector<unsigned char>>;
+
+Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure, int side) {
+  Panels panels(measured ? 3 : 1);
+  const double radius = kRadius * side, gain = kPi * std::exp2(exposure);
+  const View view = first_view();
+  const auto add = [](std::vector<unsigned char>& panel, Pixel pixel, double covered) {
+    pixel[3] = static_cast<unsigned char>(std::lround(255 * covered));
+    panel.insert(panel.end(), pixel.begin(), pixel.end());
+  };
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const double x = (column + 0.5 - 0.5 * side) / radius, y = (0.5 * side - row - 0.5) / radius;
+      const double distance = std::hypot(x, y), covered = std::clamp((1 - distance) * radius + 0.5, 0.0, 1.0);
+      const double inside = std::fmin(1.0, kRim / std::fmax(distance, kRim));
+      const auto [wi, wo] = pair_at(view, x * inside, y * inside);
+      if (!(covered > 0 && wi.z > 0)) {
+        for (auto& panel : panels) add(panel, {}, covered);
+        continue;
+      }
+      const Colour f = fitted(wi, wo);
+      add(panels[0], lit(f, wi.z * gain), covered);
+      if (!measured) continue;
+      const std::optional<Colour> m = measured(wi, wo);
+      add(panels[1], m ? lit(*m, wi.z * gain) : hatched(column, row), covered);
+      add(panels[2], m ? difference(f, *m) : hatched(column, row), covered);
+    }
+  return panels;
+}
+
+std::string png_of(int side, const std::vector<unsigned char>& panel) {
+  return png_of_pixels(std::size_t(side), std::size_t(side), panel);
+}
+
 }  // namespace
+
+Stills still_pictures(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure, int side) {
+  const Panels panels = panels_of(fitted, measured, exposure, side);
+  Stills stills{.fitted = png_of(side, panels[0])};
+  if (!measured) return stills;
+  stills.measured = png_of(side, panels[1]);
+  stills.difference = png_of(side, panels[2]);
+  return stills;
+}
 
 std::string still_picture(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure,
                           int side) {
-  const int panels = measured ? 3 : 1, width = panels * side;
-  const double radius = kRadius * side, gain = kPi * std::exp2(exposure);
-  const View view = first_view();
+  const Panels panels = panels_of(fitted, measured, exposure, side);
   std::vector<unsigned char> bytes;
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < width; ++column) {
-      const int panel = column / side, up = side - 1 - row;
-      const double x = (column % side + 0.5 - 0.5 * side) / radius, y = (up + 0.5 - 0.5 * side) / radius;
-      const double distance = std::hypot(x, y), covered = std::clamp((1 - distance) * radius + 0.5, 0.0, 1.0);
-      Pixel pixel{};
-      if (covered > 0) {
-        const double inside = std::fmin(1.0, kRim / std::fmax(distance, kRim));
-        const auto [wi, wo] = pair_at(view, x * inside, y * inside);
-        pixel = {0, 0, 0, 255};
-        if (wi.z > 0) {
-          const Colour f = fitted(wi, wo);
-          const std::optional<Colour> m = panel > 0 ? measured(wi, wo) : f;
-          pixel = !m ? hatched(column, up, radius) : panel == 2 ? difference(f, *m) : lit(*m, wi.z * gain);
-        }
-        pixel[3] = static_cast<unsigned char>(std::lround(255 * covered));
-      }
-      bytes.insert(bytes.end(), pixel.begin(), pixel.end());
-    }
-  return png_of_pixels(std::size_t(width), std::size_t(side), bytes);
+  for (std::ptrdiff_t row = 0; row < side; ++row)
+    for (const auto& panel : panels)
+      bytes.insert(bytes.end(), panel.begin() + 4 * side * row, panel.begin() + 4 * side * (row + 1));
+  return png_of_pixels(panels.size() * std::size_t(side), std::size_t(side), bytes);
 }
 
 double exposure_of(const FittedPairs& fitted) {

@@ -1,4 +1,4 @@
-// The pictures that a page shows where nothing can be turned.
+// The pictures of spheres where nothing can be turned: in a page without WebGL 2, and in files.
 #pragma once
 
 #include <string>
@@ -12,6 +12,12 @@ namespace brdf::io::sphere {
 // the light is white.
 std::string still_picture(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure,
                           int side);
+
+// The same, a PNG each; without a measurement the last two are empty.
+struct Stills {
+  std::string fitted, measured, difference;
+};
+Stills still_pictures(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure, int side);
 
 // The exposure, to half a stop, at which the fitted sphere is neither dark nor white: the brightest channel of nine
 // tenths of its lit pixels is below 0.8.

@@ -1,8 +1,7 @@
 #include "render/compare/measured.h"
 
-#include "io/error.h"
 #include "measured/tabulated.h"
-#include "render/scene/prepared.h"
+#include "render/scene/scene.h"
 
 namespace brdf::render {
 namespace {
@@ -25,22 +24,6 @@ Measured interpolate(const io::SampleTable& table, const Material* fitted) {
     for (int c = 0; c < 3; ++c) f[c] = float(seen.f[colours[std::size_t(c)]]);
     return MeasuredValue(f * wi.z, seen.measured);
   };
-}
-
-MeasuredSpheres measured_spheres(const Material& fitted, const io::SampleTable& table, int size) {
-  require_colours(fitted.channels, "the material");
-  const Measured samples = interpolate(table, &fitted);
-  Scene scene = material_scene({{"", fitted}});
-  scene.ambient = glm::vec3(0);
-  scene.camera.width = scene.camera.height = size;
-  const ToneMap tone_map = scene.tone_map;
-  const PreparedScene prepared = prepare(std::move(scene));
-  ReferenceOptions options;
-  const Picture a = render_reference(prepared, options);
-  options.measured = &samples;
-  const Picture b = render_reference(prepared, options);
-  return {displayed(a, tone_map, 0), displayed(b, tone_map, 0), difference_picture(a, b, Scale::plus_minus),
-          compare(a, b)};
 }
 
 }  // namespace brdf::render

@@ -12,13 +12,4 @@ namespace brdf::render {
 // their names say (io/channel_colours.h). Throws InputError where the channels are no colours.
 Measured interpolate(const io::SampleTable& table, const Material* fitted = nullptr);
 
-// What a page shows of a fit: the default sphere (material_scene, without ambient light) of `size` pixels a side, fitted,
-// measured (hatched where it is not) and their signed difference, without words. By the reference: no graphics device is
-// needed. Throws InputError where the channels are no colours.
-struct MeasuredSpheres {
-  BytePicture fitted, measured, difference;
-  Difference numbers;
-};
-MeasuredSpheres measured_spheres(const Material& fitted, const io::SampleTable& table, int size);
-
 }  // namespace brdf::render

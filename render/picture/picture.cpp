@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/hatching.h"
 #include "render/scene/display_rule.h"
 
 namespace brdf::render {
@@ -30,9 +31,9 @@ Picture picture_from(int width, int height, const std::vector<float>& rgba) {
 
 namespace {
 
-// Stripes of two greys, whatever lies below.
-constexpr std::array<std::uint8_t, 3> hatching(std::size_t x, std::size_t y) {
-  const std::uint8_t grey = (x + y) % kHatchPeriod < kHatchPeriod / 2 ? 58 : 92;
+// Stripes, whatever lies below.
+constexpr std::array<std::uint8_t, 3> hatched(std::size_t x, std::size_t y) {
+  const std::uint8_t grey = io::hatching(x, y);
   return {grey, grey, grey};
 }
 
@@ -78,7 +79,7 @@ BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure) 
     const glm::vec4& pixel = picture.pixels[k];
     const std::size_t x = k % std::size_t(picture.width), y = k / std::size_t(picture.width);
     out.pixels[k] = is_surface(pixel) && !is_measured(pixel)
-                        ? hatching(x, y)
+                        ? hatched(x, y)
                         : to_bytes(tone_mapped(glm::vec3(pixel), tone_map, exposure));
   }
   return out;
@@ -112,7 +113,7 @@ BytePicture difference_picture(const Picture& picture, const Picture& reference,
   for (std::size_t k = 0; k < out.pixels.size(); ++k) {
     if (!is_surface(picture.pixels[k]) && !is_surface(reference.pixels[k])) continue;
     if (is_surface(reference.pixels[k]) && !is_measured(reference.pixels[k])) {
-      out.pixels[k] = hatching(k % std::size_t(picture.width), k / std::size_t(picture.width));
+      out.pixels[k] = hatched(k % std::size_t(picture.width), k / std::size_t(picture.width));
       continue;
     }
     const glm::vec3 a(picture.pixels[k]), b(reference.pixels[k]);

@@ -80,7 +80,4 @@ std::array<S, 3> signed_color_of(const S& relative) {
   return color;
 }
 
-// Pixels from one stripe to the next where nothing was measured.
-inline constexpr std::size_t kHatchPeriod = 8;
-
 }  // namespace brdf::render

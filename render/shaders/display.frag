@@ -47,8 +47,9 @@ void main() {
     color = vec4(gbuffer(gl_FragCoord.xy / vec2(push.size)), 1.0);
     return;
   }
-  // Stripes of two greys where nobody measured (picture.h: kNotMeasured).
-  const vec3 hatching = vec3(((pixel.x + pixel.y) % kHatchPeriod < kHatchPeriod / 2 ? 58.0 : 92.0) / 255.0);
+  // Where nobody measured (picture.h: kNotMeasured), as io/hatching.h.
+  const bool dark = (pixel.x + pixel.y) % kHatchPeriod < kHatchPeriod / 2;
+  const vec3 hatching = vec3(float(dark ? kHatchDark : kHatchBright) / 255.0);
   const vec4 a = texelFetch(pictures[0], pixel, 0);
   const vec4 b = push.display == display_picture ? a : texelFetch(pictures[1], pixel, 0);
   if (push.display == display_difference) {

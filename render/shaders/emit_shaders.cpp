@@ -8,6 +8,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "io/hatching.h"
 #include "render/compare/arrange.h"
 #include "render/gpu/gpu_layout.h"
 #include "render/gpu/reflectance_glsl.h"
@@ -82,7 +83,8 @@ std::string layout() {
   };
   return constant("kMostLights", kMostLights) + constant("kMostItems", kMostItems) +
          constant("kMostWeights", kMostWeights) + constant("kTargetCount", kTargetCount) +
-         constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", kHatchPeriod) +
+         constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", io::kHatchPeriod) +
+         constant("kHatchDark", io::kHatchDark) + constant("kHatchBright", io::kHatchBright) +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          enumerators<Shading>("shading") + enumerators<ToneMap>("tone_map") +
          enumerators<Display>("display") + enumerators<Target>("target") + enumerators<TextureSlot>("map");

@@ -5,7 +5,6 @@
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
-#include "render/compare/measured.h"
 #include "render/job.h"
 #include "render/scene/prepared.h"
 #include "tests/io/temporary_folder.h"
@@ -139,18 +138,6 @@ TEST(Lobes, NoLightIsSwitchedOffInSilence) {
   EXPECT_NE(left_out_note(state).find("ambient"), std::string::npos);
   state.scene.ambient = glm::vec3(0);
   EXPECT_EQ(left_out_note(state), "");
-}
-
-TEST(Lobes, APageGetsItsSpheresWithoutADevice) {
-  const Material material = make_material(*find_form("cook_torrance"));
-  const io::SampleTable table = table_of(material, {0, 20, 40, 60}, {0, 30, 60, 90, 120, 150, 180});
-  const MeasuredSpheres spheres = measured_spheres(material, table, 64);
-  EXPECT_LT(spheres.numbers.rel_mse, 1e-6);
-  EXPECT_GT(spheres.numbers.not_measured,
-            0.05);  // lit at more than 60 degrees and seen so, or steeper than 80
-  EXPECT_LT(spheres.numbers.not_measured, 0.5);
-  EXPECT_EQ(spheres.measured.width, 64);
-  EXPECT_EQ(png_of(spheres.difference).substr(1, 3), "PNG");
 }
 
 TEST(Lobes, SamplesAmongTheMaterialsAreTold) {

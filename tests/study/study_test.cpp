@@ -8,6 +8,7 @@
 
 #include "io/content.h"
 #include "io/error.h"
+#include "io/material_file.h"
 #include "study/spheres.h"
 #include "synth/instrument.h"
 #include "tests/io/temporary_folder.h"
@@ -108,7 +109,7 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
   EXPECT_LT(sphere, page.find(">Parameters<"));
   EXPECT_THAT(page, Not(HasSubstr("No pictures: ")));
   const std::size_t lobes = page.find(">The lobe, fitted (body) and measured (dots)<");
-  EXPECT_EQ(lobes != std::string::npos, can_draw());
+  EXPECT_EQ(lobes != std::string::npos, has_lobes());
   EXPECT_LT(std::min(lobes, sphere), page.find(">Where the fit deviates<"));
   for (const char* outside : {"http://", "https://", "file://", "src=\"/"})
     EXPECT_THAT(page, Not(HasSubstr(outside))) << outside;
@@ -155,7 +156,20 @@ TEST_F(StudyOfFiles, PicturesThatWereLeftOutAreDrawnOnceTheyAreWanted) {
   EXPECT_THAT(text("index.html"), HasSubstr("No pictures: left out by --no-pictures."));
   options_.sample.pictures = true;
   EXPECT_EQ(kept_of(run()), 0u);
-  EXPECT_EQ(fs::exists(options_.folder / "fitted.png"), can_draw());
+  EXPECT_TRUE(fs::exists(options_.folder / "fitted.png"));
+}
+
+// The files are drawn as the page draws, of the material that stands beside them.
+TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
+  files_.resize(1);
+  options_.sample.pictures = true;
+  run();
+  const auto pairs = io::sphere::fitted_pairs(io::read_material(options_.folder / kMaterial));
+  const double exposure = io::sphere::exposure_of(pairs);
+  EXPECT_EQ(text(kFitted), io::sphere::still_pictures(pairs, {}, exposure, 360).fitted);
+  EXPECT_EQ(text(kSmallFitted), io::sphere::still_pictures(pairs, {}, exposure, 120).fitted);
+  EXPECT_NE(text(kMeasured), text(kFitted));
+  EXPECT_NE(text(kDifference), text(kMeasured));
 }
 
 TEST_F(StudyOfFiles, OneSampleIsThePageItself) {

@@ -1,0 +1,28 @@
+#include "study/lobes.h"
+
+#include "render/compare/lobe_body.h"
+#include "render/compare/lobe_points.h"
+
+namespace brdf::study {
+namespace {
+
+constexpr int kPixels = 480;  // across
+
+}  // namespace
+
+bool has_lobes() {
+  return true;
+}
+
+std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitted) {
+  std::vector<Lobe> lobes;
+  for (const double wished : {30.0, 65.0}) {
+    const double theta_i = render::nearest_light(samples, wished);
+    if (!lobes.empty() && lobes.back().theta_i == theta_i) continue;
+    lobes.push_back(
+        {theta_i, render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples, kPixels))});
+  }
+  return lobes;
+}
+
+}  // namespace brdf::study
