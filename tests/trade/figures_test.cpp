@@ -182,6 +182,7 @@ TEST(Claims, AreJudgedByRowsThatThereAre) {
   for (std::size_t k = 0; k < judged.size(); ++k) {
     EXPECT_EQ(judged[k].claim, ledger.claims[k].claim);
     EXPECT_EQ(judged[k].verdict, ledger.claims[k].verdict) << judged[k].claim;
+    EXPECT_EQ(judged[k].standing, ledger.claims[k].standing) << judged[k].claim;
     EXPECT_EQ(judged[k].evidence, ledger.claims[k].evidence) << judged[k].claim;
   }
 }

@@ -61,7 +61,7 @@ TEST(Ledger, ReadsBackWhatItWrote) {
   ledger.rows[1].image_error = 0.25;
   ledger.rows[1].extremes = {{"alpha 0.0001", 1e30}};
   ledger.rows[1].unit = Unit::albedo;
-  ledger.claims = {{"a", "b", "c", "d", "q", "fast"}};
+  ledger.claims = {{"a", "b", Standing::on_condition, "c", "d", "q", "fast"}};
   const io::Json json = to_json(ledger);
   const Ledger back = ledger_from_json(io::JsonPlace(json, "memory"));
   EXPECT_EQ(to_json(back).dump(), json.dump());

@@ -18,6 +18,9 @@ enum class Unit { evaluation, albedo, fit, frame };
 // absolute: |a - e|; relative: |a - e|/|e|; of_peak: |a - e| over the exact value's maximum over the lobe.
 enum class Measure { absolute, relative, of_peak };
 
+// What the figures leave of a claim.
+enum class Standing { holds, on_condition, fails };
+
 }  // namespace brdf::trade
 
 namespace brdf {
@@ -27,6 +30,8 @@ inline constexpr std::array<std::string_view, 4> kNames<trade::Unit>{"a BRDF eva
 template <>
 inline constexpr std::array<std::string_view, 3> kNames<trade::Measure>{"absolute", "relative",
                                                                         "of the peak"};
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<trade::Standing>{"holds", "on_condition", "fails"};
 }  // namespace brdf
 
 namespace brdf::trade {
@@ -65,8 +70,10 @@ struct LedgerRow {
 
 // A statement of the source documents with the figure that judges it.
 struct Claim {
-  std::string source, claim, verdict, evidence;
-  std::string question, choice;  // the row
+  std::string source, claim;
+  Standing standing = Standing::fails;
+  std::string verdict, evidence;  // the same in words, and why
+  std::string question, choice;   // the row
 };
 
 struct Machine {

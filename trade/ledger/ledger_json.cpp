@@ -74,8 +74,9 @@ LedgerRow row_from(const JsonPlace& place) {
 }
 
 Json claim_json(const Claim& c) {
-  return {{"source", c.source},     {"claim", c.claim},       {"verdict", c.verdict},
-          {"evidence", c.evidence}, {"question", c.question}, {"choice", c.choice}};
+  return {{"source", c.source},   {"claim", c.claim},       {"standing", name_of(c.standing)},
+          {"verdict", c.verdict}, {"evidence", c.evidence}, {"question", c.question},
+          {"choice", c.choice}};
 }
 
 // The rows on the front of each question, cheapest first.
@@ -146,8 +147,9 @@ Ledger ledger_from_json(const JsonPlace& place) {
   const JsonPlace claims = place.at("claims");
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const JsonPlace c = claims.at(k);
-    ledger.claims.push_back({c.at("source").text(), c.at("claim").text(), c.at("verdict").text(),
-                             c.at("evidence").text(), c.at("question").text(), c.at("choice").text()});
+    ledger.claims.push_back({c.at("source").text(), c.at("claim").text(), named<Standing>(c.at("standing")),
+                             c.at("verdict").text(), c.at("evidence").text(), c.at("question").text(),
+                             c.at("choice").text()});
   }
   return ledger;
 }

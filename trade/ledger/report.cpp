@@ -165,12 +165,16 @@ void add_summary(io::HtmlReport& report, const std::vector<std::string>& questio
   report.table({"question", "choice", "cost", "mean", "max"}, cells, true);
 }
 
-// Holds, holds on a condition, does not hold.
 io::Mark mark_of(const Claim& claim) {
-  constexpr std::string_view kHolds = "holds";
-  if (!claim.verdict.starts_with(kHolds))
-    return claim.verdict.starts_with("a ") ? io::Mark::warn : io::Mark::bad;
-  return claim.verdict == kHolds ? io::Mark::good : io::Mark::warn;
+  switch (claim.standing) {
+    case Standing::holds:
+      return io::Mark::good;
+    case Standing::on_condition:
+      return io::Mark::warn;
+    case Standing::fails:
+      break;
+  }
+  return io::Mark::bad;
 }
 
 void add_claims(io::HtmlReport& report, const Ledger& ledger) {

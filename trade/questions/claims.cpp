@@ -35,15 +35,19 @@ struct ClaimRule {
     const char* field = "";
     Find find = nullptr;
   };
+  struct Verdict {
+    Standing standing;
+    const char* words;
+  };
   struct Below {
     double bound;
-    const char* verdict;
+    Verdict verdict;
   };
   const char *source, *claim;
   std::vector<RowName> rows;  // the first is the claim's
   Figure figure;
   std::vector<Below> below;  // the first bound above the figure gives the verdict
-  const char* otherwise;
+  Verdict otherwise;
   // {figure}, {words}, and of the first row {cost}, {ms}, {max}, {mean}, {image}, {where}, {note}; of the
   // second {cost 1}, ...
   const char* evidence;
@@ -179,67 +183,68 @@ std::vector<RowName> shading_rows(int triangles) {
 const std::vector<ClaimRule>& claim_rules() {
   using namespace names;
   const std::string reference(kReferenceForm), diffuse(kDiffuseForm);
+  constexpr ClaimRule::Verdict kHolds{Standing::holds, "holds"}, kFails{Standing::fails, "does not hold"};
   // clang-format off
   static const std::vector<ClaimRule> rules{
       {kThesis, "the half vector is cheaper than the mirror direction", {{kMirror, kEqualHalfVector}},
-       "cost", {{0.95, "holds"}, {1.05, "no difference"}}, "does not hold",
+       "cost", {{0.95, kHolds}, {1.05, {Standing::fails, "no difference"}}}, kFails,
        "costs {cost} times the mirror direction: the half vector must be normalised, the mirror direction's cosine "
        "needs no root"},
       {kThesis, "Blinn-Phong's highlight is dimmer than Phong's at equal n", {{kMirror, kEqualHalfVector}},
-       peaks, {{1, "holds for normalised lobes"}}, "does not hold",
+       peaks, {{1, {Standing::on_condition, "holds for normalised lobes"}}}, kFails,
        "peaks at n = 20: {words} 1/sr; as printed, without normalisation, both peaks are 1 and Blinn-Phong's "
        "highlight is wider, so brighter in all"},
       {kThesis, "Ward's highlight looks elliptical even with both constants 1", {{families("ward"), "ward"}},
-       aspect, {{0.1, "does not hold"}}, "holds",
+       aspect, {{0.1, kFails}}, kHolds,
        "the listing's lobe at 60 degrees is {words} times as wide across the plane of incidence as along it"},
       {kThesis, "Oren-Nayar conserves energy", {{families("oren_nayar"), "oren_nayar"}},
-       grazing_albedo, {{1 + 1e-6, "holds"}}, "does not hold",
+       grazing_albedo, {{1 + 1e-6, kHolds}}, kFails,
        "albedo {figure} at rho 1, sigma 0.1985 rad, grazing light"},
       {kThesis, "Oren-Nayar brightens towards the limb", {{families("oren_nayar"), "oren_nayar"}},
-       limb_over_centre, {{1.05, "does not hold"}}, "holds",
+       limb_over_centre, {{1.05, kFails}}, kHolds,
        "light from the viewer, sigma 0.5: f at 80 degrees is {figure} times f at normal incidence"},
       {kThesis, "Lambert or Oren-Nayar suffice where physics matters less", {{families(reference), diffuse}},
-       "", {}, "a matter of tolerance",
+       "", {}, {Standing::on_condition, "a matter of tolerance"},
        "Lambert fitted to cook_torrance: image error {image} at {cost} of the cost"},
       {kThesis, "Cook-Torrance is the most realistic", {{families("ward"), reference}},
-       behind_the_best, {{1e-12, "holds among the families"}}, "does not hold",
+       behind_the_best, {{1e-12, {Standing::on_condition, "holds among the families"}}}, kFails,
        "mean image error on the other families' materials: {words}; real materials are another question"},
       {kThesis, "parameters are fitted from goniometer samples by optimisation",
        {{kSampleCounts, kThousandSamples}},
-       "mean", {{0.02, "holds"}}, "does not hold",
+       "mean", {{0.02, kHolds}}, kFails,
        "1000 samples with 5 % noise give f within {mean} on average in {ms} ms"},
       {kThesis, "deferred rendering allows many more lights",
        {{lights(64), kDeferred16}, {lights(1), kDeferred16}},
-       "cost", {{0.95, "holds"}}, "does not hold",
+       "cost", {{0.95, kHolds}}, kFails,
        "a frame costs {cost} of forward's at 64 lights, {cost 1} at one"},
       {kThesis, "16-bit targets are needed for vectors", {{bits(0.05), kEightBits}, {bits(0.3), kEightBits}},
-       "max", {{0.05, "does not hold"}}, "holds for narrow highlights",
+       "max", {{0.05, kFails}}, {Standing::on_condition, "holds for narrow highlights"},
        "8 bits: image error {image}, largest {max} at alpha 0.05; {image 1} at alpha 0.3"},
       {kShading, "Phong and Gouraud shading look alike", shading_rows(5120),
-       "", {}, "holds because the normal is not renormalised",
+       "", {}, {Standing::on_condition, "holds because the normal is not renormalised"},
        "as coded: {note}; Gouraud: {note 1}; with unit normals: {note 2}"},
       {kShading, "Phong and Gouraud shading look alike", shading_rows(320),
-       "", {}, "holds because the normal is not renormalised",
+       "", {}, {Standing::on_condition, "holds because the normal is not renormalised"},
        "as coded: {note}; Gouraud: {note 1}; with unit normals: {note 2}"},
       {kShading, "the half vector of the code is a half vector",
        {{kHighlightShading, triangles(5120, kHighlightAsCoded)}},
-       "", {}, "does not hold",
+       "", {}, kFails,
        "the light vector has length sqrt(3), so h is 7.9 degrees off: largest error {max} of a highlight of 0.75"},
       {kLookup, "H = N is adequate because the lobe is strong there", {{lookup(0.3), kCollapsed}},
-       "image", {{0.02, "holds in the picture, not towards grazing"}}, "does not hold",
+       "image", {{0.02, {Standing::on_condition, "holds in the picture, not towards grazing"}}}, kFails,
        "image error {image}; largest error {max} 1/sr at {where}"},
       {kLookup, "the lookup texture is fast", {{lookup(0.3), texels(512, 8, "nearest")}},
-       "cost", {{0.95, "holds"}}, "does not hold on a CPU",
+       "cost", {{0.95, kHolds}}, {Standing::fails, "does not hold on a CPU"},
        "costs {cost} times the exact evaluation in batches"},
       {kLookup, "G is cancelled by D and meaningless",
        {{kMaskingByAlbedo, kMaskingDropped}, {kMasking, kMaskingDropped}},
-       "", {}, "does not hold towards grazing",
+       "", {}, {Standing::fails, "does not hold towards grazing"},
        "without G the albedo is up to {max} too large ({where}); image error on the ball {image 1}"},
       {kLookup, "the reflection is weaker where the light is frontal", {{lookup(0.3), kExact}},
-       oblique_over_frontal, {{1, "does not hold"}}, "holds",
+       oblique_over_frontal, {{1, kFails}}, kHolds,
        "mirror direction at 60 degrees against normal incidence: f cos_i is {figure} times as large"},
       {kLookup, "its Fresnel term, as coded", {{kFresnelOfGlass, kSlip}},
-       "", {}, "wrong",
+       "", {}, {Standing::fails, "wrong"},
        "up to {max} too large, image error {image}"}};
   // clang-format on
   return rules;
@@ -263,8 +268,9 @@ std::vector<Claim> judge_claims(const Ledger& ledger) {
         rule.figure.find ? rule.figure.find(rows, ledger) : Found{number_of(*rows[0], rule.figure.field)};
     const auto below = std::find_if(rule.below.begin(), rule.below.end(),
                                     [&](const auto& b) { return found.figure < b.bound; });
-    claims.push_back({rule.source, rule.claim, below == rule.below.end() ? rule.otherwise : below->verdict,
-                      filled(rule.evidence, rows, found), rule.rows[0].question, rule.rows[0].choice});
+    const auto [standing, words] = below == rule.below.end() ? rule.otherwise : below->verdict;
+    claims.push_back({rule.source, rule.claim, standing, words, filled(rule.evidence, rows, found),
+                      rule.rows[0].question, rule.rows[0].choice});
   }
   return claims;
 }
