@@ -1,0 +1,211 @@
+#include <cmath>
+
+#include "fit/assess/derived.h"
+#include "fit/assess/reported.h"
+#include "fit/report/plain_words.h"
+#include "fit/report/report.h"
+#include "io/material_json.h"
+#include "io/provenance.h"
+
+namespace brdf::fit {
+namespace {
+
+using io::Json;
+
+// Infinite or undefined numbers have no JSON.
+Json number(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+Json extent_json(const Extent& e) {
+  return {{"low", number(e.low)}, {"high", number(e.high)}};
+}
+
+Json estimate_json(const Estimate& e) {
+  Json j{{"status", name_of(e.status)}};
+  // An unidentified value is no value: the material needs one, a reader must not.
+  j["value"] = e.status == Status::unidentified ? Json(nullptr) : number(e.value);
+  if (e.status == Status::free) {
+    j["low"] = number(e.low);
+    j["high"] = number(e.high);
+    j["standard_error"] = number(e.standard_error);
+    j["with_lack_of_fit"] = extent_json(e.with_lack_of_fit);
+    j["left_out"] = extent_json(e.left_out);
+    j["other_metrics"] = extent_json(e.other_metrics);
+  }
+  return j;
+}
+
+Json intervals_json(const FormFit& fit) {
+  Json j = Json::object();
+  for (const Estimate& e : fit.estimates) {
+    if (e.channel.empty())
+      j[e.name] = estimate_json(e);
+    else
+      j[e.name][e.channel] = estimate_json(e);
+  }
+  return j;
+}
+
+Json correlations_json(const Correlations& c) {
+  return {{"parameters", c.names}, {"matrix", rows_json(c.matrix)}};
+}
+
+Json metrics_json(const Metrics& m) {
+  return {{"log", number(m.log)},
+          {"cosine_l2", number(m.cosine_l2)},
+          {"cube_root", number(m.cube_root)},
+          {"log_relative", number(m.log_relative)}};
+}
+
+Json errors_json(const RelativeErrors& e) {
+  return {{"median", number(e.median)},
+          {"ninth_decile", number(e.ninth_decile)},
+          {"light_off_by_two", number(e.off_by_two)}};
+}
+
+// The same groups for every form.
+Json left_out_json(const RowGroups& groups, const std::vector<double>& values) {
+  Json j = Json::array();
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    const RowGroup& group = groups.groups[g];
+    const std::string side = groups.by_viewer ? "_o" : "_i";
+    j.push_back({{"theta" + side, group.theta},
+                 {"phi" + side, group.phi},
+                 {"rows", group.range.rows},
+                 {"fold", group.fold},
+                 {"value", number(values[g])}});
+  }
+  return j;
+}
+
+Json lack_of_fit_json(const LackOfFit& lack) {
+  Json j{{"residual_over_scatter", number(lack.residual_over_scatter.value_or(kUnknown))},
+         {"beyond_scatter", lack.beyond_scatter}};
+  j["worst"] = nullptr;
+  if (const auto& w = lack.worst)
+    j["worst"] = {{"theta_h", {w->range.low.theta_h, w->range.high.theta_h}},
+                  {"theta_d", {w->range.low.theta_d, w->range.high.theta_d}},
+                  {"rows", w->rows},
+                  {"measured_over_model", number(w->ratio)},
+                  {"share_of_residual", number(w->share)}};
+  return j;
+}
+
+Json statistics_json(const FormFit& fit) {
+  Json j{{"form", fit.form},
+         {"verdict", name_of(fit.verdict)},
+         {"findings", fit.findings},
+         {"weakly_determined", weakly_determined(fit)},
+         {"median_relative_error", number(fit.median_relative_error)},
+         {"errors", errors_json(fit.errors)},
+         {"lack_of_fit", lack_of_fit_json(fit.lack_of_fit)}};
+  if (fit.left_out) {
+    j["left_out"] = number(fit.left_out->value);
+    j["left_out_errors"] = errors_json(fit.left_out->errors);
+    j["cross_validated_error"] = number(fit.left_out->errors.median);
+    j["cross_validated_standard_error"] = number(fit.left_out->median_standard_error);
+  }
+  if (fit.prediction_error) j["prediction_error"] = number(*fit.prediction_error);
+  if (const auto& a = fit.largest_albedo)
+    j["largest_albedo"] = {{"value", number(a->value)}, {"theta", a->theta}, {"channel", a->channel}};
+  j["bic"] = number(fit.bic);
+  j["parameters"] = fit.parameters;
+  j["metrics"] = metrics_json(fit.metrics);
+  j["intervals"] = intervals_json(fit);
+  return j;
+}
+
+// How the residual was chosen; null where it was asked for.
+Json choice_json(const MetricChoice& choice) {
+  if (choice.asked) return nullptr;
+  Json j{{"reason", choice.reason}, {"noise_unevenness", Json::object()}};
+  for (const Unevenness& u : choice.unevenness) j["noise_unevenness"][name_of(u.metric)] = number(u.factor);
+  return j;
+}
+
+Json optional_json(const std::optional<double>& x) {
+  return x ? number(*x) : Json(nullptr);
+}
+
+Json samples_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
+  Json j{{"file", table.source},
+         {"format", table.format},
+         {"rows", table.rows()},
+         {"fitted_rows", result.rows},
+         {"channels", result.channels},
+         {"max_theta", options.max_theta},
+         {"beyond_max_theta", result.beyond_max_theta},
+         {"outside_domain", result.outside_domain},
+         {"skipped", table.skipped}};
+  if (options.free_scale) j["scale"] = table.scale;
+  j["fault"] = result.input_fault.empty() ? Json(nullptr) : Json(result.input_fault);
+  j["noise_floor"] = optional_json(result.noise_floor);
+  j["noise_floors"] = Json::object();
+  for (std::size_t c = 0; c < result.channel_noise.size(); ++c)
+    j["noise_floors"][result.channels[c]] = optional_json(result.channel_noise[c]);
+  return j;
+}
+
+Json steps_json(const std::vector<Step>& steps) {
+  Json j = Json::array();
+  for (const Step& s : steps)
+    j.push_back({{"added", s.added},
+                 {"model", s.model},
+                 {"left_out", number(s.left_out)},
+                 {"difference", number(s.difference)},
+                 {"standard_error", number(s.standard_error)},
+                 {"p", s.p},
+                 {"tried", s.tried},
+                 {"kept", s.kept}});
+  return j;
+}
+
+}  // namespace
+
+Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
+  Json ranking = Json::array();
+  for (const FormFit& fit : result.ranking) {
+    Json j = statistics_json(fit);
+    if (fit.left_out) j["left_out_by_incidence"] = left_out_json(result.groups, fit.left_out->by_group);
+    j["material"] = fit.solved() ? io::to_json(fit.material) : Json(nullptr);
+    Json minima = Json::array();
+    for (const MinimumReport& m : fit.minima)
+      minima.push_back(
+          {{"cost", number(m.cost)}, {"starts", m.basin}, {"material", io::to_json(m.material)}});
+    j["minima"] = minima;
+    j["correlations"] = correlations_json(fit.correlations);
+    j["condition"] = number(fit.condition);
+    j["solver"] = {{"message", fit.solver_message},
+                   {"starts", fit.starts},
+                   {"iterations", fit.iterations},
+                   {"passes", fit.passes},
+                   {"loss_scale", fit.loss_scale}};
+    ranking.push_back(std::move(j));
+  }
+  Json j = io::to_json(io::provenance(options.seed));
+  j["metric"] = name_of(result.metric.metric);
+  j["metric_choice"] = choice_json(result.metric);
+  j["samples"] = samples_json(result, table, options);
+  j["interrupted"] = result.interrupted;
+  const bool any = !result.ranking.empty() && usable(result.ranking[result.recommended].verdict);
+  j["recommended"] = any ? Json(result.ranking[result.recommended].form) : Json(nullptr);
+  if (!result.steps.empty()) j["steps"] = steps_json(result.steps);
+  j["ranking"] = std::move(ranking);
+  return j;
+}
+
+Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
+                    const FitOptions& options) {
+  Json j = io::to_json(io::provenance(options.seed));
+  j["metric"] = name_of(result.metric.metric);
+  j["metric_choice"] = choice_json(result.metric);
+  j["samples"] = samples_json(result, table, options);
+  j.update(statistics_json(fit));
+  constexpr std::size_t kMostParameters = 100;  // in a file that people read
+  if (fit.covariance && fit.covariance->names.size() <= kMostParameters)
+    j["covariance"] = to_json(*fit.covariance);
+  return j;
+}
+
+}  // namespace brdf::fit
