@@ -34,6 +34,21 @@ TEST_F(MeasuredTables, AWavelengthColumnIsNamed) {
   }
 }
 
+TEST_F(MeasuredTables, AreExportedAsATableAndNotAsAShader) {
+  ASSERT_EQ(run("synth --form ward --set kd=0.3,0.2,0.1 --grid hemisphere -o s.csv").exit_code, 0);
+  const Outcome shader = run("export --measured s.csv --to glsl -o m.glsl");
+  EXPECT_EQ(shader.exit_code, 2);
+  EXPECT_THAT(shader.err, HasSubstr("samples have no formula"));
+  EXPECT_THAT(run("export --form ward --to merl -o m.binary").err, HasSubstr("needs --measured SAMPLES"));
+  EXPECT_THAT(run("export --measured s.csv --to merl").err, HasSubstr("needs -o FILE"));
+  const Outcome done = run("export --measured s.csv --to merl -o m.binary");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr(" of 1458000 cells to m.binary; -1 where nothing was measured"));
+  const io::SampleTable back = read("m.binary");
+  EXPECT_GT(back.rows(), 100000u);
+  EXPECT_GT(back.values[0][0], back.values[2][0]);  // red remains red
+}
+
 TEST_F(MeasuredTables, AnUndecidedCheckFailsOnlyWhereItIsRequired) {
   ASSERT_EQ(run("synth --form lambert --grid in_plane -o s.csv").exit_code, 0);
   const Outcome all = run("validate s.csv --json");

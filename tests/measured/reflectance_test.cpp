@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "measured/measured.h"
+#include "io/error.h"
+#include "measured/cells.h"
 #include "tests/measured/samples.h"
 
 namespace brdf::measured {
@@ -33,6 +34,27 @@ TEST(Measured, RowsComeBackAndAreReciprocalAndIsotropic) {
     EXPECT_NEAR(measured.at(ti, to).f[0], seen.f[0], 1e-9 * seen.f[0]);
   }
   EXPECT_LT(worst, 0.01);
+}
+
+TEST(Measured, FillsMerlsCellsWhereItWasMeasured) {
+  const Material truth = lobes({{0.2, 0.3, 0.15}}), wrong = lobes({{0.3, 0.2, 0.25}});
+  const io::SampleTable cells = at_merl_cells(
+      std::make_shared<const MeasuredReflectance>(scanned(truth, {10, 25, 40, 55, 70}, 0), &wrong));
+  EXPECT_GT(cells.rows(), 400000u);
+  EXPECT_LT(cells.rows(), 1000000u);  // of 1,458,000, a third of which lie below the horizon
+  double off = 0;
+  for (std::size_t k = 0; k < cells.rows(); k += 97) {
+    EXPECT_LE(std::min(cells.theta_i[k], cells.theta_o[k]), 75) << k;
+    const double f = value(truth, at(cells.theta_i[k], cells.phi_i[k]), at(cells.theta_o[k], cells.phi_o[k]));
+    off = std::max(off, std::abs(cells.values[0][k] / f - 1));
+  }
+  EXPECT_GT(off, 1e-6);
+  EXPECT_LT(off, 0.1);
+  const io::SampleTable turned =
+      scanned(lobes({{0.1, 0.4, 0.1, 0.5}}), {10, 40, 60}, 0, {0, 45, 90, 135}, 10);
+  const auto seen = std::make_shared<const MeasuredReflectance>(turned);
+  ASSERT_EQ(seen->turning(), Turning::turned);
+  EXPECT_THROW(at_merl_cells(seen), InputError);
 }
 
 TEST(Measured, WhatWasNotMeasuredIsSaidAndNotInvented) {
