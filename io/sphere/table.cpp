@@ -64,28 +64,32 @@ class Nodes {
 
   // Whether one of its neighbours is known and another not.
   bool at_the_edge(const std::vector<Node>& whole, int i, int j, int k, int l) const {
-    const auto known = [&](int a, int b, int c) {
+    const auto known = [&](int a, int b, int c, int d) {
       a = std::clamp(a, 0, n_.theta_h - 1), b = std::clamp(b, 0, n_.theta_d - 1);
-      c = (c + n_.phi_d) % n_.phi_d;
-      return whole[std::size_t(((l * (n_.phi_d + 1) + c) * n_.theta_d + b) * n_.theta_h + a)].known > 0;
+      c = (c + n_.phi_d) % n_.phi_d, d = (d + n_.phi_h) % n_.phi_h;
+      return whole[std::size_t(((d * (n_.phi_d + 1) + c) * n_.theta_d + b) * n_.theta_h + a)].known > 0;
     };
-    const bool own = known(i, j, k);
-    return known(i - 1, j, k) != own || known(i + 1, j, k) != own || known(i, j - 1, k) != own ||
-           known(i, j + 1, k) != own || known(i, j, k - 1) != own || known(i, j, k + 1) != own;
+    const bool own = known(i, j, k, l);
+    return known(i - 1, j, k, l) != own || known(i + 1, j, k, l) != own || known(i, j - 1, k, l) != own ||
+           known(i, j + 1, k, l) != own || known(i, j, k - 1, l) != own || known(i, j, k + 1, l) != own ||
+           known(i, j, k, l - 1) != own || known(i, j, k, l + 1) != own;
   }
 
-  // The share that is known, of eight pairs a quarter of a step about; the value of one of them where the node itself
-  // has none. Where the shader finds half of its surroundings unknown it hatches: a straight edge, not steps.
+  // The share that is known, of pairs a quarter of a step about; the value of one of them where the node itself has
+  // none. Where the shader finds half of its surroundings unknown it hatches: a straight edge, not steps.
   void refine(Node& node, int i, int j, int k, int l) const {
-    double count = 0;
-    for (const double a : {-0.25, 0.25})
-      for (const double b : {-0.25, 0.25})
-        for (const double c : {-0.25, 0.25}) {
-          const Node near = at(i + a, j + b, k + c, l);
-          count += near.known;
-          if (near.known > 0 && node.known == 0) node = near;
-        }
-    if (node.known > 0) node.known = count / 8;
+    double count = 0, pairs = 0;
+    for (const double d : {-0.25, 0.25})
+      for (const double a : {-0.25, 0.25})
+        for (const double b : {-0.25, 0.25})
+          for (const double c : {-0.25, 0.25}) {
+            if (n_.phi_h == 1 && d > 0) continue;
+            const Node near = at(i + a, j + b, k + c, n_.phi_h == 1 ? l : l + d);
+            ++pairs;
+            count += near.known;
+            if (near.known > 0 && node.known == 0) node = near;
+          }
+    if (node.known > 0) node.known = count / pairs;
   }
 
   const FittedPairs& fitted_;

@@ -78,6 +78,25 @@ TEST(SphereTable, AtTheEdgeOfWhatWasMeasuredANodeHoldsAShare) {
   EXPECT_EQ(share(43), 0);
 }
 
+TEST(SphereTable, ANodeAtTheEdgeOfTheSamplesTurnsHoldsAShareToo) {
+  const FittedPairs fitted = fitted_pairs(make_material(lambert{}));
+  // Half vectors of azimuths up to 47 degrees: just beyond the third node of phi_h, 45 degrees.
+  const MeasuredPairs measured = [&](const Vec3<double>& wi, const Vec3<double>& wo) {
+    const Vec3<double> h = wi + wo;
+    const double turn = std::atan2(h.y, h.x) / kPi * 180;
+    return turn > -1 && turn < 47 ? std::optional(fitted(wi, wo)) : std::nullopt;
+  };
+  const Table table = table_of(fitted, measured, kTurned);
+  const TableSize& n = table.size;
+  const auto share = [&](int l) {  // theta_h 30 degrees, theta_d 13 degrees
+    return int(static_cast<unsigned char>(
+        table.bytes[std::size_t(4 * (14 + n.theta_h * (1 + n.theta_d * (n.phi_d + 1) * l)) + 3)]));
+  };
+  EXPECT_EQ(share(1), 255);
+  EXPECT_EQ(share(2), 128);
+  EXPECT_EQ(share(3), 0);
+}
+
 TEST(SphereTable, KeepsWhatIsFarFromTheFitWithinItsRange) {
   const FittedPairs fitted = [](const Vec3<double>&, const Vec3<double>&) { return Colour{1e-30, 1, 1}; };
   const MeasuredPairs measured = [](const Vec3<double>&, const Vec3<double>&) {
