@@ -11,6 +11,9 @@
 
 #include "cli/options.h"
 #include "cli/verbs.h"
+#ifdef BRDF_HAS_FIT
+#include "fit/solve/quiet.h"
+#endif
 #include "io/error.h"
 #include "io/file_buffer.h"
 #include "io/provenance.h"
@@ -120,6 +123,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_DFL);  // `brdf models | head` ends quietly
   brdf::cli::fill_standard_descriptors();
   brdf::io::remove_temporaries_on_signals();
+#ifdef BRDF_HAS_FIT
+  brdf::fit::silence_solver_log();
+#endif
   brdf::cli::StandardOutput out;
   return out.finish(brdf::cli::run(argc, argv));
 }

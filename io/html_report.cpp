@@ -1,5 +1,6 @@
 #include "io/html_report.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 #include "io/error.h"
 #include "io/html_files.h"
 #include "io/html_markup.h"
+#include "io/installed.h"
 
 #ifndef BRDF_CHART_JS
 #define BRDF_CHART_JS "/usr/share/javascript/chart.js/chart.min.js"
@@ -15,8 +17,15 @@
 namespace brdf::io {
 namespace {
 
+// Beside the program, or where the distribution puts it.
+std::filesystem::path chart_file() {
+  for (const char* name : {"brdf/chart.min.js", "javascript/chart.js/chart.min.js"})
+    if (std::filesystem::path file = installed_file(name); !file.empty()) return file;
+  return BRDF_CHART_JS;
+}
+
 std::string chart_library() {
-  std::ifstream file(BRDF_CHART_JS, std::ios::binary);
+  std::ifstream file(chart_file(), std::ios::binary);
   if (!file)
     throw EnvironmentError("HTML reports need Chart.js at " BRDF_CHART_JS " (Debian: libjs-chart.js)");
   std::string text{std::istreambuf_iterator<char>(file), {}};

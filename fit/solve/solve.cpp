@@ -1,7 +1,6 @@
 #include "fit/solve/solve.h"
 
 #include <ceres/ceres.h>
-#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -57,6 +56,8 @@ class CompressedCost : public ceres::CostFunction {
       compress(e, jacobian_, residuals_);
       compressed_ = true;
     }
+    // Ceres would find that itself, and say so on the terminal.
+    if (!jacobian_.allFinite() || !residuals_.allFinite()) return false;
     std::copy(residuals_.data(), residuals_.data() + n + 1, residuals);
     if (jacobians && jacobians[0]) std::copy(jacobian_.data(), jacobian_.data() + (n + 1) * n, jacobians[0]);
     return true;
@@ -107,12 +108,6 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   }
 }
 
-// Ceres also writes what fails to the terminal, through glog: its summary says the same.
-void silence_glog() {
-  static const int level = FLAGS_minloglevel = google::GLOG_FATAL;
-  (void)level;
-}
-
 // One run of Ceres with some parameters held.
 void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const double> low,
                std::span<const double> high, const std::vector<int>& held, const SolveOptions& options,
@@ -133,7 +128,6 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
     return;
   }
   if (!constant.empty()) problem.SetManifold(p.data(), new ceres::SubsetManifold(int(p.size()), constant));
-  silence_glog();
   ceres::Solver::Options o;
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = options.tolerance;

@@ -67,7 +67,8 @@ struct Scene {
   float exposure = 0;  // factor 2^exposure before the tone map
   friend bool operator==(const Scene&, const Scene&) = default;
 };
-// Throws InputError with file, JSON path, value and rule; scene_json.h has the rest of the format.
+// A relative name that is not there is looked for in the installed data (io/installed.h). Throws InputError with file, JSON
+// path, value and rule; scene_json.h has the rest of the format.
 Scene load_scene(const std::filesystem::path& file);
 
 // Pictures are grey or RGB. Throws InputError naming what has channels of which none can be told to be red.

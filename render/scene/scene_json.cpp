@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/installed.h"
 #include "io/material_json.h"
 
 namespace brdf::render {
@@ -191,7 +192,8 @@ Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder
   return scene;
 }
 
-Scene load_scene(const std::filesystem::path& file) {
+Scene load_scene(const std::filesystem::path& named) {
+  const std::filesystem::path file = io::here_or_installed(named);
   const Json json = io::read_json(file);
   return scene_from_json({json, file.string()}, file.parent_path());
 }
