@@ -42,9 +42,13 @@ fit::NamedRange parse_range(const std::string& text) {
 }  // namespace
 
 void add_fit_options(CLI::App& verb, FitChoice& choice) {
-  verb.add_option("--form", choice.form,
-                  "all, every, a form, a sum as in oren_nayar+ward, or auto: terms as the samples ask for")
-      ->capture_default_str();
+  std::vector<std::string> models = names_for(Value::form);
+  models.insert(models.end(), {"all", "every", "auto"});
+  offer(verb.add_option(
+                "--form", choice.form,
+                "all, every, a form, a sum as in oren_nayar+ward, or auto: terms as the samples ask for")
+            ->capture_default_str(),
+        std::move(models));
   add_named_option(
       verb, "--metric", choice.fit.metric,
       "Residual; auto: the one whose noise is the most even on the data, log where it is not known");

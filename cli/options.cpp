@@ -61,9 +61,10 @@ void require_plain_numbers(CLI::App& app) {
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) require_plain_numbers(*verb);
 }
 
-void add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
-                     std::function<void(const std::string&)> set, const std::string& description) {
-  verb.add_option_function<std::string>(name, std::move(set), description)->default_str(std::string(initial));
+CLI::Option* add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
+                             std::function<void(const std::string&)> set, const std::string& description) {
+  return verb.add_option_function<std::string>(name, std::move(set), description)
+      ->default_str(std::string(initial));
 }
 
 void add_repeated_option(CLI::App& verb, const std::string& name, std::vector<std::string>& values,

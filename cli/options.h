@@ -7,6 +7,7 @@
 
 #include "brdf/names.h"
 #include "cli/parameters.h"
+#include "cli/surface/values.h"
 #include "io/error.h"
 
 namespace CLI {
@@ -16,8 +17,8 @@ class App;
 namespace brdf::cli {
 
 // Adds an option that takes one word; `set` throws InputError on others.
-void add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
-                     std::function<void(const std::string&)> set, const std::string& description);
+CLI::Option* add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
+                             std::function<void(const std::string&)> set, const std::string& description);
 
 // Adds an option that takes one of the enum's names; the description goes on with them.
 template <class Enum>
@@ -27,7 +28,8 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
     if (!found) throw InputError(name + " " + word + ": must be one of " + known_names<Enum>());
     value = *found;
   };
-  add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>());
+  offer(add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>()),
+        {kNames<Enum>.begin(), kNames<Enum>.end()});
 }
 
 // Adds --form, --material and --set, the same in every verb that takes one material.

@@ -158,8 +158,11 @@ void add_albedo(CLI::App& app) {
       "--set).\n"
       "Exit code 1 where an integral did not converge. At 90 degrees the value is that at a cosine of\n"
       "1e-12: of a form that grows without limit towards grazing that cosine alone decides it.\n"
-      "Example: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "
-      "0,60");
+      "Examples: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "
+      "0,60\n"
+      "          brdf albedo --material fitted.json --theta 45 --phi 30 --fixed o --rule adaptive "
+      "--tolerance "
+      "1e-8 --json");
   on_run(*verb, [options] { return run(*options); });
 }
 

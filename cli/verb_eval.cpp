@@ -62,7 +62,9 @@ void add_eval(CLI::App& app) {
       ->required();
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
   verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
-  verb->footer("Example: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv");
+  verb->footer(
+      "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
+      "          brdf eval --material fitted.json --cos directions.csv");
   on_run(*verb, [options] {
     io::check_targets({{"-o", options->output}}, {options->material.material, options->directions});
     const Material material = choose_material(options->material);

@@ -84,9 +84,10 @@ void add_export(CLI::App& app) {
       "With --form alone the functions take the parameters as arguments; with --set or --material a "
       "function\n"
       "brdf_material(wi, wo) with the parameters as constants is added.\n"
-      "Example: brdf export --form ward --to glsl -o ward.glsl\n"
-      "         brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
-      "         brdf export --measured copper.csv --material copper.json --to merl -o copper.binary");
+      "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
+      "          brdf export --form ward --set alpha=0.1 --to glsl\n"
+      "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
+      "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary");
   on_run(*verb, [options] {
     return options->measured.empty() ? export_formula(*options) : export_measured(*options);
   });

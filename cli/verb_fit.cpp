@@ -134,7 +134,12 @@ void add_fit(CLI::App& app) {
   verb->footer(
       "Examples: brdf fit samples.csv --form all -o material.json\n"
       "          brdf fit samples.csv --form auto --json\n"
-      "          brdf fit paint.csv --form cook_torrance --physical --tie f0");
+      "          brdf fit paint.csv --form cook_torrance --physical --tie f0\n"
+      "          brdf fit paint.csv --form ward --per-channel --max-theta 75 --aperture 1 --weights "
+      "solid_angle\n"
+      "          brdf fit paint.csv --form ward --robust huber:0.1 --bounds alpha=0.01:0.5 --start "
+      "alpha=0.1\n"
+      "          brdf fit paint.csv --form ward --starts 40 --seed 2");
   on_run(*verb, [options] { return run(*options); });
 }
 

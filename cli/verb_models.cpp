@@ -104,7 +104,9 @@ void add_models(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("models", "List the forms, their parameters and known violations");
   verb->add_option("FORM", options->form, "One form, in detail");
   verb->add_flag("--json", options->json, "JSON on stdout");
-  verb->footer("Example: brdf models ward");
+  verb->footer(
+      "Examples: brdf models ward\n"
+      "          brdf models --json");
   on_run(*verb, [options] {
     std::vector<ReflectanceInfo> forms;
     if (!options->form.empty())

@@ -82,8 +82,11 @@ void add_recommend(CLI::App& app) {
                    "folder for material, pictures and report, which is written last");
   verb->add_flag("--json", a->json, "JSON on stdout");
   verb->footer(
-      "Example: brdf recommend --scene data/scenes/recommend_grazing.json --reference "
-      "data/materials/ivory_plastic.json --tolerance 0.05 -o out\nExit code 1: no model meets the "
+      "Examples: brdf recommend --scene data/scenes/recommend_grazing.json --reference "
+      "data/materials/ivory_plastic.json --tolerance 0.05 -o out\n"
+      "          brdf recommend --scene scene.json --reference paint.json --metric brdf --ledger ledger.json "
+      "--max-cost 2 --json\n"
+      "Exit code 1: no model meets the "
       "tolerance.");
   on_run(*verb, [a] {
     a->options.progress = percent_line();

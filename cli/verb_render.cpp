@@ -202,6 +202,13 @@ void add_render(CLI::App& app) {
       "         brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
       "         brdf render fitted.json --measured samples.csv --lobe3d --theta 30 -o lobe.png\n"
       "         brdf render samples.csv -o samples.png\n"
+      "         brdf render --scene scene.json --forward --exposure -1 --tone-map reinhard --no-labels -o "
+      "s.png\n"
+      "         brdf render --scene scene.json --shading lookup --as-coded --gbuffer-bits 8 -o "
+      "looked_up.exr\n"
+      "         brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
+      "         brdf render a.json --compare b.json --lobes --solo \"A r\" -o curve.png\n"
+      "         brdf render --parity --form ward --validation\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   on_run(*verb, [options] { return run(*options); });
 }

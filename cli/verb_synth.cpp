@@ -52,8 +52,17 @@ void add_options(CLI::App& verb, Options& o) {
   add_microsurface_options(verb, o.microsurface);
   verb.add_option("-o,--output", o.output, "CSV to write")->required();
   verb.footer(
-      "Example: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
-      "--noise 0.05 --seed 7 -o samples.csv");
+      "Examples: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
+      "--noise 0.05 --seed 7 -o samples.csv\n"
+      "          brdf synth --material fitted.json --grid in_plane --theta-i 15,45 --step 2 --blind-zone 4 "
+      "-o "
+      "plane.csv\n"
+      "          brdf synth --form ward --aperture 1 --source-aperture 0.5 --noise-floor 0.001 "
+      "--sigma-columns "
+      "-o noisy.csv\n"
+      "          brdf synth --form ward --noise-floor 0.01 --saturation 20 --clip-negatives -o cut.csv\n"
+      "          brdf synth --microsurface gaussian --set alpha=0.3 --size 256 --cell 5 --min-power 0.001 "
+      "--threads 2 -o traced.csv");
 }
 
 Exit write(const io::SampleTable& table, const std::string& path) {

@@ -74,6 +74,7 @@ void add_trade(CLI::App& app) {
   verb->footer(
       "Examples: brdf trade --quick -o ledger.json -o ledger.html\n"
       "          brdf trade --compare ledger.json another.json\n"
+      "          brdf trade --only masking --json\n"
       "Exit code 1: --compare found a row that differs by more.");
   on_run(*verb, [arguments] {
     check_outputs(*arguments);

@@ -237,7 +237,10 @@ void add_validate(CLI::App& app) {
       "digits, and for NaN, infinite and negative values; exit 1 where one is larger than stated "
       "(--all: half a minute; --effort full, a million evaluations each: half an hour)");
   verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit");
-  verb->footer("Example: brdf validate material.json --require energy,reciprocity -o report.html");
+  verb->footer(
+      "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
+      "          brdf validate samples.csv --max-theta 80 --picture photograph.png -o sheet.html\n"
+      "          brdf validate --form ward --effort full --seed 2");
   on_run(*verb, [o] { return run(*o); });
 }
 

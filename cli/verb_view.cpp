@@ -74,7 +74,10 @@ void add_view(CLI::App& app) {
       "d: false-colour difference; g: the seven targets; l: lobe plot; t: turntable; o: open; r, f: reset, "
       "fit;\n"
       "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
-      "Example: brdf view fitted.json --measured samples.csv");
+      "Examples: brdf view fitted.json --measured samples.csv\n"
+      "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
+      "600\n"
+      "          brdf view a.json b.json --gbuffer-bits 16 --memory-limit 1G --validation --frames 100");
   on_run(*verb, [options, verb] {
     const render::Job& job = options->job;
     std::vector<io::Target> targets;  // those that were asked for: the others may never be written

@@ -29,6 +29,7 @@ void add_convert(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_recommend(CLI::App& app);
 void add_study(CLI::App& app);
+void add_describe(CLI::App& app);  // hidden: man pages and completions are made by it
 
 // A verb that this build lacks: exit code 3.
 void add_missing(CLI::App& app, const char* verb);

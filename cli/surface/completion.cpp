@@ -1,0 +1,118 @@
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "cli/surface/surface.h"
+
+namespace brdf::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+// The words that can be offered for an option's value: its own, or names of forms and parameters.
+std::vector<std::string> words_for(const OptionSurface& o) {
+  return o.words.empty() ? names_for(o.takes) : o.words;
+}
+
+// What bash runs to offer values.
+std::string bash_offer(const OptionSurface& o) {
+  if (const auto words = words_for(o); !words.empty()) {
+    const std::string offer = "_brdf_words '" + joined(words, " ") + "'";
+    return o.takes == Value::parameter ? offer + "; compopt -o nospace 2>/dev/null" : offer;
+  }
+  if (o.takes == Value::folder) return "_brdf_files /";
+  return is_file(o.takes) ? "_brdf_files '" + joined(suffixes_of(o.takes), "|") + "'" : ":";
+}
+
+// A word of zsh's _arguments: colons and brackets are its own.
+std::string zsh_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == ':' || c == '[' || c == ']' || c == '\\') out += '\\';
+    out += c == '\'' ? std::string("'\\''") : c == '\n' ? std::string(" ") : std::string(1, c);
+  }
+  return out;
+}
+
+std::string zsh_action(const OptionSurface& o) {
+  if (o.takes == Value::parameter) return "compadd -S \"\" -- " + joined(names_for(o.takes), " ");
+  if (const auto words = words_for(o); !words.empty()) return "(" + joined(words, " ") + ")";
+  if (o.takes == Value::folder) return "_files -/";
+  if (!is_file(o.takes)) return " ";
+  const auto suffixes = suffixes_of(o.takes);
+  return suffixes.empty() ? "_files" : "_files -g \"*.(" + joined(suffixes, "|") + ")(-.)\"";
+}
+
+std::string zsh_spec(const OptionSurface& o) {
+  const std::string value = ":" + zsh_text(o.value) + ":" + zsh_action(o);
+  if (o.positional) return "'" + std::string(o.repeats ? "*" : o.required ? "" : ":") + value + "'";
+  const std::string rest = "[" + zsh_text(o.description) + "]" + (o.flag ? "" : value) + "'";
+  const std::string star = o.repeats ? "*" : "";
+  if (o.names.size() == 1) return "'" + star + o.names[0] + rest;
+  return (o.repeats ? "\\*" : "'(" + joined(o.names, " ") + ")'") + "{" + joined(o.names, ",") + "}'" + rest;
+}
+
+}  // namespace
+
+std::string bash_completion(const CLI::App& app) {
+  std::ostringstream out, verbs;
+  std::vector<std::string> names;
+  for (const VerbSurface& verb : surface_of(app)) {
+    names.push_back(verb.name);
+    std::vector<std::string> options;
+    std::string positional = ":";
+    verbs << "    '" << verb.name << " '*)\n      case $before in\n";
+    for (const OptionSurface& o : verb.options) {
+      if (o.positional) {
+        if (positional == ":") positional = bash_offer(o);
+        continue;
+      }
+      options.insert(options.end(), o.names.begin(), o.names.end());
+      if (!o.flag) verbs << "        " << joined(o.names, "|") << ") " << bash_offer(o) << "; return ;;\n";
+    }
+    verbs << "      esac\n      if [[ $now == -* ]]; then _brdf_words '" << joined(options, " ")
+          << "'\n      else " << positional << "\n      fi ;;\n";
+  }
+  out << "# bash completion of brdf " BRDF_VERSION ", written by `brdf describe bash`\n"
+      << R"(_brdf_words() { COMPREPLY=($(compgen -W "$1" -- "$now")); }
+# Folders, and files of these suffixes: 'a|b'; '': any, /: none.
+_brdf_files() {
+  local file
+  compopt -o filenames 2>/dev/null
+  while IFS= read -r file; do
+    if [[ -d $file || -z $1 || ( $1 != / && $file =~ \.($1)$ ) ]]; then COMPREPLY+=("$file"); fi
+  done < <(compgen -f -- "$now")
+}
+_brdf() {
+  local now=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} verb=
+  COMPREPLY=()
+  ((COMP_CWORD > 1)) && verb=${COMP_WORDS[1]}
+  case "$verb " in
+    ' ') _brdf_words ')"
+      << joined(names, " ") << " --help --version' ;;\n"
+      << verbs.str() << "  esac\n}\ncomplete -F _brdf brdf\n";
+  return out.str();
+}
+
+std::string zsh_completion(const CLI::App& app) {
+  std::ostringstream out;
+  out << "#compdef brdf\n# zsh completion of brdf " BRDF_VERSION ", written by `brdf describe zsh`\n"
+      << "local -a verbs\nverbs=(\n";
+  const std::vector<VerbSurface> verbs = surface_of(app);
+  for (const VerbSurface& verb : verbs)
+    out << "  '" << verb.name << ":" << zsh_text(verb.description) << "'\n";
+  out << ")\nif ((CURRENT == 2)); then\n  _describe verb verbs\n  return\nfi\nshift words\n((CURRENT--))\n"
+      << "case $words[1] in\n";
+  for (const VerbSurface& verb : verbs) {
+    out << "  " << verb.name << ")\n    _arguments";
+    for (const OptionSurface& o : verb.options) out << " \\\n      " << zsh_spec(o);
+    out << " ;;\n";
+  }
+  out << "esac\n";
+  return out.str();
+}
+
+}  // namespace brdf::cli

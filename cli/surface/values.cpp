@@ -1,0 +1,103 @@
+#include "cli/surface/values.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <set>
+
+#include "brdf/reflectance.h"
+
+namespace brdf::cli {
+namespace {
+
+std::map<const CLI::Option*, std::vector<std::string>>& offers() {
+  static std::map<const CLI::Option*, std::vector<std::string>> all;
+  return all;
+}
+
+// Options mean the same in every verb. A new one that takes text is named here, or the test of the surface says so.
+const std::map<std::string, Value, std::less<>> kByName{
+    {"FORM", Value::form},           {"--form", Value::form},
+    {"--set", Value::parameter},     {"--fix", Value::parameter},
+    {"--start", Value::parameter},   {"--bounds", Value::parameter},
+    {"--tie", Value::text},          {"SAMPLES", Value::samples},
+    {"DIRECTIONS", Value::samples},  {"--measured", Value::samples},
+    {"MATERIAL", Value::either},     {"FILES", Value::either},
+    {"IN", Value::either},           {"--reference", Value::either},
+    {"OUT", Value::samples},         {"--material", Value::material},
+    {"--compare", Value::json},      {"--scene", Value::scene},
+    {"--state", Value::json},        {"--save-as", Value::json},
+    {"--ledger", Value::json},       {"--screenshot", Value::picture},
+    {"--picture", Value::picture},   {"--report", Value::report},
+    {"--output", Value::file},       {"--compare-weightings", Value::folder},
+    {"--robust", Value::text},       {"--grid", Value::text},
+    {"--solo", Value::text},         {"--only", Value::text},
+    {"--memory-limit", Value::text},
+};
+
+}  // namespace
+
+CLI::Option* offer(CLI::Option* option, std::vector<std::string> words) {
+  offers()[option] = std::move(words);
+  return option;
+}
+
+// Words that were offered, or the list of a check: {8,16,32}.
+std::vector<std::string> offered(const CLI::Option& option) {
+  if (const auto found = offers().find(&option); found != offers().end()) return found->second;
+  const std::string type = option.get_type_name();
+  const std::size_t open = type.find('{'), close = type.rfind('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
+}
+
+Value value_of(const CLI::Option& option) {
+  if (!offered(option).empty()) return Value::word;
+  const std::string name = option.get_positional()       ? option.get_name(true)
+                           : option.get_lnames().empty() ? "-" + option.get_snames()[0]
+                                                         : "--" + option.get_lnames()[0];
+  if (const auto found = kByName.find(name); found != kByName.end()) return found->second;
+  return option.get_type_name().starts_with("TEXT") ? Value::text : Value::number;
+}
+
+std::vector<std::string> names_for(Value value) {
+  if (value == Value::parameter) {
+    std::set<std::string> names;
+    for (const Reflectance& form : catalogue())
+      for (const auto table : {info(form).weights, info(form).shape})
+        for (const ParameterInfo& p : table) names.insert(std::string(p.name) + "=");
+    return {names.begin(), names.end()};
+  }
+  if (value != Value::form) return {};
+  std::vector<std::string> names;
+  for (const Reflectance& form : catalogue()) names.emplace_back(info(form).name);
+  return names;
+}
+
+std::vector<std::string> suffixes_of(Value value) {
+  const std::vector<std::string> tables{"csv", "binary", "bsdf", "exr", "txt", "astm"};
+  switch (value) {
+    case Value::samples:
+      return tables;
+    case Value::either: {
+      std::vector<std::string> both = tables;
+      both.push_back("json");
+      return both;
+    }
+    case Value::material:
+    case Value::scene:
+    case Value::json:
+      return {"json"};
+    case Value::picture:
+      return {"png", "exr"};
+    case Value::report:
+      return {"html", "md"};
+    default:
+      return {};
+  }
+}
+
+bool is_file(Value value) {
+  return value >= Value::samples;
+}
+
+}  // namespace brdf::cli
