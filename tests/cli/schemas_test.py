@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""schemas_test.py BRDF SOURCE: what verbs print with --json follows docs/VERB.schema.json, which refuses what does not.
+validate and study have tests of their own. Exit 77 without python3-jsonschema."""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not installed")
+    sys.exit(77)
+
+brdf, source = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+synthetic = source / "data/synthetic"
+NO_DRIVER = 3
+
+
+def check(verb, document):
+    schema = json.loads((source / f"docs/{verb}.schema.json").read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    errors = [error for error in jsonschema.Draft7Validator(schema).iter_errors(document)]
+    if errors:
+        worst = jsonschema.exceptions.best_match(errors)
+        sys.exit(f"{verb} at {list(worst.absolute_path)}: {worst.message[:300]}")
+    spoiled = copy.deepcopy(document)
+    spoiled["unknown"] = 1
+    try:
+        jsonschema.validate(spoiled, schema)
+    except jsonschema.ValidationError:
+        return
+    sys.exit(f"docs/{verb}.schema.json accepts anything")
+
+
+with tempfile.TemporaryDirectory() as folder:
+
+    def said(*words):
+        done = subprocess.run([brdf, *map(str, words)], cwd=folder, capture_output=True, text=True)
+        assert done.stdout or done.returncode == NO_DRIVER, f"{words}: {done.returncode} {done.stderr}"
+        return json.loads(done.stdout) if done.stdout else None
+
+    check("models", said("models", "--json"))
+    check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "-o", "m.json", "--json"))
+    check("fit", said("fit", synthetic / "ward_anisotropic.csv", "--form", "ward+lambert", "--anisotropic", "--fix",
+                      "kd=0.1", "--metric", "log", "--free-scale", "--json"))
+    check("fit", said("fit", synthetic / "phong_sparse.csv", synthetic / "README.md", "--form", "auto", "-o", "many",
+                      "--json"))
+    check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
+    check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
+    check("trade", json.loads((source / "data/ledger.json").read_text()))
+    ledger = source / "data/ledger.json"
+    check("trade", said("trade", "--compare", ledger, ledger, "--json"))
+    size = ("--width", 32, "--height", 32, "-o", "p.png", "--json")
+    pictures = [said("render", "m.json", *size), said("render", "m.json", "--compare", "embree", "--probe", "16,16", *size)]
+    for picture in pictures:
+        if picture:
+            check("render", picture)
+    recommended = said("recommend", "--scene", source / "data/scenes/recommend_close_up.json", "--reference",
+                       source / "data/materials/ivory_plastic.json", "--ledger", ledger, "--tolerance", "0.05", "--json")
+    if recommended:
+        check("recommend", recommended)
+print("outputs follow their schemas")

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""surface_test.py BRDF SOURCE: every verb and option of the program is documented wherever one looks for it: an example in
+--help, a command that uses the option in --help or the documents, the man page, the completion of both shells, a schema
+where there is --json, and a name in Python where python/brdf/surface.json says which. One that is missing fails."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+brdf, source = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+missing = []
+
+
+def run(*words, **options):
+    return subprocess.run([str(w) for w in words], text=True, capture_output=True, check=True, **options).stdout
+
+
+def expect(holds, what):
+    if not holds:
+        missing.append(what)
+
+
+verbs = json.loads(run(brdf, "describe", "json"))["verbs"]
+# What --help itself lists is what was described: nothing is hidden from both.
+listed = re.findall(r"^  (\w+) +\S", run(brdf, "--help").split("Subcommands:")[1], re.M)
+assert sorted(listed) == sorted(v["name"] for v in verbs), (listed, [v["name"] for v in verbs])
+
+documents = "\n".join(p.read_text() for p in [source / "README.md", *sorted((source / "docs").glob("*.md"))])
+documents += "\n".join(v["footer"] for v in verbs)
+# A command may go on after a backslash, or in the string of another line of the same example.
+# An option that verbs share, in words too, has its example with any of them.
+sharers = {}
+for v in verbs:
+    for o in v["options"]:
+        sharers.setdefault((tuple(o["names"]), o["description"]), []).append(v["name"])
+commands = re.findall(r"brdf (\w+)((?:[^\n`]|\\\n)*)", documents)
+
+with tempfile.TemporaryDirectory() as folder:
+    run(brdf, "describe", "man", "-o", folder)
+    pages = {p.name: p.read_text().replace("\\-", "-") for p in pathlib.Path(folder).iterdir()}
+    scripts = {shell: pathlib.Path(folder) / f"{shell}.complete" for shell in ("bash", "zsh")}
+    for shell, path in scripts.items():
+        path.write_text(run(brdf, "describe", shell))
+        if shutil.which(shell):
+            run(shell, "-n", path)  # it parses
+
+    def complete(*words):
+        """What bash offers after these words."""
+        script = (f"source {scripts['bash']}; COMP_WORDS=({' '.join(repr(w) for w in words)}); "
+                  f"COMP_CWORD={len(words) - 1}; _brdf; printf '%s\\n' \"${{COMPREPLY[@]}}\"")
+        return run("bash", "--norc", "-c", script, cwd=folder).split()
+
+    assert complete("brdf", "fit", "--fo") == ["--form"]
+    assert complete("brdf", "val") == ["validate"]
+    forms = [f["form"] for f in json.loads(run(brdf, "models", "--json"))["forms"]]
+    expect(set(complete("brdf", "eval", "--form", "")) == set(forms), "completion of forms")
+    expect({"all", "auto", *forms} <= set(complete("brdf", "fit", "s.csv", "--form", "")), "completion of models of a fit")
+    parameters = {p["name"] + "=" for f in json.loads(run(brdf, "models", "--json"))["forms"] for p in f["parameters"]}
+    expect(set(complete("brdf", "synth", "--set", "")) == parameters, "completion of parameters")
+    (pathlib.Path(folder) / "samples.csv").touch()
+    (pathlib.Path(folder) / "material.json").touch()
+    (pathlib.Path(folder) / "notes.pdf").touch()
+    assert complete("brdf", "fit", "") == ["samples.csv"]
+    assert complete("brdf", "eval", "--material", "") == ["material.json"]
+
+    zsh = scripts["zsh"].read_text()
+    expect(f"brdf-{verbs[0]['name']} (1)" in pages["brdf.1"], "brdf.1")
+    for verb in verbs:
+        name = verb["name"]
+        help_text = run(brdf, name, "--help")
+        expect(re.search(rf"Examples?:.*brdf {name}", verb["footer"], re.S), f"{name}: example in --help")
+        page = pages.get(f"brdf-{name}.1", "")
+        expect(page, f"{name}: man page")
+        part = re.search(rf"^  {name}\)\n(.*?);;$", zsh, re.S | re.M)
+        expect(part, f"{name}: zsh completion")
+        offered = complete("brdf", name, "-")
+        for option in verb["options"]:
+            first = option["names"][-1]
+            what = f"{name} {first}"
+            expect(all(n in help_text for n in option["names"]), f"{what}: --help")
+            expect(all(n in page for n in option["names"]), f"{what}: man page")
+            expect(option["description"] or first in ("-h", "--help"), f"{what}: description")
+            if option["positional"]:
+                continue
+            for n in option["names"]:
+                expect(n in offered, f"{what}: bash completion")
+                expect(part and n in part[1], f"{what}: zsh completion")
+            if first != "--help":
+                shared = sharers[tuple(option["names"]), option["description"]]
+                used = " ".join(rest for verb_of, rest in commands if verb_of in shared)
+                expect(any(re.search(rf"(?<![\w-]){n}(?![\w-])", used) for n in option["names"]), f"{what}: example")
+        if any("--json" in o["names"] for o in verb["options"]):
+            expect((source / f"docs/schemas/{name}.schema.json").is_file()
+                   or (source / f"docs/{name}.schema.json").is_file(), f"{name} --json: schema")
+
+    # Python's names: {"verb": {"": "brdf.fit", "--metric": "metric", "--json": null, ...}}; null: no need, by choice.
+    table = source / "python/brdf/surface.json"
+    if table.is_file():
+        names = json.loads(table.read_text())
+        for verb in verbs:
+            known = names.get(verb["name"])
+            expect(known is not None, f"{verb['name']}: Python name")
+            for option in verb["options"]:
+                if known is not None and option["names"][-1] != "--help":
+                    expect(option["names"][-1] in known, f"{verb['name']} {option['names'][-1]}: Python name")
+
+if missing:
+    sys.exit("\n".join([f"{len(missing)} missing:", *missing]))
