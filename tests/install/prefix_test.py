@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""prefix_test.py BUILD SOURCE: an installed prefix that was moved works from another folder: a fit with its report, an
+installed scene where this machine renders, man pages, completion, descriptions."""
+import gzip
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+from installed import moved_prefix, run, temporary_folder
+
+build, source = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+with temporary_folder() as folder:
+    folder = pathlib.Path(folder)
+    prefix = moved_prefix(build, folder)
+    elsewhere = folder / "elsewhere"
+    elsewhere.mkdir()
+    brdf = prefix / "bin/brdf"
+    share = prefix / "share"
+
+    def say(*words):
+        return run([brdf, *words], cwd=elsewhere)
+
+    # Installed samples are files as any; the report holds the Chart.js of the prefix.
+    chart = share / "brdf/chart.min.js"
+    marked = chart.read_text() + "\n/* of this prefix */\n"
+    chart.chmod(0o644)
+    chart.write_text(marked)
+    say("fit", share / "brdf/synthetic/ward.csv", "--form", "ward", "-o", "ward.json", "--report", "ward.html")
+    assert "/* of this prefix */" in (elsewhere / "ward.html").read_text()
+    say("study", share / "brdf/synthetic/lambert.csv", "--form", "lambert", "--no-pictures", "-o", "study")
+    assert (elsewhere / "study/index.html").is_file()
+    drawn = subprocess.run([brdf, "render", "--scene", "scenes/vase.json", "--width", "64", "--height", "64", "-o",
+                            "vase.png"], cwd=elsewhere, text=True, capture_output=True)
+    # Exit code 3: this build or this machine cannot draw, and the scene was found all the same.
+    assert drawn.returncode == 0 and (elsewhere / "vase.png").is_file() or drawn.returncode == 3, drawn.stderr
+
+    pages = sorted((share / "man/man1").glob("*.gz"))
+    assert len(pages) > 10, pages
+    text = gzip.decompress((share / "man/man1/brdf-fit.1.gz").read_bytes()).decode()
+    assert "\\-\\-form" in text and "brdf fit samples.csv" in text.replace("\\-", "-")
+    if shutil.which("mandoc"):
+        for page in pages:
+            plain = elsewhere / page.stem
+            plain.write_bytes(gzip.decompress(page.read_bytes()))
+            run(["mandoc", "-T", "lint", "-W", "warning", plain])
+    assert (share / "bash-completion/completions/brdf").is_file()
+    if (share / "applications").is_dir():
+        for tool, name in (("desktop-file-validate", "applications/org.brdf.view.desktop"),
+                           ("appstreamcli", "metainfo/org.brdf.view.metainfo.xml")):
+            words = ["validate", "--no-net"] if tool == "appstreamcli" else []
+            if shutil.which(tool):
+                run([tool, *words, share / name])

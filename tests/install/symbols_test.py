@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""symbols_test.py SOURCE BUILD_FOLDER: the libraries built as shared ones show symbols of namespace brdf and a few named
+here, carry their version, and a program of core alone needs none of the others."""
+import pathlib
+import re
+import sys
+
+from installed import check_consumer, library_folder, moved_prefix, needed, run, temporary_folder
+
+source, build = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+brdf = pathlib.Path(sys.argv[3])
+run(["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DBUILD_SHARED_LIBS=ON", "-DBRDF_PROGRAM=OFF",
+     "-DBRDF_PYTHON=OFF"])
+run(["cmake", "--build", build, "-j2"])
+
+# The names of namespace brdf: functions, variables, types, tables, guards of statics.
+OURS = re.compile(r"_Z(N[KOR]*|TIN|TSN|TVN|TTN|GVN|GVZNK?|ZNK?|Thn\d+_N|Tv0_n?\d+_N)4brdf")
+# What else is shown: the version that the symbols carry.
+FEW = re.compile(r"BRDF_\d+\.\d+$")
+
+with temporary_folder() as folder:
+    folder = pathlib.Path(folder)
+    prefix = moved_prefix(build, folder, ("libraries", "development"))
+    libraries = library_folder(prefix)
+    for name in ("brdf", "brdf_io", "brdf_measured", "brdf_fit", "brdf_validate"):
+        library = libraries / f"lib{name}.so"
+        shown = [line.split()[-1].split("@")[0] for line in run(["nm", "-D", "--defined-only", library]).splitlines()]
+        foreign = [s for s in shown if not OURS.match(s) and not FEW.match(s)]
+        assert not foreign, f"{library.name} shows {foreign[:20]}"
+        assert len(shown) > 5, f"{library.name} shows {len(shown)} symbols"
+        header = run(["readelf", "-d", library])
+        assert re.search(rf"SONAME.*\[lib{name}\.so\.\d+\.\d+\]", header), header
+        print(library.name, len(shown), "symbols")
+    core = needed(libraries / "libbrdf.so")
+    assert all(n.startswith(("libstdc++", "libm.", "libgcc_s", "libc.", "ld-linux")) for n in core), core
+
+    out = folder / "out"
+    run(["cmake", "-S", source / "examples/consumer", "-B", out, f"-DCMAKE_PREFIX_PATH={prefix}"])
+    run(["cmake", "--build", out])
+    check_consumer(out, brdf, source)
+    loaded = run(["ldd", out / "forms"])
+    assert not re.search("ceres|glog|OpenEXR|brdf_io", loaded) and "libbrdf.so" in loaded, loaded
