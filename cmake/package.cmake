@@ -1,6 +1,6 @@
 # Debian packages by `cpack` in the build folder: brdf, libbrdf-dev (static libraries: no interface is promised before 1.0)
 # and, where the module is built, python3-brdf. Include after all rooms.
-set(BRDF_MAINTAINER "brdf contributors <brdf-contributors@lists.sourceforge.net>" CACHE STRING "Of the Debian packages")
+set(BRDF_MAINTAINER "brdf contributors <contributors@brdf.invalid>" CACHE STRING "Of the Debian packages")
 mark_as_advanced(BRDF_MAINTAINER)
 
 set(CPACK_GENERATOR DEB)
@@ -13,6 +13,7 @@ if(TARGET brdf_python)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "models of surface reflection, fitted to measurements and judged")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
                                                 WORLD_EXECUTE)
@@ -25,31 +26,28 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-dejavu-core, libjs-chart.js")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "fit reflection models to measurements, judge and show them
- Fits analytic BRDFs to goniometric measurements, with intervals that hold and a
- verdict, proves what the fitted material does (energy, reciprocity, numerical
- limits), and shows it beside the measurements, checked against a ray-traced
- reference.")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Fits analytic BRDFs to goniometric measurements, with intervals that hold and a
+verdict, proves what the fitted material does (energy, reciprocity, numerical
+limits), and shows it beside the measurements, checked against a ray-traced
+reference.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libbrdf-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libstdc++-12-dev | libstdc++-dev, libceres-dev, libopenexr-dev, libstb-dev, nlohmann-json3-dev")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "reflection models and their fits, for C++ programs
- Headers, static libraries, CMake and pkg-config files of brdf: the models of
- surface reflection (core, standard library only), tables of samples and
- materials (io), fits with intervals (fit), checks of what a model keeps
- (validate).")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, static libraries, CMake and pkg-config files of brdf: the models of
+surface reflection (core, standard library only), tables of samples and
+materials (io), fits with intervals (fit), checks of what a model keeps
+(validate).")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-brdf)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, libjs-chart.js")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "reflection models and their fits, for Python
- The module brdf: tables of samples as numpy arrays, fits with intervals,
- materials that are evaluated on arrays, albedo with an error bound, checks and
- exports. The numbers are those of the program brdf.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "The module brdf: tables of samples as numpy arrays, fits with intervals,
+materials that are evaluated on arrays, albedo with an error bound, checks and
+exports. The numbers are those of the program brdf.")
 
 # The module: the extension beside the package's own files.
 if(TARGET brdf_python)
