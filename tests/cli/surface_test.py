@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """surface_test.py BRDF SOURCE: every verb and option of the program is documented wherever one looks for it: an example in
 --help, a command that uses the option in --help or the documents, the man page, the completion of both shells, a schema
-where there is --json, and a name in Python where python/brdf/surface.json says which. One that is missing fails."""
+where there is --json, and a name in Python (python/brdf/names.json, where the module is). One that is missing fails."""
 import json
 import os
 import pathlib
@@ -97,16 +97,17 @@ with tempfile.TemporaryDirectory() as folder:
             expect((source / f"docs/schemas/{name}.schema.json").is_file()
                    or (source / f"docs/{name}.schema.json").is_file(), f"{name} --json: schema")
 
-    # Python's names: {"verb": {"": "brdf.fit", "--metric": "metric", "--json": null, ...}}; null: no need, by choice.
-    table = source / "python/brdf/surface.json"
+    # Where the module is: what each verb and option is called in Python, or that the verb takes them all by their names.
+    table = source / "python/brdf/names.json"
     if table.is_file():
-        names = json.loads(table.read_text())
+        names = json.loads(table.read_text())["verbs"]
         for verb in verbs:
-            known = names.get(verb["name"])
-            expect(known is not None, f"{verb['name']}: Python name")
+            known = names.get(verb["name"], {})
+            expect(known.get("python"), f"{verb['name']}: Python name")
             for option in verb["options"]:
-                if known is not None and option["names"][-1] != "--help":
-                    expect(option["names"][-1] in known, f"{verb['name']} {option['names'][-1]}: Python name")
+                name = option["names"][-1]
+                if name != "--help" and known.get("options") != "keywords":
+                    expect(known.get("options", {}).get(name), f"{verb['name']} {name}: Python name")
 
 if missing:
     sys.exit("\n".join([f"{len(missing)} missing:", *missing]))
