@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""symbols_test.py SOURCE BUILD_FOLDER: the libraries built as shared ones show symbols of namespace brdf and a few named
-here, carry their version, and a program of core alone needs none of the others."""
+"""symbols_test.py SOURCE BUILD_FOLDER BRDF: the libraries built as shared ones show symbols of namespace brdf and a few named
+here, carry their version, every installed header stands alone, and a program of core alone needs none of the others."""
 import pathlib
 import re
 import sys
@@ -33,6 +33,12 @@ with temporary_folder() as folder:
         print(library.name, len(shown), "symbols")
     core = needed(libraries / "libbrdf.so")
     assert all(n.startswith(("libstdc++", "libm.", "libgcc_s", "libc.", "ld-linux")) for n in core), core
+
+    # Every installed header can be the first that a source includes.
+    headers = sorted(str(p.relative_to(prefix / "include")) for p in (prefix / "include").rglob("*.h"))
+    assert len(headers) > 60, headers
+    for header in headers:
+        run(["c++", "-std=c++20", "-fsyntax-only", "-I", prefix / "include", "-x", "c++", "-"], input=f'#include "{header}"\n')
 
     out = folder / "out"
     run(["cmake", "-S", source / "examples/consumer", "-B", out, f"-DCMAKE_PREFIX_PATH={prefix}"])
