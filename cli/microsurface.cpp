@@ -6,11 +6,11 @@
 #include <iomanip>
 #include <iostream>
 
-#include "cli/parameters.h"
 #include "cli/progress.h"
 #include "io/error.h"
 #include "io/json.h"
 #include "io/provenance.h"
+#include "io/settings.h"
 
 namespace brdf::cli {
 
@@ -51,7 +51,7 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
 #ifdef BRDF_HAS_MICRO
 
 io::SampleTable trace_microsurface(micro::SampleSettings settings, const std::vector<std::string>& set) {
-  for (const Setting& one : parse_settings(set, "--set")) {
+  for (const io::Setting& one : io::parse_settings(set, "--set")) {
     if (one.values.size() != 1) throw InputError("--set " + one.name + ": a microsurface takes one value");
     settings.parameters.emplace_back(one.name, one.values.front());
   }

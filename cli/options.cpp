@@ -72,7 +72,7 @@ void add_repeated_option(CLI::App& verb, const std::string& name, std::vector<st
   verb.add_option(name, values, description)->allow_extra_args(false);
 }
 
-void add_material_options(CLI::App& verb, MaterialChoice& choice) {
+void add_material_options(CLI::App& verb, io::MaterialChoice& choice) {
   verb.add_option("--form", choice.form,
                   "A form by name (`brdf models` lists them), at its default parameters");
   verb.add_option("--material", choice.material, "A material's JSON file");

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "brdf/names.h"
-#include "cli/parameters.h"
 #include "cli/surface/values.h"
 #include "io/error.h"
+#include "io/settings.h"
 
 namespace CLI {
 class App;
@@ -33,7 +33,7 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
 }
 
 // Adds --form, --material and --set, the same in every verb that takes one material.
-void add_material_options(CLI::App& verb, MaterialChoice& choice);
+void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
 
 // Adds an option that takes an amount of memory above 0 in bytes, or with K, M or G (powers of 1024).
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes);

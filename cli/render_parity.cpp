@@ -3,16 +3,16 @@
 
 #include <iostream>
 
-#include "cli/parameters.h"
 #include "io/error.h"
 #include "io/json.h"
+#include "io/settings.h"
 #include "render/proof/parity.h"
 
 namespace brdf::cli {
 
 Exit run_parity(const std::vector<std::string>& names, bool all, bool json) {
   std::vector<Reflectance> forms;
-  for (const std::string& name : names) forms.push_back(require_form(name));
+  for (const std::string& name : names) forms.push_back(io::require_form(name));
   if (all) forms.assign(catalogue().begin(), catalogue().end());
   if (forms.empty()) throw InputError("--parity needs --all or --form");
   render::Device device;

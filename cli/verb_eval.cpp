@@ -51,7 +51,7 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
 
 void add_eval(CLI::App& app) {
   struct Options {
-    MaterialChoice material;
+    io::MaterialChoice material;
     std::string directions, output;
     bool cosine = false;
   };
@@ -67,7 +67,7 @@ void add_eval(CLI::App& app) {
       "          brdf eval --material fitted.json --cos directions.csv");
   on_run(*verb, [options] {
     io::check_targets({{"-o", options->output}}, {options->material.material, options->directions});
-    const Material material = choose_material(options->material);
+    const Material material = io::choose_material(options->material);
     io::SampleTable table = io::read_directions(options->directions);
     add_values(table, material, options->cosine);
     for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));

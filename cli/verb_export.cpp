@@ -15,7 +15,7 @@ namespace brdf::cli {
 namespace {
 
 struct Options {
-  MaterialChoice material;
+  io::MaterialChoice material;
   std::string measured, to, output;
   bool include = false;
 };
@@ -49,7 +49,7 @@ Exit export_formula(const Options& o) {
   if (o.to == kMerl)
     throw InputError("--to merl: needs --measured SAMPLES; brdf convert writes a material's cells");
   io::check_targets({{"-o", o.output}}, {o.material.material});
-  const Material material = choose_material(o.material);
+  const Material material = io::choose_material(o.material);
   const std::string text =
       io::glsl_source(material, {.material = !o.material.material.empty() || !o.material.set.empty(),
                                  .whole = !o.include,

@@ -11,7 +11,6 @@
 #include "fit/fit.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
-#include "fit/stepwise.h"
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/output.h"
@@ -29,7 +28,7 @@ struct Options {
   std::string output, report;
   bool json = false;
   unsigned jobs = 1;
-  FitChoice choice;
+  fit::FitChoice choice;
 };
 
 Exit run_one(const Options& o, const fit::FitOptions& options) {
@@ -39,9 +38,7 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
-  const auto models = models_of(o.choice.form);
-  const fit::FitResult result =
-      models.empty() ? fit::fit_stepwise(table, options, progress) : fit::fit(table, models, options);
+  const fit::FitResult result = fit::fit(table, fit::models_of(o.choice.form), options, progress);
   const fit::FormFit& best = result.ranking.front();
   if (result.interrupted && !o.output.empty() && std::filesystem::is_regular_file(o.output))
     std::cerr << "brdf fit: interrupted: " << o.output << " is kept as it was\n";
@@ -87,24 +84,13 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const std::vector<fit::BatchRow> rows =
-      fit::run_batch(o.samples, models_of(o.choice.form), options,
-                     {folder, o.jobs, io::provenance().version + words_of(o.choice), progress});
+      fit::run_batch(o.samples, fit::models_of(o.choice.form), options,
+                     {folder, o.jobs, io::provenance().version + fit::words_of(o.choice), progress});
   draw_spheres(rows, folder);
   fit::write_summary(rows, folder);
-  bool good = true;
-  io::Json list = io::Json::array();
-  for (const fit::BatchRow& row : rows) {
-    good = good && fit::usable(row);
-    io::Json j{
-        {"file", row.file}, {"material", (folder / (row.name + ".json")).string()}, {"kept", row.reused}};
-    if (row.error.empty())
-      j["best"] = row.best;
-    else
-      j = {{"file", row.file}, {"error", row.error}};
-    list.push_back(std::move(j));
-  }
+  const bool good = std::ranges::all_of(rows, [](const fit::BatchRow& row) { return fit::usable(row); });
   if (o.json)
-    std::cout << io::to_text(io::Json{{"files", list}});
+    std::cout << io::to_text(fit::to_json(rows, folder));
   else
     std::cout << (folder / "summary.csv").string() << ", " << (folder / "summary.html").string() << '\n';
   if (std::ranges::any_of(rows, &fit::BatchRow::environment_failed)) return Exit::environment;

@@ -3,46 +3,13 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/parameters.h"
 #include "cli/verbs.h"
-#include "io/json.h"
+#include "io/info_json.h"
+#include "io/settings.h"
 #include "io/text.h"
 
 namespace brdf::cli {
 namespace {
-
-io::Json parameter_json(const ParameterInfo& p, const char* kind) {
-  return {{"name", p.name},
-          {"kind", kind},
-          {"role", name_of(p.role)},
-          {"min", p.min},
-          {"max", p.max},
-          {"default", p.initial},
-          {"usual_max", p.usual_max},
-          {"unit", p.unit},
-          {"log_scale", p.log_scale},
-          {"doc", p.doc}};
-}
-
-io::Json form_json(const ReflectanceInfo& form) {
-  io::Json json;
-  json["form"] = form.name;
-  json["family"] = form.family;
-  json["fittable"] = form.fittable();
-  json["canonical"] = form.canonical;
-  json["parameters"] = io::Json::array();
-  for (const ParameterInfo& p : form.weights) json["parameters"].push_back(parameter_json(p, "weight"));
-  for (const ParameterInfo& p : form.shape) json["parameters"].push_back(parameter_json(p, "shape"));
-  json["known_violations"] = io::Json::array();
-  for (const Violation& v : form.violations) {
-    json["known_violations"].push_back({{"check", v.check},
-                                        {"statement", v.statement},
-                                        {"witness", v.witness},
-                                        {"theta", v.theta},
-                                        {"value", v.value}});
-  }
-  return json;
-}
 
 std::string range(const ParameterInfo& p) {
   const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
@@ -110,13 +77,13 @@ void add_models(CLI::App& app) {
   on_run(*verb, [options] {
     std::vector<ReflectanceInfo> forms;
     if (!options->form.empty())
-      forms.push_back(info(require_form(options->form)));
+      forms.push_back(info(io::require_form(options->form)));
     else
       for (const Reflectance& form : catalogue()) forms.push_back(info(form));
     if (options->json) {
       io::Json json;
       json["forms"] = io::Json::array();
-      for (const ReflectanceInfo& form : forms) json["forms"].push_back(form_json(form));
+      for (const ReflectanceInfo& form : forms) json["forms"].push_back(io::to_json(form));
       std::cout << io::to_text(json);
     } else if (options->form.empty()) {
       print_list();

@@ -20,7 +20,7 @@ struct Options {
   std::string output;
   bool json = false, no_pictures = false;
   unsigned jobs = 1;
-  FitChoice choice;
+  fit::FitChoice choice;
 };
 
 void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
@@ -61,9 +61,9 @@ Exit run(const Options& o) {
   watch_for_interrupt();
   study::StudyOptions options;
   options.folder = o.output;
-  options.sample.models = models_of(o.choice.form);
+  options.sample.models = fit::models_of(o.choice.form);
   options.sample.fit = fit_options(o.choice);
-  options.sample.fit_words = words_of(o.choice);
+  options.sample.fit_words = fit::words_of(o.choice);
   options.settings = io::provenance().version + options.sample.fit_words;
   options.sample.pictures = !o.no_pictures;
   options.jobs = o.jobs;

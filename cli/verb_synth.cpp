@@ -7,14 +7,13 @@
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "io/output.h"
-#include "io/text.h"
 #include "synth/instrument.h"
 
 namespace brdf::cli {
 namespace {
 
 struct Options {
-  MaterialChoice material;
+  io::MaterialChoice material;
   std::string grid = "hemisphere";
   std::vector<double> azimuths;
   synth::Instrument instrument;
@@ -82,19 +81,15 @@ Exit run_microsurface(const Options& o) {
 }
 
 Exit run(const Options& o) {
-  std::vector<std::string_view> parts;
-  io::split(o.grid, '+', parts);
+  const std::vector<std::string> parts = synth::grid_parts(o.grid);
   std::vector<std::filesystem::path> inputs(parts.begin(), parts.end());
   inputs.push_back(o.material.material);
   io::check_targets({{"-o", o.output}}, inputs);
   if (!o.microsurface.surface.empty()) return run_microsurface(o);
-  const Material material = choose_material(o.material);
+  const Material material = io::choose_material(o.material);
   synth::Instrument instrument = o.instrument;
-  instrument.grid.parts.assign(parts.begin(), parts.end());
-  if (!o.azimuths.empty())
-    instrument.grid.azimuths = o.azimuths;
-  else if (is_anisotropic(material))
-    instrument.grid.azimuths = {0, 45, 90};
+  instrument.grid.parts = parts;
+  instrument.grid.azimuths = o.azimuths.empty() ? synth::usual_azimuths(material) : o.azimuths;
   return write(synth::measure(material, instrument, progress_line("brdf synth: directions")), o.output);
 }
 

@@ -1,7 +1,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -12,15 +11,13 @@
 #include "cli/verbs.h"
 #include "io/content.h"
 #include "io/error.h"
-#include "io/material_json.h"
-#include "io/numbers.h"
 #include "io/output.h"
-#include "io/samples.h"
+#include "io/settings.h"
 #include "io/text.h"
 #include "validate/error_bounds.h"
 #include "validate/integrators.h"
+#include "validate/judged.h"
 #include "validate/numerics.h"
-#include "validate/report.h"
 
 namespace brdf::cli {
 namespace {
@@ -45,39 +42,6 @@ std::vector<validate::Picture> read_pictures(const Options& o) {
   return pictures;
 }
 
-std::vector<std::string> required(const Options& o) {
-  std::vector<std::string> known = validate::check_names();
-  for (const std::string& name : validate::data_sheet_names()) known.push_back(name);
-  for (const std::string& name : o.require)
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      std::string list;
-      for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
-      throw InputError("--require " + name + ": no such check; there are " + list);
-    }
-  return o.require;
-}
-
-// A table with its data sheet; of one that cannot be read because two columns are exchanged, that finding.
-validate::MeasuredTable measured(io::Content content, double max_theta) {
-  const std::string file = content.name;
-  try {
-    io::SampleTable table = io::read_samples(std::move(content));
-    validate::DataSheet sheet = validate::data_sheet(table, max_theta);
-    return {std::move(table), std::move(sheet)};
-  } catch (const ExchangedColumns& e) {
-    io::SampleTable table;
-    table.source = file;
-    return {table, validate::exchanged_columns(table, e.what())};
-  }
-}
-
-// What a material's file says of the fit that it came from; empty where it says nothing.
-std::string fit_text(const io::Json& fit) {
-  const char* const key = "median_relative_error";
-  if (!fit.is_object() || !fit.contains(key) || !fit[key].is_number()) return "";
-  return "half of the samples within " + io::percent(fit[key].get<double>(), 2);
-}
-
 // Forms, materials and tables with their findings.
 validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
@@ -85,33 +49,12 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
   if (o.all)
     for (const Reflectance& form : catalogue()) content.subjects.push_back(validate::Subject::form(form));
   for (const std::string& name : o.forms)
-    content.subjects.push_back(validate::Subject::form(require_form(name)));
-  for (const std::string& file : o.files) {
-    io::Content bytes = io::read_content(file);
-    if (io::is_json(bytes)) {
-      io::MaterialFile material = io::read_material_file(bytes);
-      if (std::string fit = fit_text(material.fit); !fit.empty()) content.fits[file] = std::move(fit);
-      content.subjects.push_back(validate::Subject::material(file, std::move(material.material)));
-    } else {
-      content.tables.push_back(measured(std::move(bytes), o.max_theta));
-    }
-  }
+    content.subjects.push_back(validate::Subject::form(io::require_form(name)));
+  for (const std::string& file : o.files) validate::add_file(content, file);
   if (content.subjects.empty() && content.tables.empty())
     throw InputError("nothing to validate: give materials, samples, --form or --all");
-  content.findings = validate::run_checks(content.subjects, options, progress_line("brdf validate: checks"));
-  for (const auto& measured : content.tables)
-    content.findings.insert(content.findings.end(), measured.sheet.findings.begin(),
-                            measured.sheet.findings.end());
+  validate::judge_all(content, options, progress_line("brdf validate: checks"));
   return content;
-}
-
-Exit judge(const std::vector<validate::Finding>& findings, const std::vector<std::string>& require) {
-  for (const validate::Finding& f : findings) {
-    const bool needed = std::find(require.begin(), require.end(), f.check) != require.end();
-    if (needed ? f.outcome != validate::Outcome::pass : f.outcome == validate::Outcome::fail)
-      return Exit::failed;
-  }
-  return Exit::good;
 }
 
 void check_output(const Options& o) {
@@ -159,7 +102,7 @@ Exit run_integrators(const Options& o) {
 std::vector<Reflectance> forms_of(const Options& o) {
   std::vector<Reflectance> forms;
   if (o.all) forms.assign(catalogue().begin(), catalogue().end());
-  for (const std::string& name : o.forms) forms.push_back(require_form(name));
+  for (const std::string& name : o.forms) forms.push_back(io::require_form(name));
   if (forms.empty()) throw InputError("which forms? give --form or --all");
   return forms;
 }
@@ -188,11 +131,10 @@ Exit run(const Options& o) {
     return good ? Exit::good : Exit::failed;
   }
   if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
-  if (!(o.max_theta > 0 && o.max_theta <= 90))
-    throw InputError("--max-theta " + io::to_text(o.max_theta) + ": must be above 0 and at most 90 degrees");
+  validate::check_max_theta(o.max_theta);
   check_output(o);
   std::vector<validate::Picture> pictures = read_pictures(o);
-  const std::vector<std::string> require = required(o);
+  validate::check_required(o.require);
   validate::CheckOptions options;
   options.effort = o.effort == "full" ? validate::Effort::full : validate::Effort::quick;
   options.max_theta = o.max_theta;
@@ -204,7 +146,7 @@ Exit run(const Options& o) {
     std::cout << io::to_text(validate::to_json(content.findings)) << '\n';
   else
     validate::print_findings(std::cout, content.findings, isatty(STDOUT_FILENO) != 0);
-  return judge(content.findings, require);
+  return validate::holds(content.findings, o.require) ? Exit::good : Exit::failed;
 }
 
 }  // namespace

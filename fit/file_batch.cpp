@@ -193,6 +193,19 @@ std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
   return Batch(files, models, options, batch).run();
 }
 
+io::Json to_json(const std::vector<BatchRow>& rows, const fs::path& folder) {
+  io::Json list = io::Json::array();
+  for (const BatchRow& row : rows)
+    if (row.error.empty())
+      list.push_back({{"file", row.file},
+                      {"material", (folder / (row.name + ".json")).string()},
+                      {"kept", row.reused},
+                      {"best", row.best}});
+    else
+      list.push_back({{"file", row.file}, {"error", row.error}});
+  return {{"files", list}};
+}
+
 bool usable(const BatchRow& row) {
   if (!row.error.empty()) return false;
   const auto verdict = find_named<Verdict>(row.best["verdict"].get<std::string>());

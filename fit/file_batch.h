@@ -40,6 +40,9 @@ std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
 // summary.csv and summary.html in the folder; a picture name.png beside a material is shown.
 void write_summary(const std::vector<BatchRow>& rows, const std::filesystem::path& folder);
 
+// `{"files": [{"file", "material", "kept", "best"} or {"file", "error"}]}`.
+io::Json to_json(const std::vector<BatchRow>& rows, const std::filesystem::path& folder);
+
 // A row whose fit can be used.
 bool usable(const BatchRow& row);
 

@@ -10,6 +10,7 @@
 #include "fit/assess/left_out.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/select.h"
+#include "fit/model/constraints.h"
 #include "fit/solve/minima.h"
 #include "fit/stepwise.h"
 #include "io/cosine_factor.h"
@@ -182,8 +183,8 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
 }  // namespace
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
-              const FitOptions& asked) {
-  if (models.empty()) return fit_stepwise(table, asked);
+              const FitOptions& asked, const Progress& progress) {
+  if (models.empty()) return fit_stepwise(table, asked, progress);
   FitOptions options = asked;
   FitData data = prepare(table, options);
   FitResult result;
@@ -205,6 +206,7 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   std::vector<Solved> all;
   for (const auto& forms : models) {
     if (options.stop() && !all.empty()) break;
+    if (progress) progress(name_of_sum(forms));
     const auto fitted = options.physical == Physical::either ? fit_physical : fit_model;
     all.push_back(fitted(data, forms, options, result.noise_floor));
   }

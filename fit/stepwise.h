@@ -1,16 +1,11 @@
 // A model of as many terms as the samples ask for.
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
 #include "io/samples.h"
 
 namespace brdf::fit {
-
-using Progress = std::function<void(const std::string&)>;
 
 // Starts with the simplest diffuse form and adds, step by step, one lobe, a better diffuse term, a second lobe, as
 // long as the objective on left-out rows falls significantly (FitResult::steps says by how much). Each step tries

@@ -149,6 +149,16 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
 
 }  // namespace
 
+std::vector<std::string> grid_parts(std::string_view grid) {
+  std::vector<std::string_view> parts;
+  io::split(grid, '+', parts);
+  return {parts.begin(), parts.end()};
+}
+
+std::vector<double> usual_azimuths(const Material& material) {
+  return is_anisotropic(material) ? std::vector<double>{0, 45, 90} : std::vector<double>{0};
+}
+
 io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress) {
   check(instrument);
@@ -159,6 +169,17 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
   read_out(material, instrument, progress, table);
   disturb(instrument, table);
   record(material, instrument, table);
+  return table;
+}
+
+io::SampleTable table_of_file(const std::filesystem::path& path) {
+  io::Content content = io::read_content(path);
+  if (!io::is_json(content)) return io::read_samples(std::move(content));
+  Instrument instrument;
+  instrument.grid.parts = {"merl"};
+  io::SampleTable table = measure(io::read_material(content), instrument);
+  table.source = path.string();
+  table.format = "material";
   return table;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "brdf/material.h"
@@ -25,11 +27,20 @@ struct Instrument {
   std::uint64_t seed = 1;
 };
 
+// What a grid is called: in_plane, hemisphere, merl or a file of directions, joined by +.
+std::vector<std::string> grid_parts(std::string_view grid);
+
+// The azimuths at which a sample of this material is measured where none are asked for, degrees.
+std::vector<double> usual_azimuths(const Material& material);
+
 // Measures the material. The table's metadata records the truth and every setting, its
 // warnings what a user should know (a lobe narrower than the aperture, readings
 // saturated). The same arguments give the same table on every machine: own random numbers,
 // own sines, values rounded to 12 digits. Throws InputError on settings out of range.
 io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress = {});
+
+// Any file as a table: samples as they are read, a material as it is at the centres of the MERL cells.
+io::SampleTable table_of_file(const std::filesystem::path& path);
 
 }  // namespace brdf::synth

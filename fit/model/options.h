@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -60,6 +61,9 @@ struct NamedRange {
   std::string name;
   double low, high;
 };
+
+// Hears what is tried next, in words.
+using Progress = std::function<void(const std::string&)>;
 
 struct FitOptions {
   Metric metric = Metric::log;

@@ -48,5 +48,8 @@ void eval_cos(const Material& material, const Vec3<double>& wi, const Vec3<doubl
 // One channel of a material's term at many directions in the surface's frame: its tangent_phi is applied.
 void eval_batch(const Term& term, std::size_t channel, const Directions<double>& directions, double* out);
 void eval_cos_batch(const Term& term, std::size_t channel, const Directions<double>& directions, double* out);
+// The same in float, of parameters that are rounded to float: within the form's stated accuracy of float.
+void eval_batch(const Term& term, std::size_t channel, const Directions<float>& directions, float* out);
+void eval_cos_batch(const Term& term, std::size_t channel, const Directions<float>& directions, float* out);
 
 }  // namespace brdf

@@ -14,21 +14,42 @@ std::vector<double> defaults(std::span<const ParameterInfo> table) {
   return values;
 }
 
+template <class T>
+void turn_all(const Directions<T>& directions, Angle phi, DirectionArrays<T>& out) {
+  const T c = T(std::cos(phi.radians())), s = T(std::sin(phi.radians()));
+  for (std::size_t i = 0; i < directions.count; ++i)
+    out.set(i, turn(directions.wi(i), c, s), turn(directions.wo(i), c, s));
+}
+
 // Calls evaluate(values, directions, out) on blocks that stay in the cache, turned into the term's tangent
 // frame where it has one.
-template <class Evaluate>
-void eval_term(const Term& term, std::size_t channel, const Directions<double>& directions, double* out,
+template <class T, class Evaluate>
+void eval_term(Angle tangent_phi, const ParameterValues<T>& values, const Directions<T>& directions, T* out,
                Evaluate&& evaluate) {
-  const ParameterValues<double> values = term.values(channel);
-  if (term.tangent_phi == Angle{}) return evaluate(values, directions, out);
+  if (tangent_phi == Angle{}) return evaluate(values, directions, out);
   constexpr std::size_t kBlock = 512;
-  DirectionArrays<double> turned(std::min(kBlock, directions.count));
+  DirectionArrays<T> turned(std::min(kBlock, directions.count));
   for (std::size_t first = 0; first < directions.count; first += kBlock) {
-    const Directions<double> block = directions.part(first, std::min(kBlock, directions.count - first));
-    turn_batch(block, term.tangent_phi, turned);
+    const Directions<T> block = directions.part(first, std::min(kBlock, directions.count - first));
+    turn_all(block, tangent_phi, turned);
     evaluate(values, turned.view().part(0, block.count), out + first);
   }
 }
+
+// A channel's parameters rounded to float.
+class FloatValues {
+ public:
+  explicit FloatValues(const ParameterValues<double>& p)
+      : weights_(p.weights.begin(), p.weights.end()),
+        first_(p.first.begin(), p.first.end()),
+        shape_(p.shape.begin(), p.shape.end()),
+        channel_(p.channel) {}
+  ParameterValues<float> view() const { return {weights_, first_, shape_, channel_}; }
+
+ private:
+  std::vector<float> weights_, first_, shape_;
+  std::size_t channel_;
+};
 
 // Adds every term's value for one pair to `out`.
 template <class Evaluate>
@@ -65,19 +86,33 @@ bool is_anisotropic(const Material& material) {
 }
 
 void eval(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> out) {
-  sum_terms(material, wi, wo, out, eval_batch);
+  sum_terms(material, wi, wo, out,
+            [](const Term& t, std::size_t c, const auto& d, double* value) { eval_batch(t, c, d, value); });
 }
 void eval_cos(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
               std::span<double> out) {
-  sum_terms(material, wi, wo, out, eval_cos_batch);
+  sum_terms(material, wi, wo, out, [](const Term& t, std::size_t c, const auto& d, double* value) {
+    eval_cos_batch(t, c, d, value);
+  });
 }
 
 void eval_batch(const Term& term, std::size_t channel, const Directions<double>& directions, double* out) {
-  eval_term(term, channel, directions, out, [&](const auto&... arguments) { term.form->eval(arguments...); });
+  eval_term(term.tangent_phi, term.values(channel), directions, out,
+            [&](const auto&... arguments) { term.form->eval(arguments...); });
 }
 void eval_cos_batch(const Term& term, std::size_t channel, const Directions<double>& directions,
                     double* out) {
-  eval_term(term, channel, directions, out,
+  eval_term(term.tangent_phi, term.values(channel), directions, out,
+            [&](const auto&... arguments) { term.form->eval_cos(arguments...); });
+}
+void eval_batch(const Term& term, std::size_t channel, const Directions<float>& directions, float* out) {
+  const FloatValues values(term.values(channel));
+  eval_term(term.tangent_phi, values.view(), directions, out,
+            [&](const auto&... arguments) { term.form->eval(arguments...); });
+}
+void eval_cos_batch(const Term& term, std::size_t channel, const Directions<float>& directions, float* out) {
+  const FloatValues values(term.values(channel));
+  eval_term(term.tangent_phi, values.view(), directions, out,
             [&](const auto&... arguments) { term.form->eval_cos(arguments...); });
 }
 
@@ -87,9 +122,7 @@ Vec3<double> direction(Angle theta, Angle phi) {
 }
 
 void turn_batch(const Directions<double>& directions, Angle phi, DirectionArrays<double>& out) {
-  const double c = std::cos(phi.radians()), s = std::sin(phi.radians());
-  for (std::size_t i = 0; i < directions.count; ++i)
-    out.set(i, turn(directions.wi(i), c, s), turn(directions.wo(i), c, s));
+  turn_all(directions, phi, out);
 }
 
 }  // namespace brdf

@@ -1,8 +1,8 @@
 // A form's name, and in every line below it a --set.
 #include <sstream>
 
-#include "cli/parameters.h"
 #include "io/material_file.h"
+#include "io/settings.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace brdf::fuzz {
@@ -10,10 +10,10 @@ namespace {
 
 const Registered settings("settings", [](std::string_view input) {
   std::istringstream lines{std::string(input)};
-  cli::MaterialChoice choice;
+  io::MaterialChoice choice;
   std::getline(lines, choice.form);
   for (std::string line; std::getline(lines, line);) choice.set.push_back(line);
-  const Material material = cli::choose_material(choice);
+  const Material material = io::choose_material(choice);
   io::check_material(material, "settings");
   check_material(material);
 });

@@ -7,7 +7,7 @@
 #include "brdf/material.h"
 #include "io/material_json.h"
 
-namespace brdf::cli {
+namespace brdf::io {
 
 // One `name=value` or `name=value,value,...` of the command line.
 struct Setting {
@@ -30,7 +30,7 @@ struct MaterialChoice {
 // a wrong count, or when not exactly one of form and material is given.
 Material choose_material(const MaterialChoice& choice);
 // The same with the statistics of the fit it came from: null where it is of no fit, or --set has changed it.
-io::MaterialFile choose_material_file(const MaterialChoice& choice);
+MaterialFile choose_material_file(const MaterialChoice& choice);
 
 // Applies settings to every term that has the parameter; what the widths along and across are called together
 // ("alpha") sets both, tangent_phi is in degrees.
@@ -39,4 +39,4 @@ void apply_settings(Material& material, const std::vector<Setting>& settings);
 // The form of that name. Throws InputError that lists the known ones.
 Reflectance require_form(const std::string& name);
 
-}  // namespace brdf::cli
+}  // namespace brdf::io

@@ -1,4 +1,4 @@
-#include "cli/parameters.h"
+#include "io/settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "io/numbers.h"
 #include "io/text.h"
 
-namespace brdf::cli {
+namespace brdf::io {
 namespace {
 
 std::vector<std::string> channel_names(std::size_t count) {
@@ -26,8 +26,7 @@ std::vector<std::string> channel_names(std::size_t count) {
 void check_range(const Setting& setting, double min, double max) {
   for (const double value : setting.values)
     if (!(value >= min && value <= max))
-      refuse(setting,
-             io::to_text(value) + " must be between " + io::to_text(min) + " and " + io::to_text(max));
+      refuse(setting, to_text(value) + " must be between " + to_text(min) + " and " + to_text(max));
 }
 
 // The setting's value for each of `channels` channels.
@@ -96,7 +95,7 @@ std::string known_parameters(const Material& material) {
       add("tangent_phi");
     }
   }
-  return io::joined(known);
+  return joined(known);
 }
 
 }  // namespace
@@ -105,7 +104,7 @@ Reflectance require_form(const std::string& name) {
   if (const auto form = find_form(name)) return *form;
   std::vector<std::string> known;
   for (const Reflectance& form : catalogue()) known.emplace_back(info(form).name);
-  throw InputError("'" + name + "' is no form (known: " + io::joined(known) + ")");
+  throw InputError("'" + name + "' is no form (known: " + joined(known) + ")");
 }
 
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option) {
@@ -117,11 +116,11 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::
     };
     const std::size_t equals = text.find('=');
     if (equals == text.npos || equals == 0) throw refused("must be name=value or name=value,value,...");
-    Setting setting{std::string(io::trimmed(std::string_view(text).substr(0, equals))), {}};
-    io::split(std::string_view(text).substr(equals + 1), ',', fields);
+    Setting setting{std::string(trimmed(std::string_view(text).substr(0, equals))), {}};
+    split(std::string_view(text).substr(equals + 1), ',', fields);
     for (const std::string_view field : fields) {
       double value;
-      if (!io::parse_number(field, value) || !std::isfinite(value))
+      if (!parse_number(field, value) || !std::isfinite(value))
         throw refused("'" + std::string(field) + "' is not a finite number");
       setting.values.push_back(value);
     }
@@ -140,19 +139,19 @@ void apply_settings(Material& material, const std::vector<Setting>& settings) {
   }
 }
 
-io::MaterialFile choose_material_file(const MaterialChoice& choice) {
+MaterialFile choose_material_file(const MaterialChoice& choice) {
   if (choice.form.empty() == choice.material.empty())
     throw InputError("exactly one of --form and --material must be given");
   const std::vector<Setting> settings = parse_settings(choice.set, "--set");
-  io::MaterialFile file;
+  MaterialFile file;
   if (!choice.material.empty()) {
-    file = io::read_material_file(choice.material);
+    file = read_material_file(choice.material);
   } else {
     std::size_t channels = 1;
     for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
-    if (channels > io::kMostChannels)
+    if (channels > kMostChannels)
       throw InputError("--set: " + std::to_string(channels) + " values are more than the " +
-                       std::to_string(io::kMostChannels) + " channels of a material");
+                       std::to_string(kMostChannels) + " channels of a material");
     file.material = make_material(require_form(choice.form), channel_names(channels));
   }
   if (!settings.empty()) file.fit = nullptr;  // no longer what was fitted
@@ -164,4 +163,4 @@ Material choose_material(const MaterialChoice& choice) {
   return choose_material_file(choice).material;
 }
 
-}  // namespace brdf::cli
+}  // namespace brdf::io

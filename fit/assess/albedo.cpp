@@ -1,0 +1,96 @@
+#include "fit/assess/albedo.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/assess/derived.h"
+#include "io/error.h"
+#include "io/numbers.h"
+#include "io/provenance.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kDifferenceTolerance = 1e-8;  // of integrals whose differences are taken
+
+io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
+  io::Json json;
+  json["theta"] = row.theta;
+  json["phi"] = choice.phi;
+  json["fixed"] = choice.fixed;
+  json["channel"] = row.channel;
+  json["value"] = row.result.value;
+  json["error_bound"] = row.result.error_bound;
+  json["evaluations"] = row.result.evaluations;
+  json["converged"] = row.result.converged;
+  json["rule"] = name_of(row.result.rule);
+  if (row.interval) {
+    json["low"] = row.interval->low;
+    json["high"] = row.interval->high;
+  }
+  return json;
+}
+
+// 95 % intervals of the albedo from the fit that the material came from: the delta method on its parameters.
+std::vector<std::optional<Extent>> fitted_intervals(const io::MaterialFile& file, double theta, double phi,
+                                                    AlbedoOptions options,
+                                                    const std::vector<AlbedoResult>& results) {
+  std::vector<std::optional<Extent>> out(results.size());
+  const auto covariance = covariance_of(file.fit);
+  if (!covariance) return out;
+  options.tolerance = std::min(options.tolerance, kDifferenceTolerance);
+  std::vector<double> values;
+  for (const AlbedoResult& r : results) values.push_back(r.value);
+  const auto albedo = [&](const Material& m) {
+    std::vector<double> all;
+    for (const AlbedoResult& r : directional_albedo(m, degrees(theta), degrees(phi), options))
+      all.push_back(r.value);
+    return all;
+  };
+  if (const auto found = intervals(file.material, *covariance, values, albedo))
+    std::copy(found->begin(), found->end(), out.begin());
+  return out;
+}
+
+}  // namespace
+
+AlbedoOptions options_of(const AlbedoChoice& o) {
+  AlbedoOptions options;
+  if (!(o.tolerance >= 1e-14 && o.tolerance <= 1))
+    throw InputError("--tolerance " + io::to_text(o.tolerance) + ": must be between 1e-14 and 1");
+  if (!std::isfinite(o.phi)) throw InputError("--phi: must be finite");
+  for (const double theta : o.theta)
+    if (!(theta >= 0 && theta <= 90))
+      throw InputError("--theta " + io::to_text(theta) + ": must be between 0 and 90 degrees");
+  if (o.fixed != "i" && o.fixed != "o") throw InputError("--fixed: " + o.fixed + " not in {i,o}");
+  options.tolerance = o.tolerance;
+  options.fixed = o.fixed == "o" ? Fixed::viewer : Fixed::light;
+  const std::optional<Rule> rule = find_named<Rule>(o.rule);
+  if (!rule) throw InputError("--rule '" + o.rule + "': must be one of " + known_names<Rule>());
+  options.rule = *rule;
+  return options;
+}
+
+std::vector<AlbedoRow> albedo_rows(const io::MaterialFile& file, const AlbedoChoice& choice) {
+  const AlbedoOptions options = options_of(choice);
+  std::vector<AlbedoRow> rows;
+  for (const double theta : choice.theta) {
+    const auto results = directional_albedo(file.material, degrees(theta), degrees(choice.phi), options);
+    const auto intervals = fitted_intervals(file, theta, choice.phi, options, results);
+    for (std::size_t c = 0; c < results.size(); ++c)
+      rows.push_back({theta, file.material.channels[c], results[c], intervals[c]});
+  }
+  return rows;
+}
+
+io::Json to_json(const Material& material, const std::vector<AlbedoRow>& rows, const AlbedoChoice& choice) {
+  io::Json json;
+  json["form"] = material.terms.size() == 1 ? info(material.terms[0].form).name : std::string_view("sum");
+  json["results"] = io::Json::array();
+  for (const AlbedoRow& row : rows) json["results"].push_back(row_json(row, choice));
+  json["provenance"] = io::to_json(io::provenance());
+  return json;
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,99 @@
+#include "fit/choice.h"
+
+#include <cmath>
+
+#include "io/error.h"
+#include "io/settings.h"
+#include "io/shell.h"
+#include "io/text.h"
+
+namespace brdf::fit {
+namespace {
+
+// A loss, or a loss and its scale: "huber", "cauchy:0.1".
+void parse_robust(const std::string& text, FitOptions& options) {
+  const std::size_t colon = text.find(':');
+  const auto loss = find_named<Loss>(text.substr(0, colon));
+  if (!loss) throw InputError("--robust " + text + ": must be one of " + known_names<Loss>());
+  options.loss = *loss;
+  if (colon == std::string::npos) return;
+  if (!io::parse_number(text.substr(colon + 1), options.loss_scale) || !(options.loss_scale > 0) ||
+      !std::isfinite(options.loss_scale))
+    throw InputError("--robust " + text + ": the scale must be a number above 0");
+}
+
+// name=low:high
+NamedRange parse_range(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':', equals == std::string::npos ? 0 : equals);
+  if (equals == std::string::npos || colon == std::string::npos)
+    throw InputError("--bounds " + text + ": must be NAME=LOW:HIGH");
+  const std::string name = text.substr(0, equals);
+  const std::string low = text.substr(equals + 1, colon - equals - 1), high = text.substr(colon + 1);
+  const auto values = io::parse_settings({name + "=" + low + "," + high}, "--bounds")[0].values;
+  if (!(values[0] < values[1])) throw InputError("--bounds " + text + ": low must be below high");
+  return {name, values[0], values[1]};
+}
+
+template <class Number>
+void check_range(const char* option, Number value, Number low, Number high) {
+  if (!(value >= low && value <= high))
+    throw InputError(std::string(option) + ": Value " + io::to_text(double(value)) + " not in range " +
+                     std::to_string(low) + " to " + std::to_string(high));
+}
+
+}  // namespace
+
+FitOptions options_of(const FitChoice& o) {
+  FitOptions f = o.options;
+  check_range("--max-theta", f.max_theta, 0.0, 90.0);
+  check_range("--starts", f.random_starts, 0, 100000);
+  check_range("--aperture", f.aperture, 0.0, 90.0);
+  if (!o.robust.empty()) parse_robust(o.robust, f);
+  for (const io::Setting& s : io::parse_settings(o.fix, "--fix")) f.fix.push_back({s.name, s.values});
+  for (const io::Setting& s : io::parse_settings(o.start, "--start")) f.start.push_back({s.name, s.values});
+  for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
+  if (o.physical) f.physical = Physical::either;
+  return f;
+}
+
+std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
+  if (text == "auto") return {};
+  if (text == "all") return canonical_models();
+  if (text == "every") return every_model();
+  std::vector<Reflectance> forms;
+  std::vector<std::string_view> names;
+  io::split(text, '+', names);
+  for (const std::string_view name : names) forms.push_back(io::require_form(std::string(name)));
+  return {forms};
+}
+
+std::string words_of(const FitChoice& o) {
+  const FitChoice plain;
+  std::string text;
+  const auto add = [&](const char* option, const std::string& value) {
+    text += std::string(" ") + option + " " + io::shell_word(value);
+  };
+  const auto add_number = [&](const char* option, double value, double left_out) {
+    if (value != left_out) add(option, io::to_text(value));
+  };
+  add("--form", o.form);
+  if (o.options.metric != plain.options.metric) add("--metric", std::string(name_of(o.options.metric)));
+  if (o.options.weighting != plain.options.weighting)
+    add("--weights", std::string(name_of(o.options.weighting)));
+  if (!o.robust.empty()) add("--robust", o.robust);
+  for (const auto& [option, list] : {std::pair{"--fix", &o.fix}, std::pair{"--start", &o.start},
+                                     std::pair{"--bounds", &o.bounds}, std::pair{"--tie", &o.options.tie}})
+    for (const std::string& word : *list) add(option, word);
+  for (const auto& [option, flag] :
+       {std::pair{" --anisotropic", o.options.anisotropic},
+        std::pair{" --per-channel", o.options.per_channel}, std::pair{" --free-scale", o.options.free_scale},
+        std::pair{" --physical", o.physical}})
+    if (flag) text += option;
+  add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
+  add_number("--aperture", o.options.aperture, plain.options.aperture);
+  add_number("--starts", o.options.random_starts, plain.options.random_starts);
+  if (o.options.seed != plain.options.seed) add("--seed", std::to_string(o.options.seed));
+  return text;
+}
+
+}  // namespace brdf::fit
