@@ -24,7 +24,7 @@ ORDER = [
     ["measured"],
     ["synth", "fit", "validate", "render", "micro"],
     ["study", "trade"],
-    ["cli", "docs", "bench"],
+    ["cli", "docs", "bench", "python"],
 ]
 # Arrows between rooms of one line.
 BESIDE = {("micro", "synth")}

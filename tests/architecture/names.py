@@ -14,7 +14,7 @@ import re
 import subprocess
 import sys
 
-ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "render", "micro", "trade", "cli", "docs", "bench")
+ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "render", "micro", "trade", "cli", "docs", "bench", "python")
 FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {
     "trade/questions/": "the trade's questions",

@@ -1,0 +1,31 @@
+// What the files of the extension share.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "io/material_json.h"
+#include "io/samples.h"
+
+namespace brdf::python {
+
+namespace py = pybind11;
+
+// The values that Python holds; results are new ones.
+struct Samples {
+  io::SampleTable table;
+};
+struct Optics {
+  io::MaterialFile file;
+};
+
+void bind_samples(py::module_& module);
+void bind_materials(py::module_& module);
+void bind_fits(py::module_& module);
+void bind_judgements(py::module_& module);
+
+// A vector as an array of its own.
+py::array_t<double> to_array(const std::vector<double>& values);
+
+}  // namespace brdf::python

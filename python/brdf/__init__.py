@@ -1,0 +1,33 @@
+"""Models of surface reflection: fitted to measurements, judged, evaluated.
+
+The library behind the program `brdf`, on numpy arrays. Numbers are the program's, bit for bit.
+
+    import brdf
+
+    table = brdf.read("samples.csv")              # any format that `brdf fit` reads
+    result = brdf.fit(table, form="all")          # the options of `brdf fit` as keywords
+    material = result.best.material
+    f = material.eval(wi, wo)                     # (..., 3) and (..., 3) broadcast; (..., channels) in 1/sr
+
+Conventions. `wi` points to the light, `wo` to the viewer, both away from the surface; unit vectors in the local frame,
+normal +z, tangent +x. Angles are in degrees. f_r is in 1/sr and without cosine unless a function says otherwise.
+`alpha` is the width of the slope distribution.
+
+Errors are `brdf.InputError` (a ValueError), with the sentence that the program prints.
+"""
+from ._brdf import EnvironmentError, InputError, Stopped
+from ._brdf import version as __version__
+from .fitting import Candidate, Fit, Interval, fit, fit_files
+from .forms import Form, Parameter, Violation, form, forms
+from .judging import Finding, Judgement, validate
+from .making import convert, export, synth
+from .material import Albedo, Material, directions, load, material
+from .programs import program, recommend, render, study, trade, view
+from .table import Table, read
+
+__all__ = [
+    "Albedo", "Candidate", "EnvironmentError", "Finding", "Fit", "Form", "InputError", "Interval", "Judgement",
+    "Material", "Parameter", "Stopped", "Table", "Violation", "__version__", "convert", "directions", "export", "fit",
+    "fit_files", "form", "forms", "load", "material", "program", "read", "recommend", "render", "study", "synth",
+    "trade", "validate", "view",
+]

@@ -1,0 +1,57 @@
+"""What a notebook shows: small tables, spheres, slices."""
+from __future__ import annotations
+
+import base64
+import html
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from .material import Material
+    from .table import Table
+
+SIDE = 192  # pixels of a sphere
+
+
+def table_html(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], picture: bytes | None = None) -> str:
+    """A table with a title; a PNG beside it."""
+    cell = lambda tag, text: f'<{tag} style="text-align:left">{html.escape(text)}</{tag}>'  # noqa: E731
+    line = lambda tag, texts: f"<tr>{''.join(cell(tag, t) for t in texts)}</tr>"  # noqa: E731
+    block = (f"<div><b>{html.escape(title)}</b><table><thead>{line('th', head)}</thead><tbody>"
+             f"{''.join(line('td', row) for row in rows)}</tbody></table></div>")
+    if picture is None:
+        return block
+    image = f'<img alt="{html.escape(title)}" src="data:image/png;base64,{base64.b64encode(picture).decode()}"/>'
+    return f'<div style="display:flex;gap:1em;align-items:center">{image}{block}</div>'
+
+
+def _axes(axes: Any) -> Any:
+    if axes is not None:
+        return axes
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError("slices are drawn by matplotlib, which is not installed (Debian: python3-matplotlib)") from error
+    return plt.subplots()[1]
+
+
+def plot_slices(material: Material | None, table: Table | None, theta_i: Sequence[float], axes: Any) -> Any:
+    """f_r in the plane of incidence over the viewer's angle, towards the mirror direction positive."""
+    drawn = _axes(axes)
+    angles = np.linspace(-89.0, 89.0, 357)
+    for k, theta in enumerate(theta_i):
+        colour = f"C{k % 10}"
+        if material is not None:
+            f = material.eval_degrees(theta, 180.0, np.abs(angles), np.where(angles < 0, 180.0, 0.0))
+            drawn.plot(angles, f.mean(axis=-1), color=colour, label=f"{theta:g}°")
+        if table is not None:
+            where, values = table.in_plane(theta)
+            label = None if material is not None else f"{theta:g}°"
+            drawn.plot(where, values.mean(axis=-1), ".", color=colour, label=label)
+    drawn.set_xlabel("viewer's polar angle in the plane of incidence, degrees")
+    drawn.set_ylabel("f_r, mean over channels, 1/sr")
+    drawn.set_yscale("log")
+    drawn.legend(title="light at")
+    return drawn

@@ -1,0 +1,210 @@
+"""Fits: from samples to parameters with their intervals."""
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+from . import _brdf
+from ._brdf import InputError
+from .display import table_html
+from .material import Material
+from .table import Table, read
+from .words import Path, Settings, list_of, path_of, ranges, settings
+
+Progress = Callable[[str], Any]
+Source = Union[Table, Path]
+
+
+@dataclass(frozen=True)
+class Interval:
+    """How one parameter is known: its value, None where the samples do not say, and 95 % intervals."""
+
+    value: float | None
+    status: str  #: free, fixed, at_bound or unidentified
+    low: float | None  #: of the values' scatter, the model taken as right
+    high: float | None
+    standard_error: float | None
+    with_lack_of_fit: tuple[float | None, float | None]  #: whatever the model's lack of fit
+
+    @classmethod
+    def _of(cls, entry: Mapping[str, Any]) -> Interval:
+        wide = entry.get("with_lack_of_fit") or {}
+        return cls(entry["value"], entry["status"], entry.get("low"), entry.get("high"), entry.get("standard_error"),
+                   (wide.get("low"), wide.get("high")))
+
+
+class Candidate:
+    """One form's fit: an entry of `ranking` of `brdf fit --json`, which `to_dict()` gives whole."""
+
+    def __init__(self, fitted: _brdf.Fitted, place: int, entry: dict[str, Any]) -> None:
+        self._fitted, self._place, self._entry = fitted, place, entry
+
+    def __getitem__(self, key: str) -> Any:
+        """An entry by its key in the JSON."""
+        return self._entry[key]
+
+    def to_dict(self) -> dict[str, Any]:
+        return self._entry
+
+    @property
+    def form(self) -> str:
+        """"ward", or "oren_nayar+ward"."""
+        form: str = self._entry["form"]
+        return form
+
+    @property
+    def verdict(self) -> str:
+        """converged, at_bound, determined, not_identifiable, misfit, diverged or interrupted."""
+        verdict: str = self._entry["verdict"]
+        return verdict
+
+    @property
+    def usable(self) -> bool:
+        """Whether the material may be used: the exit code 0 of `brdf fit`."""
+        return self._fitted.usable(self._place)
+
+    @property
+    def findings(self) -> list[str]:
+        """Sentences, the verdict's reason first."""
+        findings: list[str] = self._entry["findings"]
+        return findings
+
+    @property
+    def median_relative_error(self) -> float | None:
+        error: float | None = self._entry["median_relative_error"]
+        return error
+
+    @functools.cached_property
+    def material(self) -> Material:
+        """The fitted material, with the block `fit` that `-o` writes."""
+        return Material._of(self._fitted.material(self._place))
+
+    @functools.cached_property
+    def intervals(self) -> dict[str, Interval | dict[str, Interval]]:
+        """By parameter; of one that has a value per channel, by channel. tangent_phi in degrees."""
+        return {name: Interval._of(entry) if "status" in entry
+                else {channel: Interval._of(one) for channel, one in entry.items()}
+                for name, entry in self._entry["intervals"].items()}
+
+    def __repr__(self) -> str:
+        return f"<brdf.Candidate {self.form}: {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        return f"{self.material._repr_html_()}<p>{self.verdict}</p>"
+
+
+class Fit:
+    """What `brdf fit` found; `ranking` has the best first."""
+
+    def __init__(self, fitted: _brdf.Fitted) -> None:
+        self._fitted = fitted
+
+    @functools.cached_property
+    def _content(self) -> dict[str, Any]:
+        content: dict[str, Any] = json.loads(self._fitted.json)
+        return content
+
+    def __getitem__(self, key: str) -> Any:
+        """An entry by its key in the JSON: "samples", "metric", "steps", ..."""
+        return self._content[key]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON of `brdf fit --json`."""
+        return self._content
+
+    @functools.cached_property
+    def ranking(self) -> list[Candidate]:
+        return [Candidate(self._fitted, k, entry) for k, entry in enumerate(self._content["ranking"])]
+
+    @property
+    def best(self) -> Candidate:
+        return self.ranking[0]
+
+    @property
+    def recommended(self) -> Candidate:
+        """The simplest usable one that is not worse than the best; else the best."""
+        return self.ranking[self._fitted.recommended]
+
+    @property
+    def verdict(self) -> str:
+        """The best one's."""
+        return self.best.verdict
+
+    @property
+    def interrupted(self) -> bool:
+        """Stopped by its progress callback: the best so far."""
+        return self._fitted.interrupted
+
+    def report(self, path: Path) -> None:
+        """Writes the HTML report of `brdf fit --report`."""
+        _brdf.write_text(path_of(path), self._fitted.html())
+
+    def __str__(self) -> str:
+        """What `brdf fit` prints."""
+        return self._fitted.text
+
+    def __repr__(self) -> str:
+        return f"<brdf.Fit of {len(self.ranking)} forms, best {self.best.form}: {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        share = lambda x: "-" if x is None else f"{100 * x:.2g} %"  # noqa: E731
+        rows = [[c.form, c.verdict, share(c.median_relative_error), c.findings[0] if c.findings else ""]
+                for c in self.ranking]
+        title = f"best: {self.best.form}, {self.verdict}"
+        return table_html(title, ["form", "verdict", "median error", "finding"], rows, self.best.material._repr_png_())
+
+
+def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Settings | None, start: Settings | None,
+            bounds: Mapping[str, tuple[float, float]] | None, tie: str | Iterable[str] | None, physical: bool,
+            anisotropic: bool, per_channel: bool, free_scale: bool, max_theta: float, aperture: float, starts: int,
+            seed: int) -> _brdf.FitChoice:
+    return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
+                           list_of(tie), physical, anisotropic, per_channel, free_scale, float(max_theta),
+                           float(aperture), int(starts), int(seed))
+
+
+def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: str = "auto", robust: str | None = None,
+        fix: Settings | None = None, start: Settings | None = None,
+        bounds: Mapping[str, tuple[float, float]] | None = None, tie: str | Iterable[str] | None = None,
+        physical: bool = False, anisotropic: bool = False, per_channel: bool = False, free_scale: bool = False,
+        max_theta: float = 80.0, aperture: float = 0.0, starts: int = 0, seed: int = 1,
+        progress: Progress | None = None) -> Fit:
+    """Fits forms to samples: `brdf fit`, with its options as keywords.
+
+    samples: a Table or a file. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
+    cosine_l2, cube_root, log_relative. weights: auto, uniform, sigma, solid_angle. robust: "huber" or "cauchy", with
+    ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel. bounds: {"alpha": (low, high)}.
+    tie: names of parameters with one value for all channels. max_theta, aperture: degrees. starts: random starts besides
+    the grid, of `seed`.
+
+    progress: called with a sentence before each form; where it returns False the best so far is returned, and
+    `interrupted` says so. Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt. InputError on options
+    that do not fit the samples.
+    """
+    choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
+                     free_scale, max_theta, aperture, starts, seed)
+    table = samples if isinstance(samples, Table) else read(samples)
+    return Fit(_brdf.fit(table._samples, choice, progress))
+
+
+def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs: int = 1, metric: str = "auto",
+              weights: str = "auto", robust: str | None = None, fix: Settings | None = None,
+              start: Settings | None = None, bounds: Mapping[str, tuple[float, float]] | None = None,
+              tie: str | Iterable[str] | None = None, physical: bool = False, anisotropic: bool = False,
+              per_channel: bool = False, free_scale: bool = False, max_theta: float = 80.0, aperture: float = 0.0,
+              starts: int = 0, seed: int = 1, progress: Progress | None = None) -> list[dict[str, Any]]:
+    """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without its pictures.
+
+    What a file's earlier run with the same options has left there is kept. Returns the entries of its `--json`: "file",
+    "material", "kept" and "best", or "file" and "error". Options as of `fit`.
+    """
+    if not samples:
+        raise InputError("no samples: give at least one file")
+    choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
+                     free_scale, max_theta, aperture, starts, seed)
+    rows: list[dict[str, Any]] = json.loads(
+        _brdf.fit_files([path_of(p) for p in samples], path_of(output), int(jobs), choice, progress))["files"]
+    return rows

@@ -1,0 +1,96 @@
+"""Checks: of forms over their whole parameter domain, of materials, of measured tables."""
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+from . import _brdf
+from ._brdf import InputError
+from .display import table_html
+from .forms import forms
+from .material import Material
+from .table import Table
+from .words import Path, list_of, path_of
+
+Subject = Union[Material, Table, Path]
+Progress = Callable[[int, int], Any]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One check of one subject; `entry` is its JSON."""
+
+    subject: str
+    check: str
+    verdict: str  #: pass, known_violation, fail, not_applicable or undecided
+    entry: dict[str, Any]
+
+    def __getitem__(self, key: str) -> Any:
+        return self.entry[key]
+
+
+class Judgement:
+    """What `brdf validate` found."""
+
+    def __init__(self, judged: _brdf.Judged, required: list[str]) -> None:
+        self._judged, self._required = judged, required
+        content = json.loads(judged.json)
+        self._content: dict[str, Any] = content
+        self.findings = [Finding(f["subject"], f["check"], f["verdict"], f) for f in content["findings"]]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The JSON of `brdf validate --json`."""
+        return self._content
+
+    @property
+    def passed(self) -> bool:
+        """Nothing failed, and everything required passed: the exit code 0 of `brdf validate`."""
+        return self._judged.holds(self._required)
+
+    @property
+    def failed(self) -> list[Finding]:
+        return [f for f in self.findings if f.verdict == "fail"]
+
+    def report(self, path: Path) -> None:
+        """Writes .html or .md (`-o`)."""
+        name = path_of(path)
+        if name.endswith(b".md"):
+            return _brdf.write_text(name, self._judged.markdown)
+        if not name.endswith(b".html"):
+            raise InputError(f"-o {name.decode(errors='replace')}: must end in .html or .md")
+        return _brdf.write_text(name, self._judged.html())
+
+    def __repr__(self) -> str:
+        return f"<brdf.Judgement: {self._judged.summary}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[f.subject, f.check, f.verdict, str(f.entry.get("statement", ""))] for f in self.findings]
+        return table_html(self._judged.summary, ["subject", "check", "verdict", "finding"], rows)
+
+
+def validate(subjects: Subject | Sequence[Subject] = (), *, form: str | Iterable[str] | None = None, all: bool = False,
+             effort: str = "quick", require: str | Iterable[str] | None = None, max_theta: float = 89.5, seed: int = 1,
+             progress: Progress | None = None) -> Judgement:
+    """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
+
+    effort: quick or full. require: checks that must pass for `passed`. max_theta: degrees, above 0 and at most 90, the
+    largest angle of the energy check. progress: called with how many checks are done and of how many; where it returns
+    False `brdf.Stopped` is raised.
+    """
+    given = [subjects] if isinstance(subjects, (Material, Table, str, bytes)) or hasattr(subjects, "__fspath__") \
+        else list(subjects)  # type: ignore[arg-type]
+    required = list_of(require)
+    _brdf.check_required(required)
+    names = [f.name for f in forms()] if all else []
+    names += list_of(form)
+    if not given and not names:
+        raise InputError("nothing to validate: give materials, samples, --form or --all")
+    items: list[Any] = []
+    for k, subject in enumerate(given):
+        if isinstance(subject, Material):
+            items.append((subject.form if len(given) == 1 else f"{subject.form} ({k + 1})", subject._optics))
+        else:
+            items.append(subject._samples if isinstance(subject, Table) else path_of(subject))  # type: ignore[arg-type]
+    return Judgement(_brdf.validate(names, items, effort, float(max_theta), int(seed), progress), required)

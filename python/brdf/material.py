@@ -1,0 +1,265 @@
+"""Materials: reflectances with their parameters, evaluated on arrays."""
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _brdf
+from ._brdf import InputError
+from .display import SIDE, plot_slices, table_html
+from .words import Floats, Path, Values, path_of, setting
+
+if TYPE_CHECKING:
+    from .judging import Judgement
+    from .table import Table
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Albedo:
+    """Directional albedos: arrays of the angles' shape and the number of channels.
+
+    value; error_bound (absolute, of the integral); low and high (95 % interval of the fit, NaN of a material that is of
+    no fit); converged; evaluations; rule, the integration rule taken.
+    """
+
+    value: Array
+    error_bound: Array
+    low: Array
+    high: Array
+    converged: NDArray[np.bool_]
+    evaluations: NDArray[np.int64]
+    rule: NDArray[np.str_]
+
+
+def directions(theta: ArrayLike, phi: ArrayLike = 0.0) -> Array:
+    """Unit vectors (..., 3) of polar angles and azimuths in degrees, broadcast. Normal +z, tangent +x.
+
+    The same bits on every machine: the sines of the files' angles, within 1.5 ulp for |angle| up to 1e6 degrees.
+    """
+    t, p = np.broadcast_arrays(np.asarray(theta, dtype=np.float64), np.asarray(phi, dtype=np.float64))
+    return _brdf.unit_vectors(t.reshape(-1), p.reshape(-1)).reshape(t.shape + (3,))
+
+
+def _usable(array: Floats) -> Floats:
+    """As C++ reads it: native bytes at aligned addresses. The array itself where it is so already."""
+    if array.flags.aligned and array.dtype.isnative:
+        return array
+    return np.array(array, dtype=array.dtype.newbyteorder("="))
+
+
+def _pairs(wi: ArrayLike, wo: ArrayLike) -> tuple[Floats, Floats]:
+    """Both directions broadcast against each other, of one type: float32 where both are, else float64."""
+    light, viewer = np.asarray(wi), np.asarray(wo)
+    single = light.dtype == np.float32 and viewer.dtype == np.float32
+    kind = np.float32 if single else np.float64
+    for name, array in (("wi", light), ("wo", viewer)):
+        if array.ndim == 0 or array.shape[-1] != 3:
+            raise InputError(f"{name}: shape {array.shape}: must end in 3")
+        if array.dtype.kind not in "fiub":
+            raise InputError(f"{name}: {array.dtype}: must be numbers")
+    light, viewer = (_usable(a.astype(kind, copy=False)) for a in (light, viewer))
+    try:
+        shape = np.broadcast_shapes(light.shape, viewer.shape)
+    except ValueError:
+        raise InputError(f"wi and wo: shapes {light.shape} and {viewer.shape} do not broadcast") from None
+    return np.broadcast_to(light, shape), np.broadcast_to(viewer, shape)
+
+
+class Material:
+    """A form, or a sum of forms, with its parameters for each channel.
+
+    Made by `brdf.material`, `brdf.load`, a fit, or by adding two. It does not change: `replace` makes another.
+    """
+
+    __slots__ = ("_optics",)
+
+    def __init__(self) -> None:
+        raise TypeError("materials are made by brdf.material(form, ...), brdf.load(path) or a fit")
+
+    @classmethod
+    def _of(cls, optics: _brdf.Optics) -> Material:
+        made = cls.__new__(cls)
+        made._optics = optics
+        return made
+
+    @classmethod
+    def from_dict(cls, content: dict[str, Any], name: str = "material") -> Material:
+        """The material of a JSON object as its file holds it (docs/formats.md). `name` opens messages."""
+        return cls._of(_brdf.material_of_json(json.dumps(content), name))
+
+    def to_dict(self) -> dict[str, Any]:
+        """What its JSON file holds."""
+        content: dict[str, Any] = json.loads(self._optics.json)
+        return content
+
+    def save(self, path: Path) -> None:
+        """Writes its JSON file, as a whole or not at all."""
+        self._optics.save(path_of(path))
+
+    @property
+    def channels(self) -> list[str]:
+        return self._optics.channels
+
+    @property
+    def form(self) -> str:
+        """The form's name; of a sum the names joined by +."""
+        return "+".join(self._optics.forms)
+
+    @property
+    def fit(self) -> dict[str, Any] | None:
+        """Provenance and statistics of the fit that it came from; None where there is none."""
+        block: dict[str, Any] | None = self.to_dict().get("fit")
+        return block
+
+    @property
+    def parameters(self) -> dict[str, float | list[float]]:
+        """By name: a value, or one per channel; tangent_phi in degrees where it is not 0. Of a sum the names are
+        terms[0].kd and so on, as in a fit."""
+        content = self.to_dict()
+        terms = content.get("terms")
+        found: dict[str, float | list[float]] = {}
+        for k, term in enumerate([content] if terms is None else terms):
+            before = "" if terms is None else f"terms[{k}]."
+            for block in ("weights", "shape"):
+                for name, value in term.get(block, {}).items():
+                    one = isinstance(value, list) and len(value) == 1
+                    found[before + name] = value[0] if one else value
+            if term.get("tangent_phi"):
+                found[before + "tangent_phi"] = term["tangent_phi"]
+        return found
+
+    def replace(self, *, channels: Sequence[str] | None = None, **set: Values) -> Material:
+        """Another with these parameters (`--set`): a value, or one per channel; `alpha` sets both widths, `tangent_phi`
+        is in degrees. `channels` renames the channels. A fit's statistics do not stay with what was changed."""
+        optics = self._optics.with_settings([setting(name, v) for name, v in set.items()])
+        return Material._of(optics if channels is None else optics.with_channels(list(channels)))
+
+    def __add__(self, other: Material) -> Material:
+        """The sum of the reflectances, of materials with the same channels."""
+        return Material._of(self._optics.plus(other._optics))
+
+    def _evaluated(self, wi: ArrayLike, wo: ArrayLike, out: Floats | None, cosine: bool) -> Floats:
+        light, viewer = _pairs(wi, wo)
+        shape = light.shape[:-1] + (len(self.channels),)
+        if out is None:
+            result: Floats = np.empty(shape, dtype=light.dtype)
+        else:
+            if not isinstance(out, np.ndarray) or out.shape != shape or out.dtype != light.dtype:
+                raise InputError(f"out: must be an array of shape {shape} and type {light.dtype}")
+            if not out.flags.writeable or not out.flags.aligned:
+                raise InputError("out: must be writeable and aligned")
+            result = out
+            if np.may_share_memory(out, light) or np.may_share_memory(out, viewer):
+                light, viewer = light.copy(), viewer.copy()
+        self._optics.evaluate(light, viewer, result, cosine)
+        return result
+
+    def eval(self, wi: ArrayLike, wo: ArrayLike, out: Floats | None = None) -> Floats:
+        """f_r in 1/sr, without cosine: (..., channels) of wi (..., 3) and wo (..., 3), which broadcast.
+
+        Unit vectors (within 1e-4 of the squared length, else InputError); 0 below the horizon, finite everywhere.
+        float32 where both are float32 (the forms' stated accuracy in float), else float64, the bits of `brdf eval`.
+        No array of float64 or float32 is copied, whatever its strides. `out` is written to and returned.
+        """
+        return self._evaluated(wi, wo, out, False)
+
+    def eval_cos(self, wi: ArrayLike, wo: ArrayLike, out: Floats | None = None) -> Floats:
+        """f_r cos_i in 1/sr (`brdf eval --cos`); otherwise as eval."""
+        return self._evaluated(wi, wo, out, True)
+
+    def eval_degrees(self, theta_i: ArrayLike, phi_i: ArrayLike, theta_o: ArrayLike, phi_o: ArrayLike, *,
+                     cos: bool = False) -> Array:
+        """f_r in 1/sr (cos: times cos_i) of angles in degrees, which broadcast: (..., channels)."""
+        f = self._evaluated(directions(theta_i, phi_i), directions(theta_o, phi_o), None, cos)
+        return f.astype(np.float64, copy=False)
+
+    def albedo(self, theta: ArrayLike, phi: float = 0.0, *, fixed: str = "i", tolerance: float = 1e-6,
+               rule: str = "automatic") -> Albedo:
+        """Directional albedo with one direction fixed at theta (any shape) and phi, in degrees (`brdf albedo`).
+
+        fixed: "i", the light, or "o", the viewer. tolerance: relative error aimed at, 1e-14 to 1. rule: automatic, pole,
+        slope or adaptive. Arrays of theta's shape and the channels, each with the integral's error bound and, of a
+        fitted material, the fit's 95 % interval.
+        """
+        angles = np.asarray(theta, dtype=np.float64)
+        rows = self._optics.albedo(angles.reshape(-1).tolist(), float(phi), fixed, float(tolerance), rule)
+        columns = list(zip(*rows)) if rows else [()] * 7
+        shape = angles.shape + (len(self.channels),)
+        number = lambda k: np.array(columns[k], dtype=np.float64).reshape(shape)  # noqa: E731
+        return Albedo(value=number(0), error_bound=number(1), low=number(5), high=number(6),
+                      evaluations=np.array(columns[2], dtype=np.int64).reshape(shape),
+                      converged=np.array(columns[3], dtype=np.bool_).reshape(shape),
+                      rule=np.array(columns[4], dtype=np.str_).reshape(shape))
+
+    def validate(self, **options: Any) -> Judgement:
+        """The checks of `brdf.validate` on this material."""
+        from .judging import validate
+
+        return validate(self, **options)
+
+    def export(self, to: str, output: Path | None = None, *, include: bool = False) -> str:
+        """Its shader source: to "glsl" or "glsl-es" (`brdf export`). Written to `output` where given."""
+        from .making import export
+
+        return export(self, to, output, include=include)
+
+    def plot(self, theta_i: Iterable[float] = (0, 30, 60), table: Table | None = None, axes: Any = None) -> Any:
+        """Slices of the plane of incidence by matplotlib, with a table's values as points; returns its axes."""
+        return plot_slices(self, table, list(theta_i), axes)
+
+    def picture(self, side: int = SIDE) -> bytes:
+        """A PNG of `side` by `side` pixels: a sphere under one light. InputError where channels are no colours."""
+        if self._optics.obstacle:
+            raise InputError(self._optics.obstacle)
+        if not 8 <= side <= 4096:
+            raise InputError(f"side: {side}: must be between 8 and 4096")
+        return self._optics.sphere(side)
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={_short(value)}" for name, value in self.parameters.items())
+        return f"<brdf.Material {self.form}: {values}>"
+
+    def _repr_png_(self) -> bytes | None:
+        return None if self._optics.obstacle else self.picture()
+
+    def _repr_html_(self) -> str:
+        rows = [[name, _short(value)] for name, value in self.parameters.items()]
+        return table_html(self.form, ["parameter", ", ".join(self.channels)], rows, self._repr_png_())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Material) and self._optics.json == other._optics.json
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        return _remade, (self._optics.json,)
+
+
+def _short(value: float | list[float]) -> str:
+    return ", ".join(f"{v:.6g}" for v in (value if isinstance(value, list) else [value]))
+
+
+def _remade(text: str) -> Material:
+    return Material._of(_brdf.material_of_json(text, "material"))
+
+
+def material(form: str, *, channels: Sequence[str] | None = None, **set: Values) -> Material:
+    """A form with these parameters, the others at their defaults: `brdf.material("ward", kd=[.3, .2, .1], alpha=.1)`.
+
+    As many channels as the longest list has (three are r, g, b; one is fr), or as `channels` names. InputError on an
+    unknown form or parameter, a value out of range (`brdf.form(name)` has the ranges), or a wrong count.
+    """
+    words = [setting(name, v) for name, v in set.items()]
+    return Material._of(_brdf.material_of_form(form, words, None if channels is None else list(channels)))
+
+
+def load(path: Path) -> Material:
+    """Reads a material's JSON file. InputError names file, JSON path, value and rule."""
+    return Material._of(_brdf.load(path_of(path)))

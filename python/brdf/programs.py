@@ -1,0 +1,96 @@
+"""The verbs that need the whole program (a renderer, a window, minutes of measuring): run beside the interpreter."""
+from __future__ import annotations
+
+import functools
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+from collections.abc import Mapping
+from typing import Any
+
+from . import _brdf
+
+BAD_INPUT, ENVIRONMENT = 2, 3
+
+
+@functools.lru_cache(maxsize=None)
+def verbs() -> dict[str, Any]:
+    """names.json: what every verb and option of the program is called here."""
+    found: dict[str, Any] = json.loads((pathlib.Path(__file__).parent / "names.json").read_text(encoding="utf-8"))
+    return found
+
+
+def executable() -> str:
+    """The program: $BRDF_PROGRAM, that of the same installation or build, or the one in PATH."""
+    here = pathlib.Path(__file__).resolve().parent
+    named = pathlib.Path(_brdf.__file__).resolve().parents
+    beside = [named[2] / "brdf", *(folder / "bin" / "brdf" for folder in named[1:6]), here.parents[1] / "bin" / "brdf"]
+    for candidate in [os.environ.get("BRDF_PROGRAM"), *beside, shutil.which("brdf")]:
+        if candidate and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
+            return str(candidate)
+    raise _brdf.EnvironmentError("the program brdf was not found: it belongs in PATH or in $BRDF_PROGRAM")
+
+
+def _words(name: str, value: Any) -> list[str]:
+    option = "--" + name.replace("_", "-")
+    if value is None or value is False:
+        return []
+    if value is True:
+        return [option]
+    if isinstance(value, Mapping):
+        return [word for key, one in value.items() for word in (option, f"{key}={_joined(one)}")]
+    return [option, _joined(value)]
+
+
+def _joined(value: Any) -> str:
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    try:
+        return ",".join(_joined(v) for v in value)
+    except TypeError:
+        return str(value)
+
+
+def program(verb: str, *arguments: Any, **options: Any) -> Any:
+    """Runs `brdf VERB ARGUMENTS --options` and returns what it prints: parsed where `json=True`, else text.
+
+    Options have the program's names with _ for -: `output="a.png"` is --output, True a flag, a list is joined by
+    commas, {"kd": 0.3} is name=value. InputError and EnvironmentError with the program's sentence. A result that fails
+    (exit code 1) is returned as any other; with json=True it says so itself.
+    """
+    words = [word for name, value in options.items() for word in _words(name, value)]
+    run = subprocess.run([executable(), verb, *map(os.fspath, arguments), *words], capture_output=True, text=True,
+                         check=False)
+    sentence = run.stderr.strip().rpartition("\n")[2].removeprefix("brdf: ")
+    if run.returncode == BAD_INPUT:
+        raise _brdf.InputError(sentence)
+    if run.returncode not in (0, 1):
+        raise _brdf.EnvironmentError(sentence or f"brdf {verb}: ended with {run.returncode}")
+    return json.loads(run.stdout) if options.get("json") else run.stdout
+
+
+def render(*materials: Any, **options: Any) -> str:
+    """`brdf render MATERIALS`: a picture of a scene, with the program's options as keywords (see `program`)."""
+    return str(program("render", *materials, **options))
+
+
+def view(*materials: Any, **options: Any) -> str:
+    """`brdf view MATERIALS`: a window; returns when it is closed."""
+    return str(program("view", *materials, **options))
+
+
+def study(*samples: Any, **options: Any) -> Any:
+    """`brdf study SAMPLES`: one sample's page, many samples' overview, in the folder `output`; json=True: its rows."""
+    return program("study", *samples, **options)
+
+
+def trade(**options: Any) -> Any:
+    """`brdf trade`: speed against accuracy, measured; json=True: its rows."""
+    return program("trade", **options)
+
+
+def recommend(**options: Any) -> Any:
+    """`brdf recommend`: the cheapest model that a scene needs; json=True: what is chosen and the candidates."""
+    return program("recommend", **options)

@@ -1,0 +1,249 @@
+"""Tables of samples: read from any format, made of arrays, handed on to numpy and pandas."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _brdf
+from ._brdf import InputError
+from .display import plot_slices, table_html
+from .words import Path, path_of
+
+if TYPE_CHECKING:
+    import pandas
+
+Array = NDArray[np.float64]
+ANGLES = ("theta_i", "phi_i", "theta_o", "phi_o")
+PREFIX = "sigma_"
+IN_PLANE = 0.5  # degrees by which a direction may be out of the plane
+
+
+def _names(count: int) -> list[str]:
+    """The channels' names where none are given: as of a form's material."""
+    return {1: ["fr"], 3: ["r", "g", "b"]}.get(count, [f"c{k}" for k in range(count)])
+
+
+def _columns(values: ArrayLike, shape: tuple[int, ...], what: str) -> Array:
+    """Values of shape `shape` or `shape + (channels,)` as (pairs, channels)."""
+    array = np.asarray(values, dtype=np.float64)
+    if array.shape == shape:
+        return array.reshape(-1, 1)
+    if array.ndim == len(shape) + 1 and array.shape[:-1] == shape:
+        return array.reshape(-1, array.shape[-1])
+    raise InputError(f"{what}: shape {array.shape}: must be {shape}, or that and the number of channels")
+
+
+class Table:
+    """Measured or computed values of f_r in 1/sr, one row per pair of directions.
+
+    wi, wo: (..., 3), broadcast against each other: directions of any length above 0, to the light and to the viewer.
+    values: the pairs' shape, or that and the number of channels: f_r in 1/sr. sigma: the same, standard deviations;
+    NaN throughout a channel where they are not known. channels: names (default "fr", or "r", "g", "b").
+    metadata: comments for the head of a CSV. InputError where a rule of tables is broken (docs/formats.md).
+
+    Rows keep polar angles in degrees, as files do; `from_degrees` makes a table of those without rounding.
+    """
+
+    __slots__ = ("_samples",)
+
+    def __init__(self, wi: ArrayLike, wo: ArrayLike, values: ArrayLike, *, sigma: ArrayLike | None = None,
+                 channels: Sequence[str] | None = None, metadata: Mapping[str, str] | None = None) -> None:
+        light, viewer = np.asarray(wi, dtype=np.float64), np.asarray(wo, dtype=np.float64)
+        for name, array in (("wi", light), ("wo", viewer)):
+            if array.ndim == 0 or array.shape[-1] != 3:
+                raise InputError(f"{name}: shape {array.shape}: must end in 3")
+            if not np.all(np.isfinite(array)) or not np.all(np.any(array != 0, axis=-1)):
+                raise InputError(f"{name}: every direction must be finite and longer than 0")
+        light, viewer = np.broadcast_arrays(light, viewer)
+        angles = [*_brdf.angles_of(light.reshape(-1, 3)), *_brdf.angles_of(viewer.reshape(-1, 3))]
+        self._samples = _made(angles, light.shape[:-1], values, sigma, channels, metadata)
+
+    @classmethod
+    def from_degrees(cls, theta_i: ArrayLike, phi_i: ArrayLike, theta_o: ArrayLike, phi_o: ArrayLike,
+                     values: ArrayLike, *, sigma: ArrayLike | None = None, channels: Sequence[str] | None = None,
+                     metadata: Mapping[str, str] | None = None) -> Table:
+        """The same of polar angles and azimuths in degrees, which are broadcast against each other."""
+        given = [np.asarray(a, dtype=np.float64) for a in (theta_i, phi_i, theta_o, phi_o)]
+        angles = np.broadcast_arrays(*given)
+        return cls._of(_made([a.reshape(-1) for a in angles], angles[0].shape, values, sigma, channels, metadata))
+
+    @classmethod
+    def from_pandas(cls, frame: pandas.DataFrame, *, metadata: Mapping[str, str] | None = None) -> Table:
+        """A frame with the columns of a CSV: theta_i, phi_i, theta_o, phi_o, channels, and sigma_CHANNEL."""
+        for name in ANGLES:
+            if name not in frame.columns:
+                raise InputError(f"frame: column '{name}' is missing")
+        names = [str(n) for n in frame.columns if n not in ANGLES and not str(n).startswith(PREFIX)]
+        if not names:
+            raise InputError("frame: no column of values")
+        missing = np.full(len(frame), np.nan)
+        column = lambda n: frame[n].to_numpy(np.float64) if n in frame.columns else missing  # noqa: E731
+        return cls.from_degrees(*(column(a) for a in ANGLES), np.stack([column(n) for n in names], axis=-1),
+                                sigma=np.stack([column(PREFIX + n) for n in names], axis=-1), channels=names,
+                                metadata=metadata)
+
+    @classmethod
+    def from_csv(cls, text: str, name: str = "text") -> Table:
+        """The table that a file of this content would be."""
+        return cls._of(_brdf.read_text(text, name))
+
+    @classmethod
+    def _of(cls, samples: _brdf.Samples) -> Table:
+        table = cls.__new__(cls)
+        table._samples = samples
+        return table
+
+    @property
+    def theta_i(self) -> Array:
+        """(rows,) polar angle of the light in degrees; a read-only view of the table's own memory, as the next three."""
+        return self._samples.theta_i
+
+    @property
+    def phi_i(self) -> Array:
+        """(rows,) azimuth of the light in degrees."""
+        return self._samples.phi_i
+
+    @property
+    def theta_o(self) -> Array:
+        """(rows,) polar angle of the viewer in degrees."""
+        return self._samples.theta_o
+
+    @property
+    def phi_o(self) -> Array:
+        """(rows,) azimuth of the viewer in degrees."""
+        return self._samples.phi_o
+
+    @property
+    def wi(self) -> Array:
+        """(rows, 3) unit vectors to the light."""
+        return self._samples.wi
+
+    @property
+    def wo(self) -> Array:
+        """(rows, 3) unit vectors to the viewer."""
+        return self._samples.wo
+
+    @property
+    def values(self) -> Array:
+        """(rows, channels) f_r in 1/sr, a copy; `table["r"]` is a view."""
+        return self._samples.values
+
+    @property
+    def sigma(self) -> Array | None:
+        """(rows, channels) standard deviations in 1/sr, NaN in channels without; None where no channel has any."""
+        known = any(self._samples.has_sigma(c) for c in range(len(self.channels)))
+        return self._samples.sigma if known else None
+
+    def __getitem__(self, channel: str) -> Array:
+        """(rows,) f_r of one channel in 1/sr: a read-only view of the table's own memory."""
+        if channel not in self.channels:
+            raise KeyError(channel)
+        return self._samples.column(self.channels.index(channel))
+
+    def __len__(self) -> int:
+        return self._samples.rows
+
+    @property
+    def channels(self) -> list[str]:
+        return self._samples.channels
+
+    @property
+    def metadata(self) -> list[tuple[str, str]]:
+        """The comments above the header, in order; free text has the key ""."""
+        return self._samples.metadata
+
+    @property
+    def source(self) -> str:
+        """The file that it was read from; "" of one that was made."""
+        return self._samples.source
+
+    @property
+    def format(self) -> str:
+        """csv, merl, rgl, astm_e1392, zemax, material, or arrays."""
+        return self._samples.format
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the reader left out or repaired, a sentence each."""
+        return self._samples.warnings
+
+    def save(self, path: Path) -> list[str]:
+        """Writes .csv, .binary (MERL) or .exr. Returns what is lost, a phrase each."""
+        return self._samples.write(path_of(path))
+
+    def to_csv(self) -> str:
+        """The text of its CSV, which reads back to exactly the same table."""
+        return self._samples.csv()
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A frame with the columns of its CSV."""
+        import pandas
+
+        columns = {name: getattr(self, name) for name in ANGLES}
+        columns.update({c: self[c] for c in self.channels})
+        sigma = self._samples.sigma
+        columns.update({PREFIX + c: sigma[:, k] for k, c in enumerate(self.channels) if self._samples.has_sigma(k)})
+        return pandas.DataFrame(columns)
+
+    def in_plane(self, theta_i: float) -> tuple[Array, Array]:
+        """The rows in the plane of incidence with the light at theta_i, to half a degree.
+
+        Returns the viewer's polar angle in degrees, positive towards the mirror direction, and (rows, channels) values.
+        """
+        turned = (self.phi_o - self.phi_i) % 360
+        across = np.minimum(turned, 360 - turned)  # 180: on the mirror's side
+        ahead, back = across > 180 - IN_PLANE, across < IN_PLANE
+        chosen = (np.abs(self.theta_i - theta_i) <= IN_PLANE) & (ahead | back | (self.theta_o == 0))
+        where = np.where(back, -self.theta_o, self.theta_o)[chosen]
+        order = np.argsort(where, kind="stable")
+        return where[order], self.values[chosen][order]
+
+    def plot(self, theta_i: Iterable[float] = (0, 30, 60), axes: Any = None) -> Any:
+        """Slices of the plane of incidence by matplotlib; returns its axes."""
+        return plot_slices(None, self, list(theta_i), axes)
+
+    def __repr__(self) -> str:
+        return f"<brdf.Table of {len(self)} rows, channels {', '.join(self.channels)}: {self.source or self.format}>"
+
+    def _repr_html_(self) -> str:
+        span = lambda a: f"{a.min():g} to {a.max():g}" if len(a) else "-"  # noqa: E731
+        rows = [["rows", str(len(self))], ["channels", ", ".join(self.channels)], ["format", self.format],
+                *([name + ", degrees", span(getattr(self, name))] for name in ANGLES),
+                *([c + ", 1/sr", span(self[c])] for c in self.channels[:8]), *(["", w] for w in self.warnings)]
+        return table_html(self.source or "samples", ["", ""], rows)
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        return _remade, ([np.array(getattr(self, a)) for a in ANGLES], self.values, self.sigma, self.channels,
+                         self.metadata)
+
+
+def _made(angles: Sequence[Array], shape: tuple[int, ...], values: ArrayLike, sigma: ArrayLike | None,
+          channels: Sequence[str] | None, metadata: Mapping[str, str] | None) -> _brdf.Samples:
+    f = _columns(values, shape, "values")
+    names = _names(f.shape[1]) if channels is None else list(channels)
+    if len(names) != f.shape[1]:
+        raise InputError(f"channels: {len(names)} names for {f.shape[1]} channels")
+    deviations: list[Array | None] = []
+    if sigma is not None:
+        s = _columns(sigma, shape, "sigma")
+        if s.shape != f.shape:
+            raise InputError(f"sigma: {s.shape[1]} channels for {f.shape[1]} channels of values")
+        deviations = [None if np.all(np.isnan(s[:, c])) else s[:, c] for c in range(s.shape[1])]
+    return _brdf.from_arrays(list(angles), [f[:, c] for c in range(f.shape[1])], deviations, names,
+                             list((metadata or {}).items()))
+
+
+def _remade(angles: list[Array], values: Array, sigma: Array | None, channels: list[str],
+            metadata: list[tuple[str, str]]) -> Table:
+    columns = [None if sigma is None or np.all(np.isnan(sigma[:, c])) else sigma[:, c] for c in range(len(channels))]
+    return Table._of(_brdf.from_arrays(angles, [values[:, c] for c in range(len(channels))], columns, channels,
+                                       metadata))
+
+
+def read(path: Path) -> Table:
+    """Reads samples in any format that the program reads, told by their content: CSV, MERL .binary, RGL or lens-design
+    .bsdf, ASTM E1392. InputError names file, line and column."""
+    return Table._of(_brdf.read(path_of(path)))

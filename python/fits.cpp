@@ -1,0 +1,120 @@
+// Fits: what `brdf fit` does, with what is asked in the same words.
+#include <sstream>
+
+#include "fit/choice.h"
+#include "fit/file_batch.h"
+#include "fit/report/html.h"
+#include "fit/report/report.h"
+#include "io/error.h"
+#include "io/output.h"
+#include "io/provenance.h"
+#include "io/relative_scale.h"
+#include "python/binding.h"
+#include "python/waiting.h"
+
+namespace brdf::python {
+namespace {
+
+// A result with what it was made of, for the reports.
+struct Fitted {
+  fit::FitResult result;
+  io::SampleTable table;
+  fit::FitOptions options;
+};
+
+template <class Enum>
+void set_named(Enum& value, const char* option, const std::string& word) {
+  const auto found = find_named<Enum>(word);
+  if (!found) throw InputError(std::string(option) + " " + word + ": must be one of " + known_names<Enum>());
+  value = *found;
+}
+
+fit::FitChoice choice_of(const std::string& form, const std::string& metric, const std::string& weights,
+                         const std::string& robust, const std::vector<std::string>& fix,
+                         const std::vector<std::string>& start, const std::vector<std::string>& bounds,
+                         const std::vector<std::string>& tie, bool physical, bool anisotropic,
+                         bool per_channel, bool free_scale, double max_theta, double aperture, int starts,
+                         std::uint64_t seed) {
+  fit::FitChoice choice{
+      .form = form, .robust = robust, .fix = fix, .start = start, .bounds = bounds, .physical = physical};
+  fit::FitOptions& options = choice.options;
+  set_named(options.metric, "--metric", metric);
+  set_named(options.weighting, "--weights", weights);
+  options.tie = tie;
+  options.anisotropic = anisotropic;
+  options.per_channel = per_channel;
+  options.free_scale = free_scale;
+  options.max_theta = max_theta;
+  options.aperture = aperture;
+  options.random_starts = starts;
+  options.seed = seed;
+  return choice;
+}
+
+std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice& choice,
+                                    py::object progress) {
+  auto fitted = std::make_unique<Fitted>(Fitted{{}, samples.table, fit::options_of(choice)});
+  if (fitted->table.source.empty()) fitted->table.source = "samples";  // what reports call it
+  Watch watch(std::move(progress));
+  fitted->options.interrupted = &watch.stop();
+  run_watched(watch, [&] {
+    if (fitted->options.free_scale) io::make_relative(fitted->table);
+    fitted->result = fit::fit(fitted->table, fit::models_of(choice.form), fitted->options,
+                              [&](const std::string& what) { watch.tell(what); });
+  });
+  fitted->options.interrupted = nullptr;
+  return fitted;
+}
+
+Optics material_of(const Fitted& f, std::size_t k) {
+  const fit::FormFit& form = f.result.ranking.at(k);
+  if (!form.solved()) return {{form.material, nullptr}};
+  return {{form.material, fit::material_block(form, f.result, f.table, f.options)}};
+}
+
+std::string text_of(const Fitted& f) {
+  std::ostringstream out;
+  fit::print(out, f.result, f.table, f.options);
+  return out.str();
+}
+
+// What `brdf fit FILES -o FOLDER` leaves in the folder, but for the pictures.
+std::string fit_files(const std::vector<std::string>& files, const std::string& folder, unsigned jobs,
+                      const fit::FitChoice& choice, py::object progress) {
+  if (jobs < 1 || jobs > 256)
+    throw InputError("--jobs: Value " + std::to_string(jobs) + " not in range 1 to 256");
+  fit::FitOptions options = fit::options_of(choice);
+  Watch watch(std::move(progress));
+  options.interrupted = &watch.stop();
+  std::vector<fit::BatchRow> rows;
+  run_watched(watch, [&] {
+    rows = fit::run_batch(files, fit::models_of(choice.form), options,
+                          {folder, jobs, io::provenance().version + fit::words_of(choice),
+                           [&](const std::string& what) { watch.tell(what); }});
+    fit::write_summary(rows, folder);
+  });
+  return io::to_text(fit::to_json(rows, folder));
+}
+
+}  // namespace
+
+void bind_fits(py::module_& module) {
+  py::class_<fit::FitChoice>(module, "FitChoice").def(py::init(&choice_of));
+  py::class_<Fitted>(module, "Fitted")
+      .def_property_readonly(
+          "json", [](const Fitted& f) { return io::to_text(fit::to_json(f.result, f.table, f.options)); })
+      .def_property_readonly("text", &text_of)
+      .def_property_readonly("interrupted", [](const Fitted& f) { return f.result.interrupted; })
+      .def_property_readonly("recommended", [](const Fitted& f) { return f.result.recommended; })
+      .def("usable",
+           [](const Fitted& f, std::size_t k) { return fit::usable(f.result.ranking.at(k).verdict); })
+      .def("material", &material_of)
+      .def("html", [](const Fitted& f) {
+        const py::gil_scoped_release unlocked;
+        return fit::html_report(f.result, f.table, f.options);
+      });
+  module.def("fit", &fit_samples);
+  module.def("fit_files", &fit_files);
+}
+
+}  // namespace brdf::python

@@ -1,0 +1,96 @@
+// What is judged and what is made: `validate` and `synth`.
+#include "io/error.h"
+#include "io/output.h"
+#include "io/settings.h"
+#include "python/binding.h"
+#include "python/waiting.h"
+#include "synth/instrument.h"
+#include "validate/judged.h"
+
+namespace brdf::python {
+namespace {
+
+struct Judged {
+  validate::ReportContent content;
+};
+
+io::Progress told_to(Watch& watch) {
+  return [&watch](int done, int total) { watch.tell_or_throw(done, total); };
+}
+
+// Whole forms, then files, materials and tables in their order.
+Judged judge(const std::vector<std::string>& forms, const py::list& items, const std::string& effort,
+             double max_theta, std::uint64_t seed, py::object progress) {
+  if (effort != "quick" && effort != "full") throw InputError("--effort: " + effort + " not in {quick,full}");
+  validate::check_max_theta(max_theta);
+  Judged judged;
+  validate::ReportContent& content = judged.content;
+  content.max_theta = max_theta;
+  for (const std::string& name : forms)
+    content.subjects.push_back(validate::Subject::form(io::require_form(name)));
+  for (const py::handle item : items) {
+    if (py::isinstance<Samples>(item)) {
+      validate::add_table(content, item.cast<const Samples&>().table);
+    } else if (py::isinstance<py::tuple>(item)) {
+      const auto [name, optics] = item.cast<std::pair<std::string, Optics>>();
+      validate::add_material(content, name, optics.file);
+    } else {
+      validate::add_file(content, item.cast<std::string>());
+    }
+  }
+  const validate::CheckOptions options{effort == "full" ? validate::Effort::full : validate::Effort::quick,
+                                       max_theta, seed};
+  Watch watch(std::move(progress));
+  run_watched(watch, [&] { validate::judge_all(content, options, told_to(watch)); });
+  return judged;
+}
+
+Samples measure(const Optics& optics, synth::Instrument instrument, py::object progress) {
+  Watch watch(std::move(progress));
+  Samples samples;
+  run_watched(watch,
+              [&] { samples.table = synth::measure(optics.file.material, instrument, told_to(watch)); });
+  return samples;
+}
+
+Samples synth_samples(const Optics& optics, const std::string& grid, const std::vector<double>& theta_i,
+                      double step, const std::optional<std::vector<double>>& azimuths, double blind_zone,
+                      double aperture, double source_aperture, double noise, double noise_floor,
+                      double saturation, bool clip_negatives, bool sigma_columns, std::uint64_t seed,
+                      py::object progress) {
+  synth::GridOptions directions{
+      .parts = synth::grid_parts(grid),
+      .theta_i = theta_i,
+      .step = step,
+      .azimuths = azimuths.value_or(synth::usual_azimuths(optics.file.material)),
+      .blind_zone = blind_zone,
+  };
+  return measure(optics,
+                 {std::move(directions), aperture, source_aperture, noise, noise_floor, saturation,
+                  clip_negatives, sigma_columns, seed},
+                 std::move(progress));
+}
+
+}  // namespace
+
+void bind_judgements(py::module_& module) {
+  py::class_<Judged>(module, "Judged")
+      .def_property_readonly(
+          "json", [](const Judged& j) { return io::to_text(validate::to_json(j.content.findings)); })
+      .def_property_readonly("markdown",
+                             [](const Judged& j) { return validate::to_markdown(j.content.findings); })
+      .def_property_readonly("summary", [](const Judged& j) { return validate::summary(j.content.findings); })
+      .def("html", [](const Judged& j) { return validate::to_html(j.content); })
+      .def("holds", [](const Judged& j, const std::vector<std::string>& required) {
+        return validate::holds(j.content.findings, required);
+      });
+  module.def("check_required", &validate::check_required);
+  module.def("validate", &judge);
+  module.def("synth", &synth_samples);
+  module.def("write_text", [](const std::string& path, const std::string& text) {
+    io::check_targets({{"-o", path}});
+    io::write_file_atomically(path, text);
+  });
+}
+
+}  // namespace brdf::python

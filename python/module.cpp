@@ -1,0 +1,47 @@
+// The extension behind `import brdf`: the rooms' functions as they are. What people call is in python/brdf.
+#include <filesystem>
+
+#include "io/error.h"
+#include "io/text.h"
+#include "python/binding.h"
+#include "python/waiting.h"
+
+namespace brdf::python {
+namespace {
+
+// The library's exceptions under Python's classes, with the same sentence.
+void bind_errors(py::module_& module) {
+  static const py::handle input = PyErr_NewException("brdf.InputError", PyExc_ValueError, nullptr);
+  static const py::handle environment = PyErr_NewException("brdf.EnvironmentError", PyExc_OSError, nullptr);
+  static const py::handle stopped = PyErr_NewException("brdf.Stopped", PyExc_RuntimeError, nullptr);
+  module.attr("InputError") = input;
+  module.attr("EnvironmentError") = environment;
+  module.attr("Stopped") = stopped;
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    const auto raise = [](const py::handle& type, const std::string& text) {
+      PyErr_SetString(type.ptr(), io::printable(text).c_str());
+    };
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const InputError& error) {
+      raise(input, error.what());
+    } catch (const EnvironmentError& error) {
+      raise(environment, error.what());
+    } catch (const Stopped&) {
+      raise(stopped, "stopped by its progress callback");
+    }
+  });
+}
+
+}  // namespace
+}  // namespace brdf::python
+
+PYBIND11_MODULE(_brdf, module) {
+  using namespace brdf::python;
+  module.attr("version") = BRDF_VERSION;
+  bind_errors(module);
+  bind_samples(module);
+  bind_materials(module);
+  bind_fits(module);
+  bind_judgements(module);
+}
