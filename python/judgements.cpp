@@ -80,7 +80,12 @@ void bind_judgements(py::module_& module) {
       .def_property_readonly("markdown",
                              [](const Judged& j) { return validate::to_markdown(j.content.findings); })
       .def_property_readonly("summary", [](const Judged& j) { return validate::summary(j.content.findings); })
-      .def("html", [](const Judged& j) { return validate::to_html(j.content); })
+      .def("html",
+           [](const Judged& j, const std::vector<std::pair<std::string, std::string>>& pictures) {
+             validate::ReportContent content = j.content;
+             for (const auto& [name, png] : pictures) content.pictures.push_back({name, png});
+             return validate::to_html(content);
+           })
       .def("holds", [](const Judged& j, const std::vector<std::string>& required) {
         return validate::holds(j.content.findings, required);
       });

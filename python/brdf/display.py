@@ -15,12 +15,15 @@ if TYPE_CHECKING:
 SIDE = 192  # pixels of a sphere
 
 
+def _row(tag: str, texts: Sequence[str]) -> str:
+    cells = "".join(f'<{tag} style="text-align:left">{html.escape(t)}</{tag}>' for t in texts)
+    return f"<tr>{cells}</tr>"
+
+
 def table_html(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], picture: bytes | None = None) -> str:
     """A table with a title; a PNG beside it."""
-    cell = lambda tag, text: f'<{tag} style="text-align:left">{html.escape(text)}</{tag}>'  # noqa: E731
-    line = lambda tag, texts: f"<tr>{''.join(cell(tag, t) for t in texts)}</tr>"  # noqa: E731
-    block = (f"<div><b>{html.escape(title)}</b><table><thead>{line('th', head)}</thead><tbody>"
-             f"{''.join(line('td', row) for row in rows)}</tbody></table></div>")
+    block = (f"<div><b>{html.escape(title)}</b><table><thead>{_row('th', head)}</thead><tbody>"
+             f"{''.join(_row('td', row) for row in rows)}</tbody></table></div>")
     if picture is None:
         return block
     image = f'<img alt="{html.escape(title)}" src="data:image/png;base64,{base64.b64encode(picture).decode()}"/>'

@@ -150,7 +150,9 @@ class Fit:
         return f"<brdf.Fit of {len(self.ranking)} forms, best {self.best.form}: {self.verdict}>"
 
     def _repr_html_(self) -> str:
-        share = lambda x: "-" if x is None else f"{100 * x:.2g} %"  # noqa: E731
+        def share(x: float | None) -> str:
+            return "-" if x is None else f"{100 * x:.2g} %"
+
         rows = [[c.form, c.verdict, share(c.median_relative_error), c.findings[0] if c.findings else ""]
                 for c in self.ranking]
         title = f"best: {self.best.form}, {self.verdict}"

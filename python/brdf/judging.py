@@ -2,7 +2,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+import os
+import pathlib
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Union
 
@@ -16,6 +18,7 @@ from .words import Path, list_of, path_of
 
 Subject = Union[Material, Table, Path]
 Progress = Callable[[int, int], Any]
+PNG = b"\x89PNG\r\n\x1a\n"
 
 
 @dataclass(frozen=True)
@@ -53,14 +56,17 @@ class Judgement:
     def failed(self) -> list[Finding]:
         return [f for f in self.findings if f.verdict == "fail"]
 
-    def report(self, path: Path) -> None:
-        """Writes .html or .md (`-o`)."""
+    def report(self, path: Path, picture: Iterable[Path] = ()) -> None:
+        """Writes .html or .md (`-o`); PNG files `picture` are put into the HTML."""
         name = path_of(path)
-        if name.endswith(b".md"):
+        pictures = [(path_of(p), _png(p)) for p in picture]
+        if name.endswith(b".md") and not pictures:
             return _brdf.write_text(name, self._judged.markdown)
         if not name.endswith(b".html"):
-            raise InputError(f"-o {name.decode(errors='replace')}: must end in .html or .md")
-        return _brdf.write_text(name, self._judged.html())
+            needs = "needs -o with a name that ends in .html"
+            raise InputError(f"--picture {os.fsdecode(pictures[0][0])}: {needs}" if pictures else
+                             f"-o {os.fsdecode(name)}: must end in .html or .md")
+        return _brdf.write_text(name, self._judged.html(pictures))
 
     def __repr__(self) -> str:
         return f"<brdf.Judgement: {self._judged.summary}>"
@@ -70,7 +76,18 @@ class Judgement:
         return table_html(self._judged.summary, ["subject", "check", "verdict", "finding"], rows)
 
 
-def validate(subjects: Subject | Sequence[Subject] = (), *, form: str | Iterable[str] | None = None, all: bool = False,
+def _png(path: Path) -> bytes:
+    name = os.fsdecode(path)
+    try:
+        content = pathlib.Path(name).read_bytes()
+    except OSError as error:
+        raise InputError(f"{name}: cannot be read: {error.strerror}") from None
+    if not content.startswith(PNG):
+        raise InputError(f"--picture {name}: is no PNG file")
+    return content
+
+
+def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *, form: str | Iterable[str] | None = None, all: bool = False,
              effort: str = "quick", require: str | Iterable[str] | None = None, max_theta: float = 89.5, seed: int = 1,
              progress: Progress | None = None) -> Judgement:
     """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
@@ -79,8 +96,7 @@ def validate(subjects: Subject | Sequence[Subject] = (), *, form: str | Iterable
     largest angle of the energy check. progress: called with how many checks are done and of how many; where it returns
     False `brdf.Stopped` is raised.
     """
-    given = [subjects] if isinstance(subjects, (Material, Table, str, bytes)) or hasattr(subjects, "__fspath__") \
-        else list(subjects)  # type: ignore[arg-type]
+    given: list[Subject] = list(subjects) if isinstance(subjects, (list, tuple)) else [subjects]
     required = list_of(require)
     _brdf.check_required(required)
     names = [f.name for f in forms()] if all else []
@@ -92,5 +108,5 @@ def validate(subjects: Subject | Sequence[Subject] = (), *, form: str | Iterable
         if isinstance(subject, Material):
             items.append((subject.form if len(given) == 1 else f"{subject.form} ({k + 1})", subject._optics))
         else:
-            items.append(subject._samples if isinstance(subject, Table) else path_of(subject))  # type: ignore[arg-type]
+            items.append(subject._samples if isinstance(subject, Table) else path_of(subject))
     return Judgement(_brdf.validate(names, items, effort, float(max_theta), int(seed), progress), required)

@@ -78,7 +78,7 @@ class Material:
     Made by `brdf.material`, `brdf.load`, a fit, or by adding two. It does not change: `replace` makes another.
     """
 
-    __slots__ = ("_optics",)
+    _optics: _brdf.Optics
 
     def __init__(self) -> None:
         raise TypeError("materials are made by brdf.material(form, ...), brdf.load(path) or a fit")
@@ -192,7 +192,10 @@ class Material:
         rows = self._optics.albedo(angles.reshape(-1).tolist(), float(phi), fixed, float(tolerance), rule)
         columns = list(zip(*rows)) if rows else [()] * 7
         shape = angles.shape + (len(self.channels),)
-        number = lambda k: np.array(columns[k], dtype=np.float64).reshape(shape)  # noqa: E731
+
+        def number(k: int) -> Array:
+            return np.array(columns[k], dtype=np.float64).reshape(shape)
+
         return Albedo(value=number(0), error_bound=number(1), low=number(5), high=number(6),
                       evaluations=np.array(columns[2], dtype=np.int64).reshape(shape),
                       converged=np.array(columns[3], dtype=np.bool_).reshape(shape),

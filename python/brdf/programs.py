@@ -18,7 +18,7 @@ BAD_INPUT, ENVIRONMENT = 2, 3
 @functools.lru_cache(maxsize=None)
 def verbs() -> dict[str, Any]:
     """names.json: what every verb and option of the program is called here."""
-    found: dict[str, Any] = json.loads((pathlib.Path(__file__).parent / "names.json").read_text(encoding="utf-8"))
+    found: dict[str, Any] = json.loads((pathlib.Path(__file__).parent / "names.json").read_text(encoding="utf-8"))["verbs"]
     return found
 
 

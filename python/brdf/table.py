@@ -47,7 +47,7 @@ class Table:
     Rows keep polar angles in degrees, as files do; `from_degrees` makes a table of those without rounding.
     """
 
-    __slots__ = ("_samples",)
+    _samples: _brdf.Samples
 
     def __init__(self, wi: ArrayLike, wo: ArrayLike, values: ArrayLike, *, sigma: ArrayLike | None = None,
                  channels: Sequence[str] | None = None, metadata: Mapping[str, str] | None = None) -> None:
@@ -79,9 +79,13 @@ class Table:
         names = [str(n) for n in frame.columns if n not in ANGLES and not str(n).startswith(PREFIX)]
         if not names:
             raise InputError("frame: no column of values")
-        missing = np.full(len(frame), np.nan)
-        column = lambda n: frame[n].to_numpy(np.float64) if n in frame.columns else missing  # noqa: E731
-        return cls.from_degrees(*(column(a) for a in ANGLES), np.stack([column(n) for n in names], axis=-1),
+
+        def column(name: str) -> Array:
+            found: Array = frame[name].to_numpy(np.float64) if name in frame.columns else np.full(len(frame), np.nan)
+            return found
+
+        theta_i, phi_i, theta_o, phi_o = (column(a) for a in ANGLES)
+        return cls.from_degrees(theta_i, phi_i, theta_o, phi_o, np.stack([column(n) for n in names], axis=-1),
                                 sigma=np.stack([column(PREFIX + n) for n in names], axis=-1), channels=names,
                                 metadata=metadata)
 
@@ -209,7 +213,9 @@ class Table:
         return f"<brdf.Table of {len(self)} rows, channels {', '.join(self.channels)}: {self.source or self.format}>"
 
     def _repr_html_(self) -> str:
-        span = lambda a: f"{a.min():g} to {a.max():g}" if len(a) else "-"  # noqa: E731
+        def span(a: Array) -> str:
+            return f"{a.min():g} to {a.max():g}" if len(a) else "-"
+
         rows = [["rows", str(len(self))], ["channels", ", ".join(self.channels)], ["format", self.format],
                 *([name + ", degrees", span(getattr(self, name))] for name in ANGLES),
                 *([c + ", 1/sr", span(self[c])] for c in self.channels[:8]), *(["", w] for w in self.warnings)]

@@ -3,13 +3,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 Path = Union[str, bytes, "os.PathLike[str]"]
-Floats = NDArray[np.floating]
+Floats = NDArray[np.floating[Any]]
 Values = Union[float, Iterable[float], Floats]
 Settings = Mapping[str, Values]
 

@@ -27,6 +27,8 @@ HOMONYMS = {
     ("io/rgl.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verb_albedo.cpp", "albedo"): "the verb",
+    ("python/samples.cpp", "sigma"): "standard deviations",
+    ("python/materials.cpp", "albedo"): "the method",
     ("validate/", "albedo"): "a check",
     ("render/", "albedo"): "a texture map",
     ("render/", "roughness"): "a texture map",

@@ -1,0 +1,29 @@
+"""The examples of docs/python.md and of the README print what these show. Usage: documents_test.py SOURCE
+
+Run in a scratch folder with `data` of the source, so that what they write is nobody's.
+"""
+import doctest
+import os
+import pathlib
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+
+
+def main():
+    tried = failed = 0
+    for name in ("docs/python.md", "README.md"):
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            os.symlink(SOURCE / "data", "data")
+            result = doctest.testfile(str(SOURCE / name), module_relative=False,
+                                      optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
+            os.chdir(SOURCE)
+        print(f"{name}: {result.attempted} examples, {result.failed} differ from what is shown")
+        tried, failed = tried + result.attempted, failed + result.failed
+        assert result.attempted > 0, name
+    sys.exit(failed > 0)
+
+
+main()
