@@ -24,9 +24,8 @@ def verbs() -> dict[str, Any]:
 
 def executable() -> str:
     """The program: $BRDF_PROGRAM, that of the same installation or build, or the one in PATH."""
-    here = pathlib.Path(__file__).resolve().parent
-    named = pathlib.Path(_brdf.__file__).resolve().parents
-    beside = [named[2] / "brdf", *(folder / "bin" / "brdf" for folder in named[1:6]), here.parents[1] / "bin" / "brdf"]
+    above = pathlib.Path(_brdf.__file__).resolve().parents  # BUILD/python/brdf, PREFIX/lib/python3/dist-packages/brdf
+    beside = [above[2] / "brdf", *(folder / "bin" / "brdf" for folder in above[1:6])]
     for candidate in [os.environ.get("BRDF_PROGRAM"), *beside, shutil.which("brdf")]:
         if candidate and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
             return str(candidate)

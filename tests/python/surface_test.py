@@ -41,8 +41,9 @@ def function_of(entry):
 
 class Surface(unittest.TestCase):
     def test_every_verb_has_a_function(self):
-        self.assertEqual(sorted(verbs()), sorted(verbs_of_program()))
-        self.assertGreater(len(verbs()), 10)
+        listed = verbs_of_program()
+        self.assertGreater(len(listed), 10)
+        self.assertEqual([verb for verb in listed if verb not in verbs()], [])
         for verb, entry in verbs().items():
             self.assertTrue(callable(function_of(entry)), verb)
 
