@@ -11,6 +11,18 @@ glm::vec3 diffuse_of(const SurfaceHit& s, int weight) {
   return {s.weights[0][k], s.weights[1][k], s.weights[2][k]};
 }
 
+// The frame about another normal; it keeps its hand.
+void turn_to(const glm::vec3& n, SurfaceHit& s) {
+  const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
+  s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
+  s.bitangent = glm::cross(n, s.tangent) * hand;
+  s.normal = n;
+}
+
+glm::vec3 bent_back(const glm::vec3& n, const glm::vec3& v, double least) {
+  return glm::normalize(n + v * std::max(float(least) - glm::dot(n, v), 0.0f));
+}
+
 void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const glm::vec3& ray, SurfaceHit& s) {
   const auto map = [&](TextureSlot slot) { return maps[std::size_t(slot)].get(); };
   const auto grey = [&](TextureSlot slot) { return map(slot) ? map(slot)->sample(uv).r : 0; };
@@ -24,13 +36,8 @@ void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const gl
     s.shape[k] = driven(item.shape_rules[k], s.shape[k], 0.0f, roughness, metallic);
   if (const Texture* normals = map(TextureSlot::normal)) {
     const glm::vec3 m = glm::vec3(normals->sample(uv)) * 2.0f - 1.0f;
-    glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
-    const glm::vec3 v = -glm::normalize(ray);
-    n = glm::normalize(n + v * std::max(float(kLeastFacing) - glm::dot(n, v), 0.0f));
-    const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
-    s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
-    s.bitangent = glm::cross(n, s.tangent) * hand;
-    s.normal = n;
+    const glm::vec3 n = glm::normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    turn_to(bent_back(n, -glm::normalize(ray), kLeastFacing), s);
   }
 }
 
@@ -79,6 +86,9 @@ SurfaceHit surface_at(const PreparedScene& scene, const Item& item, std::uint32_
     apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, ray, s);
     s.diffuse = diffuse_of(s, diffuse);
   }
+  const glm::vec3 viewer = -glm::normalize(ray);
+  if (s.front && glm::dot(s.normal, viewer) < float(kLeastSeen))
+    turn_to(bent_back(s.normal, viewer, kLeastSeen), s);
   const glm::vec3 turned = s.tangent * item.cos_turn + s.bitangent * item.sin_turn;
   s.bitangent = s.bitangent * item.cos_turn - s.tangent * item.sin_turn;
   s.tangent = turned;

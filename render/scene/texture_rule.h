@@ -28,6 +28,9 @@ inline constexpr double kDielectricReflectance = 0.03;
 // Cosine of a mapped normal with the viewer, at least: one that faced away would leave black specks along the
 // edge of the object.
 inline constexpr double kLeastFacing = 0.05;
+// The same of a mesh's own normal: interpolated, it faces away at a silhouette from a viewer who sees the triangle's
+// front. Small, so that a plane seen at 89 degrees keeps its normal.
+inline constexpr double kLeastSeen = 0.01;
 
 template <class S>
 S driven(Rule rule, const S& own, const S& albedo, const S& roughness, const S& metallic) {

@@ -28,5 +28,7 @@ void main() {
     c = lit(item_weight(items[push.item], items[push.item].form.z), in_position, n, kShading == shading_phong_blinn);
   }
   if (kShading == shading_lookup) c = looked_up();
+  const bool has_back = kShading != shading_vertex_color && kShading != shading_lookup;
+  if (has_back && !gl_FrontFacing) c = frame.back_color.rgb;
   color = vec4(c, 1.0);
 }

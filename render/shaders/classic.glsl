@@ -20,7 +20,6 @@ vec3 irradiance_of(Light light, vec3 position) {
 // Ambient and Lambert's cosine times the object's colour, plus a highlight of the light's colour.
 vec3 lit(vec3 object_color, vec3 position, vec3 n, bool highlight) {
   const vec3 v = view_from(position);
-  if (dot(n, v) <= 0.0) return frame.back_color.rgb;
   vec3 color = object_color * frame.ambient.rgb;
   for (int k = 0; k < frame.counts.x; ++k) {
     const Light light = frame.lights[k];

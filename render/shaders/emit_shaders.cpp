@@ -86,6 +86,7 @@ std::string layout() {
          constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", io::kHatchPeriod) +
          constant("kHatchDark", io::kHatchDark) + constant("kHatchBright", io::kHatchBright) +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
+         "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" +
          enumerators<Shading>("shading") + enumerators<ToneMap>("tone_map") +
          enumerators<Display>("display") + enumerators<Target>("target") + enumerators<TextureSlot>("map");
 }

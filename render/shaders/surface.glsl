@@ -29,6 +29,16 @@ vec4 bilinear(int slot) {
 
 bool has_map(Item item, int slot) { return (item.weight_rules.w >> slot & 1) != 0; }
 
+// The frame about another normal; it keeps its hand.
+void turn_to(vec3 n, inout SurfaceHit s) {
+  const float hand = sign(dot(cross(s.normal, s.tangent), s.bitangent));
+  s.tangent = normalize(s.tangent - n * dot(n, s.tangent));
+  s.bitangent = cross(n, s.tangent) * hand;
+  s.normal = n;
+}
+
+vec3 bent_back(vec3 n, vec3 v, float least) { return normalize(n + v * max(least - dot(n, v), 0.0)); }
+
 void apply_maps(const Item item, inout SurfaceHit s) {
   const vec3 albedo = has_map(item, map_albedo) ? bilinear(map_albedo).rgb : weight_at(s.weights, item.form.z);
   const float roughness = has_map(item, map_roughness) ? bilinear(map_roughness).r : 0.0;
@@ -41,13 +51,9 @@ void apply_maps(const Item item, inout SurfaceHit s) {
   for (int k = 0; k < 4; ++k) s.shape[k] = driven(item.shape_rules[k], s.shape[k], 0.0, roughness, metallic);
   if (has_map(item, map_normal)) {
     const vec3 m = bilinear(map_normal).rgb * 2.0 - 1.0;
-    vec3 n = normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
+    const vec3 n = normalize(s.tangent * m.x + s.bitangent * m.y + s.normal * m.z);
     const vec3 v = normalize(frame.camera.xyz - (item.model[3].xyz + s.relative));
-    n = normalize(n + v * max(kLeastFacing - dot(n, v), 0.0));
-    const float hand = sign(dot(cross(s.normal, s.tangent), s.bitangent));
-    s.tangent = normalize(s.tangent - n * dot(n, s.tangent));
-    s.bitangent = cross(n, s.tangent) * hand;
-    s.normal = n;
+    turn_to(bent_back(n, v, kLeastFacing), s);
   }
 }
 
@@ -63,6 +69,8 @@ SurfaceHit surface(bool textured) {
   s.tangent = normalize(in_tangent.xyz - s.normal * dot(s.normal, in_tangent.xyz));
   s.bitangent = cross(s.normal, s.tangent) * (in_tangent.w < 0.0 ? -1.0 : 1.0);
   if (textured) apply_maps(item, s);
+  const vec3 v = normalize(frame.camera.xyz - (item.model[3].xyz + s.relative));
+  if (s.front && dot(s.normal, v) < kLeastSeen) turn_to(bent_back(s.normal, v, kLeastSeen), s);
   const float c = item.weights[0].a, turn = item.weights[1].a;
   const vec3 t = s.tangent;
   s.tangent = t * c + s.bitangent * turn;

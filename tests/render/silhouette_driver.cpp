@@ -1,0 +1,131 @@
+// Lit silhouettes: no pixel of an object beside the background is black where light falls on it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "brdf/reflectance.h"
+#include "io/material_file.h"
+#include "render/gpu/renderer.h"
+#include "render/reference/reference.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr float kLit = 0.1f;  // cosine from which on a pixel counts as lit
+
+// Geometry of the picture, whatever its shading: the targets of 32 bits.
+struct Geometry {
+  Picture normal, position;
+  explicit Geometry(Device& device, PreparedScene scene) {
+    scene.scene.shading = Shading::brdf;
+    Renderer renderer(device, scene, {.gbuffer_bits = 32});
+    renderer.draw();
+    const Camera& camera = scene.scene.camera;
+    normal = picture_from(camera.width, camera.height, renderer.read_target(Target::normal));
+    position = picture_from(camera.width, camera.height, renderer.read_target(Target::position));
+    for (glm::vec4& p : position.pixels)
+      if (p.a > 0) p += glm::vec4(scene.layers[0][std::size_t(p.a + 0.5f) - 1].origin, 0);
+  }
+  int object(int x, int y) const { return int(position.at(x, y).a + 0.5f) - 1; }
+};
+
+float largest_cosine(const Scene& scene, const glm::vec3& position, const glm::vec3& normal) {
+  float most = -1;
+  for (const Light& light : scene.lights)
+    most = std::max(most, glm::dot(normal, glm::normalize(light.point ? light.vector - position : -light.vector)));
+  return most;
+}
+
+float luminance(const glm::vec4& c) {
+  return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
+}
+
+struct Silhouette {
+  int pixels = 0;
+  float darkest = 1e9f;  // luminance over the median of the pixel's neighbours on the same object
+  int below = 0;         // pixels with less than a tenth of it
+};
+
+// A map of metal and rust puts what is black under one light beside what is not, at a silhouette as anywhere.
+bool is_mixed(const Scene& scene, int object) {
+  return bool(scene.objects[std::size_t(object)].textures[std::size_t(TextureSlot::metallic)]);
+}
+
+// Of the pixels with a neighbour that shows the background.
+Silhouette lit_silhouette(const Scene& scene, const Geometry& at, const Picture& picture) {
+  Silhouette out;
+  for (int y = 1; y + 1 < picture.height; ++y) {
+    for (int x = 1; x + 1 < picture.width; ++x) {
+      const int object = at.object(x, y);
+      if (object < 0 || !is_surface(picture.at(x, y)) || is_mixed(scene, object)) continue;
+      bool edge = false;
+      std::vector<float> beside;
+      for (int k = 0; k < 9; ++k) {
+        const int i = x + k % 3 - 1, j = y + k / 3 - 1;
+        if (k == 4) continue;
+        edge |= at.object(i, j) < 0;
+        if (at.object(i, j) == object) beside.push_back(luminance(picture.at(i, j)));
+      }
+      const glm::vec3 position(at.position.at(x, y)), normal(at.normal.at(x, y));
+      if (!edge || beside.empty() || !(largest_cosine(scene, position, normal) > kLit)) continue;
+      std::nth_element(beside.begin(), beside.begin() + std::ptrdiff_t(beside.size() / 2), beside.end());
+      const float median = beside[beside.size() / 2];
+      const float ratio = median > 0 ? luminance(picture.at(x, y)) / median : 1;
+      ++out.pixels;
+      out.darkest = std::min(out.darkest, ratio);
+      if (ratio < 0.1f) ++out.below;
+    }
+  }
+  return out;
+}
+
+void expect_lit(Device& device, const Scene& scene, const std::string& what) {
+  const PreparedScene prepared = prepare(scene);
+  const Geometry geometry(device, prepared);
+  const auto check = [&](const Picture& picture, const char* by) {
+    const Silhouette found = lit_silhouette(prepared.scene, geometry, picture);
+    EXPECT_EQ(found.below, 0) << what << ", " << by << ": " << found.pixels << " pixels, the darkest "
+                              << found.darkest << " of its neighbours";
+  };
+  Renderer renderer(device, prepared);
+  renderer.draw();
+  check(picture_from(scene.camera.width, scene.camera.height, renderer.read_color()), "deferred");
+  if (scene.shading == Shading::brdf) check(render_reference(prepared), "reference");
+}
+
+TEST(Silhouette, NoPixelOfAShippedSceneIsBlackWhereLightFallsOnIt) {
+  Device device;
+  for (const auto& file : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes"))
+    if (file.path().extension() == ".json") expect_lit(device, load_scene(file.path()), file.path().stem().string());
+}
+
+// Whatever the maps do to the normals: white paint is black nowhere.
+TEST(Silhouette, NoPixelOfAPaintedSceneIsBlackWhereLightFallsOnIt) {
+  Device device;
+  for (const char* name : {"rusty_metal", "rusty_metal_families", "car", "vase"}) {
+    Scene scene = load_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json");
+    for (Object& object : scene.objects) {
+      object.material = make_material(*find_form("lambert"));
+      object.textures[std::size_t(TextureSlot::albedo)].reset();
+      object.textures[std::size_t(TextureSlot::metallic)].reset();
+    }
+    expect_lit(device, scene, name);
+  }
+}
+
+TEST(Silhouette, NoPixelOfAMaterialIsBlackWhereLightFallsOnIt) {
+  Device device;
+  const auto shown = [&](const std::string& name, const Material& material, glm::ivec2 size) {
+    Scene scene = material_scene({{name, material}});
+    scene.camera.width = size.x;
+    scene.camera.height = size.y;
+    expect_lit(device, scene, name);
+  };
+  for (const char* name : {"rolled_brass", "ivory_plastic", "glossy_grey_paper"})
+    shown(name, io::read_material(std::string(BRDF_SOURCE_DIR "/data/materials/") + name + ".json"), {1280, 720});
+  for (const Reflectance& form : catalogue()) shown(std::string(info(form).name), make_material(form), {320, 320});
+}
+
+}  // namespace
+}  // namespace brdf::render
