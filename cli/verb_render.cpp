@@ -8,6 +8,7 @@
 #include "io/error.h"
 #include "io/json.h"
 #include "io/numbers.h"
+#include "render/compare/supersample.h"
 #include "render/job.h"
 
 namespace brdf::cli {
@@ -18,6 +19,8 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
             << report.height << " on " << report.device;
   if (report.clipped > 0) std::cout << ", " << 100 * report.clipped << " % of the surface clipped";
   std::cout << '\n';
+  if (job.exposure_from_picture)
+    std::cout << "exposure " << io::short_number(double(report.exposure), 4) << " stops, from the picture\n";
   if (report.difference) {
     std::cout << "against " << report.other << ": relative MSE " << report.difference->rel_mse << ", PSNR "
               << report.difference->psnr << " dB, coverage mismatch "
@@ -65,6 +68,7 @@ void print_json(const render::JobReport& report, const render::Job& job) {
   out["device"] = report.device;
   out["width"] = report.width;
   out["height"] = report.height;
+  out["exposure"] = report.exposure;
   out["clipped"] = report.clipped;
   out["passes"] = io::Json::array();
   for (const auto& [pass, ms] : report.passes) out["passes"].push_back({{"pass", pass}, {"ms", ms}});
@@ -91,6 +95,16 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
+void read_exposure(const std::string& text, render::Job& job) {
+  job.exposure_from_picture = text == "auto";
+  if (job.exposure_from_picture) return;
+  float stops = 0;
+  const bool number = CLI::detail::lexical_cast(text, stops);
+  if (!number || !(std::abs(stops) <= 20))
+    throw CLI::ValidationError("--exposure", text + ": must be auto or a number of stops from -20 to 20");
+  job.exposure = stops;
+}
+
 void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_option("MATERIAL", job.materials, "Material JSON files, one sphere each; samples: as --measured");
   verb.add_option("--scene", job.scene, "A scene's JSON file; a MATERIAL is then put on every object");
@@ -107,8 +121,15 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
                 "phong, phong_blinn, lookup: once per vertex instead of per pixel");
   verb.add_flag("--as-coded", job.as_coded, "With the articles' slips");
   verb.add_option("--tone-map", job.tone_map, known_names<render::ToneMap>() + ", instead of the scene's");
-  verb.add_option("--exposure", job.exposure, "Stops, instead of the scene's")
-      ->check(CLI::Range(-20.0f, 20.0f));
+  verb.add_option_function<std::string>(
+          "--exposure", [&job](const std::string& text) { read_exposure(text, job); },
+          "Stops (-20 to 20), instead of the scene's; auto: from the picture, 95 % of the surface below 0.7")
+      ->type_name("STOPS|auto");
+  verb.add_option("--supersample", job.supersample,
+                  "Samples across a pixel, N x N averaged (default 4; EXR with other layers: 1)")
+      ->check(CLI::Range(1, render::kMostSupersample));
+  verb.add_flag_callback("--no-dither", [&job] { job.rounding = render::Rounding::nearest; },
+                         "PNG: round to the nearest byte instead of spreading the rounding as blue noise");
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
   add_memory_option(verb, job.memory_limit);
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
@@ -209,6 +230,8 @@ void add_render(CLI::App& app) {
       "         brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
       "         brdf render a.json --compare b.json --lobes --solo \"A r\" -o curve.png\n"
       "         brdf render --parity --form ward --validation\n"
+      "         brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
+      "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   on_run(*verb, [options] { return run(*options); });
 }

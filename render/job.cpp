@@ -159,7 +159,8 @@ std::vector<std::string> colour_notes(const ViewState& state) {
 namespace {
 
 void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures, bool with_other) {
-  const Picture& a = pictures.a_picture();
+  const bool fine = job.supersample || !(with_other || job.gbuffer);
+  const Picture& a = fine ? pictures.fine_a() : pictures.a_picture();
   std::vector<Layer> layers{{"", &a, true}};
   std::vector<Picture> targets;
   for (int k = 0; job.gbuffer && k < kTargetCount; ++k) {
@@ -169,7 +170,7 @@ void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures
     layers.push_back({std::string(kNames<Target>[k]), &targets[k], true});
   Picture difference = a;
   if (with_other) {
-    const Picture& b = pictures.b_picture();
+    const Picture& b = fine ? pictures.fine_b() : pictures.b_picture();
     for (std::size_t k = 0; k < difference.pixels.size(); ++k) difference.pixels[k] -= b.pixels[k];
     constexpr std::array kLayerNames{"other", "measured", "reference"};  // in the order of Other
     layers.push_back({kLayerNames[std::size_t(state.other)], &b, true});
@@ -223,9 +224,13 @@ JobReport run(const Job& given) {
                      std::to_string(camera.height));
   }
   Device device({.memory_limit = job.memory_limit, .validation = job.validation});
-  Pictures pictures(device, options);
+  Finish finish{.rounding = job.rounding};
+  if (job.supersample) finish.supersample = *job.supersample;
+  Pictures pictures(device, options, finish);
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
+  if (job.exposure_from_picture) state.scene.exposure = exposure_from(pictures.a_picture());
   JobReport report;
+  report.exposure = state.scene.exposure;
   report.notes = colour_notes(state);
   if (std::string note = left_out_note(state); !note.empty()) report.notes.push_back(std::move(note));
   if (!pictures.samples_note().empty()) report.notes.push_back(pictures.samples_note());

@@ -19,6 +19,9 @@ struct Job {
   std::filesystem::path scene, state, output;  // output: .exr or .png
   std::optional<int> width, height;
   std::optional<float> exposure;
+  bool exposure_from_picture = false;    // instead
+  std::optional<int> supersample;        // samples across a pixel; none: 4, and 1 for an EXR that holds more than A
+  Rounding rounding = Rounding::dithered;
   std::optional<std::string> tone_map, shading;
   bool per_vertex = false, as_coded = false;
   int gbuffer_bits = 16;
@@ -39,6 +42,7 @@ struct Job {
 struct JobReport {
   std::string device;
   int width = 0, height = 0;
+  float exposure = 0;  // stops
   double clipped = 0;  // share of surface pixels that the display clips
   std::string other;   // name of B, where there is one
   std::optional<Difference> difference;

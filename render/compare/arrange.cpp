@@ -10,8 +10,13 @@
 namespace brdf::render {
 namespace {
 
+BytePicture shown(const Comparison& c, bool second) {
+  const Picture *measured = second ? c.b : c.a, *fine = second ? c.fine_b : c.fine_a;
+  return displayed(fine ? *fine : *measured, c.tone_map, c.exposure, c.rounding);
+}
+
 BytePicture side(const Comparison& c, bool second) {
-  BytePicture out = displayed(second ? *c.b : *c.a, c.tone_map, c.exposure);
+  BytePicture out = shown(c, second);
   if (c.labels) draw_label(out, second ? c.name_b : c.name_a);
   return out;
 }
@@ -87,8 +92,7 @@ BytePicture arranged(const Comparison& c, Display display) {
   if (display == Display::difference) return false_colors(c);
   if (display == Display::flip) return side(c, true);
   if (display != Display::split) return side(c, false);
-  BytePicture left = displayed(*c.a, c.tone_map, c.exposure);
-  BytePicture right = displayed(*c.b, c.tone_map, c.exposure);
+  BytePicture left = shown(c, false), right = shown(c, true);
   if (c.labels) {
     const int border = int(c.split * float(left.width));
     draw_label(left, c.name_a, Corner::left, border - 2);

@@ -16,8 +16,11 @@ enum class Display { picture, split, flip, difference, gbuffer };
 
 // Two linear pictures of one size and how they are shown.
 struct Comparison {
-  const Picture* a = nullptr;
+  const Picture* a = nullptr;  // one sample a pixel: what the difference is taken of
   const Picture* b = nullptr;
+  const Picture* fine_a = nullptr;  // the same as they are shown; null: no other
+  const Picture* fine_b = nullptr;
+  Rounding rounding = Rounding::nearest;
   std::string name_a, name_b;
   Difference difference;
   ToneMap tone_map = ToneMap::srgb;

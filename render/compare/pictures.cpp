@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "render/compare/supersample.h"
 #include "render/reference/reference.h"
 
 namespace brdf::render {
@@ -46,6 +47,18 @@ Picture Pictures::read(Renderer& renderer) {
   return picture_from(camera.width, camera.height, renderer.read_color());
 }
 
+Picture Pictures::fine(Renderer& renderer) {
+  const PreparedScene scene = renderer.scene();
+  const auto draw = [&](const PreparedScene& moved) {
+    renderer.update(moved);
+    renderer.draw();
+    return read(renderer);
+  };
+  Picture picture = supersampled(scene, finish_.supersample, draw);
+  draw(scene);  // what the window shows stays
+  return picture;
+}
+
 void Pictures::prepare_to_sample(VkCommandBuffer commands) {
   a_->color().transition(commands, Use::sampled);
   if (b_) b_->color().transition(commands, Use::sampled);
@@ -81,6 +94,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   images_changed_ = true;
   a_->draw(&times_);
   a_picture_.reset();
+  fine_a_.reset();
   pass_times_ = times_.read();
   drawn_a_ = std::move(scene);
   drawn_b_.reset();
@@ -99,11 +113,13 @@ void Pictures::draw_other_material(const ViewState& state) {
   }
   b_->draw();
   b_picture_ = read(*b_);
+  draw_fine_b_ = [this] { return fine(*b_); };
 }
 
 void Pictures::update_b(const ViewState& state) {
   if (drawn_b_ && same_other(*drawn_b_, state)) return;
   drawn_b_.reset();
+  fine_b_.reset();
   if (state.other == Other::material) {
     draw_other_material(state);
   } else {
@@ -121,7 +137,9 @@ void Pictures::update_b(const ViewState& state) {
       }
       options.measured = &samples_;
     }
-    b_picture_ = render_reference(scene, options);
+    const auto draw = [options](const PreparedScene& moved) { return render_reference(moved, options); };
+    b_picture_ = draw(scene);
+    draw_fine_b_ = [this, draw, scene] { return supersampled(scene, finish_.supersample, draw); };
     const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
     upload_ =
         Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
@@ -143,10 +161,25 @@ const Picture& Pictures::a_picture() {
   return *a_picture_;
 }
 
+const Picture& Pictures::fine_a() {
+  if (finish_.supersample <= 1) return a_picture();
+  if (!fine_a_) fine_a_ = fine(*a_);
+  return *fine_a_;
+}
+
+const Picture& Pictures::fine_b() {
+  if (finish_.supersample <= 1) return b_picture();
+  if (!fine_b_) fine_b_ = draw_fine_b_();
+  return *fine_b_;
+}
+
 Comparison Pictures::comparison(const ViewState& state, bool labels) {
   return {
       .a = &a_picture(),
       .b = &b_picture_,
+      .fine_a = &fine_a(),
+      .fine_b = &fine_b(),
+      .rounding = finish_.rounding,
       .name_a = "A: " + state.scene.objects[state.selected].material_name,
       // Samples alone stand beside nothing.
       .name_b = (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
@@ -161,7 +194,7 @@ Comparison Pictures::comparison(const ViewState& state, bool labels) {
 BytePicture Pictures::capture(const ViewState& state, bool labels) {
   if (state.display == Display::gbuffer && has_targets()) return target_sheet(*a_, labels);
   if (needs_b(state)) return arranged(comparison(state, labels), state.display);
-  return displayed(a_picture(), state.scene.tone_map, state.scene.exposure);
+  return displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
 }
 
 BytePicture Pictures::row(const ViewState& state, bool labels) {

@@ -2,6 +2,7 @@
 // `brdf render` both show these.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "io/samples.h"
@@ -13,10 +14,16 @@
 
 namespace brdf::render {
 
+// How what is shown becomes bytes.
+struct Finish {
+  int supersample = 4;  // samples across a pixel
+  Rounding rounding = Rounding::dithered;
+};
+
 class Pictures {
  public:
-  explicit Pictures(Device& device, const RendererOptions& options)
-      : device_(&device), options_(options), times_(device) {}
+  explicit Pictures(Device& device, const RendererOptions& options, const Finish& finish = {})
+      : device_(&device), options_(options), finish_(finish), times_(device) {}
 
   // Draws what the state needs at this size. Throws InputError where a file of the state cannot be used.
   void update(const ViewState& state, VkExtent2D size);
@@ -35,9 +42,12 @@ class Pictures {
   const std::vector<std::pair<std::string, double>>& times() const { return pass_times_; }
   const std::optional<Difference>& difference() const { return difference_; }
   std::string other_name(const ViewState& state) const;
-  // The linear pictures; of B when the state's display shows it.
+  // The linear pictures, one sample a pixel; of B when the state's display shows it.
   const Picture& a_picture();
   const Picture& b_picture() const { return b_picture_; }
+  // The same with the finish's samples: what is looked at.
+  const Picture& fine_a();
+  const Picture& fine_b();
   // The samples that were last shown, or null.
   const io::SampleTable* samples() const { return table_ ? &*table_ : nullptr; }
   // How the samples' channels became colours, where their names do not say it.
@@ -52,16 +62,20 @@ class Pictures {
   void update_b(const ViewState& state);
   void draw_other_material(const ViewState& state);
   Picture read(Renderer& renderer);
+  Picture fine(Renderer& renderer);
   Comparison comparison(const ViewState& state, bool labels);
 
   Device* device_;
   RendererOptions options_;
+  Finish finish_;
   Timestamps times_;
   PreparedScene prepared_;
   std::optional<Renderer> a_, b_;
   Image upload_;  // B where it comes from the processor
   std::optional<Picture> a_picture_;
   Picture b_picture_;
+  std::optional<Picture> fine_a_, fine_b_;
+  std::function<Picture()> draw_fine_b_;
   std::filesystem::path samples_file_;
   Measured samples_;
   std::optional<io::SampleTable> table_;

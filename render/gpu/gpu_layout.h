@@ -18,6 +18,8 @@ inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold
 inline constexpr std::size_t kMostWeights = 3, kMostShape = 3;
 // 16-bit targets hold the digits of the normal that rounding takes, times this, along tangent and bitangent.
 inline constexpr int kRemainderScale = 4096;
+// What GpuFrame::counts.y says of the background: one colour, a sky, a backdrop.
+inline constexpr int kSky = 1, kBackdrop = 2;
 
 struct GpuLight {
   glm::vec4 vector;

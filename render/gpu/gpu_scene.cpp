@@ -34,8 +34,8 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   frame.ambient = glm::vec4(scene.ambient, 0);
   frame.back_color = glm::vec4(scene.back_color, 0);
   frame.background = glm::vec4(scene.background, 0);
-  frame.zenith = glm::vec4(scene.sky_zenith.value_or(scene.background), 0);
-  frame.counts = {int(scene.lights.size()), scene.sky_zenith ? 1 : 0, scene.camera.width,
+  frame.zenith = glm::vec4(scene.sky_zenith.value_or(scene.backdrop_top.value_or(scene.background)), 0);
+  frame.counts = {int(scene.lights.size()), scene.sky_zenith ? kSky : scene.backdrop_top ? kBackdrop : 0, scene.camera.width,
                   scene.camera.height};
   for (std::size_t k = 0; k < scene.lights.size(); ++k) frame.lights[k] = gpu_light(scene.lights[k]);
   return frame;

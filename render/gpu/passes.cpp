@@ -118,7 +118,7 @@ SkyPass::SkyPass(Device& device, const GpuScene& gpu) {
 void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                      Image& color) {
   color.transition(commands, Use::color_attachment, true);
-  const bool sky = scene.scene.sky_zenith.has_value();
+  const bool sky = scene.scene.sky_zenith || scene.scene.backdrop_top;
   const auto target =
       attachment(color, kColorLayout, sky ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR,
                  glm::vec4(scene.scene.background, 0));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/hatching.h"
+#include "render/picture/dither.h"
 #include "render/scene/display_rule.h"
 
 namespace brdf::render {
@@ -12,10 +13,11 @@ namespace {
 
 constexpr double kRelMseFloor = 0.01;  // the usual one: keeps black pixels from dominating
 
-std::array<std::uint8_t, 3> to_bytes(glm::vec3 c) {
+// Upwards from `threshold` of a byte's step on; a half: to the nearest. Black and white stay what they are.
+std::array<std::uint8_t, 3> to_bytes(glm::vec3 c, float threshold = 0.5f) {
   std::array<std::uint8_t, 3> out{};
   for (int k = 0; k < 3; ++k)
-    out[std::size_t(k)] = std::uint8_t(std::lround(glm::clamp(c[k], 0.0f, 1.0f) * 255));
+    out[std::size_t(k)] = std::uint8_t(std::floor(glm::clamp(c[k], 0.0f, 1.0f) * 255 + 1 - threshold));
   return out;
 }
 
@@ -70,19 +72,38 @@ Difference compare(const Picture& picture, const Picture& reference) {
 
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure) {
   const glm::vec3 c = linear * std::exp2(exposure);
-  return {tone_curve(tone_map, c.r), tone_curve(tone_map, c.g), tone_curve(tone_map, c.b)};
+  const Colour<float> shown = tone_curve<float>(tone_map, {c.r, c.g, c.b});
+  return {shown[0], shown[1], shown[2]};
 }
 
-BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure) {
+BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure, Rounding rounding) {
   BytePicture out(picture.width, picture.height);
   for (std::size_t k = 0; k < out.pixels.size(); ++k) {
     const glm::vec4& pixel = picture.pixels[k];
     const std::size_t x = k % std::size_t(picture.width), y = k / std::size_t(picture.width);
     out.pixels[k] = is_surface(pixel) && !is_measured(pixel)
                         ? hatched(x, y)
-                        : to_bytes(tone_mapped(glm::vec3(pixel), tone_map, exposure));
+                        : to_bytes(tone_mapped(glm::vec3(pixel), tone_map, exposure),
+                                   rounding == Rounding::nearest ? 0.5f : dither_threshold(int(x), int(y)));
   }
   return out;
+}
+
+std::vector<double> surface_brightness(const Picture& picture) {
+  std::vector<double> out;
+  for (const glm::vec4& p : picture.pixels) {
+    const float most = std::max({p.r, p.g, p.b});
+    if (is_surface(p) && most > 0) out.push_back(double(most));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+float exposure_from(const Picture& picture) {
+  const std::vector<double> lit = surface_brightness(picture);
+  if (lit.empty()) return 0;
+  const double bright = lit[std::size_t(kExposedShare * double(lit.size() - 1))];
+  return float(std::clamp(std::round(100 * std::log2(kExposedTo / bright)) / 100, -20.0, 20.0));
 }
 
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
@@ -99,12 +120,12 @@ double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
 }
 
 glm::vec3 false_color(float relative_difference) {
-  const std::array<float, 3> c = false_color_of(relative_difference);
+  const Colour<float> c = false_color_of(relative_difference);
   return {c[0], c[1], c[2]};
 }
 
 glm::vec3 signed_color(float relative_difference) {
-  const std::array<float, 3> c = signed_color_of(relative_difference);
+  const Colour<float> c = signed_color_of(relative_difference);
   return {c[0], c[1], c[2]};
 }
 

@@ -53,7 +53,15 @@ Difference compare(const Picture& picture, const Picture& reference);
 
 // What the screen shows for a linear colour (scene/display_rule.h).
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure);
-BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure);
+// To the nearest byte, or (dithered) up or down by the thresholds of dither.h.
+enum class Rounding { nearest, dithered };
+BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure,
+                      Rounding rounding = Rounding::nearest);
+// The brightest channel of each surface pixel that is lit, in rising order.
+std::vector<double> surface_brightness(const Picture& picture);
+// Stops that put kExposedShare of the lit surface below kExposedTo, in hundredths; 0 where nothing is lit.
+constexpr double kExposedShare = 0.95, kExposedTo = 0.7;
+float exposure_from(const Picture& picture);
 // Share of surface pixels with a channel that the display clips: above 1, or shown as the brightest byte.
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
 

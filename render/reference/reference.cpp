@@ -84,8 +84,16 @@ Lit lit_by(const Light& light, const glm::vec3& position) {
   return {to_light / std::sqrt(d2), irradiance / d2};
 }
 
+glm::vec3 backdrop(const Scene& scene, const glm::vec3& ray) {
+  const glm::vec3 up = make_view(scene.camera).up;
+  const float height = glm::dot(ray, up) / glm::dot(up, up);
+  glm::vec3 color;
+  for (int c = 0; c < 3; ++c) color[c] = backdrop_color(scene.background[c], (*scene.backdrop_top)[c], height);
+  return color;
+}
+
 glm::vec3 sky(const Scene& scene, const glm::vec3& ray) {
-  if (!scene.sky_zenith) return scene.background;
+  if (!scene.sky_zenith) return scene.backdrop_top ? backdrop(scene, ray) : scene.background;
   const float up = glm::normalize(ray).y;
   glm::vec3 color;
   for (int c = 0; c < 3; ++c) color[c] = sky_color(scene.background[c], (*scene.sky_zenith)[c], up);

@@ -28,11 +28,37 @@ S sky_color(const S& horizon, const S& zenith, const S& up) {
   return mixed(horizon, zenith, math::sqrt(at_least(up, S(0))));
 }
 
+// One channel of a backdrop; `height` is the ray's ndc y, -1 at the lower edge of the picture and 1 at the upper.
+template <class S>
+S backdrop_color(const S& bottom, const S& top, const S& height) {
+  return mixed(bottom, top, at_most(at_least((height + S(1)) * S(0.5), S(0)), S(1)));
+}
+
 using io::srgb_encoded;
 
-// One channel, linear and exposed, as it is shown.
 template <class S>
-S tone_curve(ToneMap tone_map, const S& linear) {
+using Colour = std::array<S, 3>;
+
+// Keeps the hue exactly and the colour itself up to a peak of 0.76, then compresses towards 1 and mixes with white:
+// the Khronos PBR Neutral Tone Mapper (Khronos Group 2024, specification 1.0; there F90 = 0.04). A grey is taken away
+// first: what a dielectric reflects of white surroundings. Linear, in [0, 1).
+template <class S>
+Colour<S> neutral(const Colour<S>& c) {
+  const S least = at_most(at_most(c[0], c[1]), c[2]);
+  const S grey = select(least < S(0.08), least - S(6.25) * least * least, S(0.04));
+  const S knee = S(0.76), room = S(1) - knee;
+  const S peak = at_least(at_least(at_least(c[0], c[1]), c[2]) - grey, knee);
+  const S compressed = S(1) - room * room / (peak + room - knee);
+  const S white = S(1) - S(1) / (S(0.15) * (peak - compressed) + S(1));
+  Colour<S> out;
+  // Below the knee the factor is 1 and the share of white 0.
+  for (std::size_t k = 0; k < 3; ++k) out[k] = mixed((c[k] - grey) * (compressed / peak), compressed, white);
+  return out;
+}
+
+// One channel, linear and exposed, as a curve that knows no other channel shows it.
+template <class S>
+S channel_curve(ToneMap tone_map, const S& linear) {
   const S c = at_least(linear, S(0));
   switch (tone_map) {
     case ToneMap::srgb:
@@ -42,18 +68,32 @@ S tone_curve(ToneMap tone_map, const S& linear) {
     case ToneMap::thesis:
       return to_power(c / (c + S(1)), S(1) / S(2.2));
     case ToneMap::none:
+    case ToneMap::neutral:
       break;
   }
   return at_most(c, S(1));
 }
 
+// A linear and exposed colour as it is shown.
+template <class S>
+Colour<S> tone_curve(ToneMap tone_map, const Colour<S>& linear) {
+  Colour<S> out;
+  if (tone_map == ToneMap::neutral) {
+    out = neutral<S>({at_least(linear[0], S(0)), at_least(linear[1], S(0)), at_least(linear[2], S(0))});
+    for (S& c : out) c = srgb_encoded(at_most(c, S(1)));
+    return out;
+  }
+  for (std::size_t k = 0; k < 3; ++k) out[k] = channel_curve(tone_map, linear[k]);
+  return out;
+}
+
 // Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
 template <class S>
-std::array<S, 3> false_color_of(const S& relative) {
+Colour<S> false_color_of(const S& relative) {
   constexpr std::array kStops{std::array{0.1, 0.2, 0.8}, std::array{0.1, 0.7, 0.3},
                               std::array{0.95, 0.85, 0.1}, std::array{0.85, 0.1, 0.1}};
   const S t = at_most(at_least((log_10(relative) + S(6)) / S(6), S(0)), S(1)) * S(3);
-  std::array<S, 3> color;
+  Colour<S> color;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto between = [&](std::size_t k) {
       return mixed(S(kStops[k][c]), S(kStops[k + 1][c]), t - S(double(k)));
@@ -66,10 +106,10 @@ std::array<S, 3> false_color_of(const S& relative) {
 
 // Colour of a signed relative difference: blue at -50 % and below, white at 0, red at 50 % and above.
 template <class S>
-std::array<S, 3> signed_color_of(const S& relative) {
+Colour<S> signed_color_of(const S& relative) {
   constexpr const io::ColourScale& kScale = io::kDivergingScale;
   const S t = (at_most(at_least(relative * S(2), S(-1)), S(1)) + S(1)) * S(2);
-  std::array<S, 3> color;
+  Colour<S> color;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto between = [&](std::size_t k) {
       return mixed(S(kScale[k][c] / 255), S(kScale[k + 1][c] / 255), t - S(double(k)));

@@ -20,6 +20,7 @@ struct Camera {
   glm::vec3 position{0, 0, 4}, target{0, 0, 0}, up{0, 1, 0};
   float vertical_fov = 32;  // degrees
   int width = 512, height = 512;
+  glm::vec2 offset{0};  // of the sample in its pixel, from the centre, in pixels to the right and down; in no file
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -47,14 +48,15 @@ struct Object {
 
 enum class Shading { vertex_color, flat, gouraud, phong, phong_blinn, brdf, lookup };
 // none: the value as it stands; srgb: clamped, then encoded; reinhard: c/(1+c), then encoded as sRGB; thesis:
-// c/(1+c) to the power 1/2.2.
-enum class ToneMap { none, srgb, reinhard, thesis };
+// c/(1+c) to the power 1/2.2; neutral: keeps the hue, then encoded as sRGB.
+enum class ToneMap { none, srgb, reinhard, thesis, neutral };
 
 struct Scene {
   Camera camera;
   glm::vec3 ambient{0};
-  glm::vec3 background{0};              // at the horizon where there is a sky
-  std::optional<glm::vec3> sky_zenith;  // a sky: background at the horizon, this above
+  glm::vec3 background{0};                // at the horizon where there is a sky
+  std::optional<glm::vec3> sky_zenith;    // a sky: background at the horizon, this above
+  std::optional<glm::vec3> backdrop_top;  // no sky: background at the picture's lower edge, this at the upper
   glm::vec3 back_color{0.5f};           // of surfaces seen from behind
   std::vector<Light> lights;
   std::vector<Object> objects;
@@ -63,7 +65,7 @@ struct Scene {
   // phong, phong_blinn: colours, lookup: texture coordinates, per vertex instead of per pixel.
   bool per_vertex = false;
   bool as_coded = false;  // with the articles' slips
-  ToneMap tone_map = ToneMap::srgb;
+  ToneMap tone_map = ToneMap::neutral;
   float exposure = 0;  // factor 2^exposure before the tone map
   friend bool operator==(const Scene&, const Scene&) = default;
 };
@@ -90,7 +92,7 @@ template <>
 inline constexpr std::array<std::string_view, 7> kNames<render::Shading>{
     "vertex_color", "flat", "gouraud", "phong", "phong_blinn", "brdf", "lookup"};
 template <>
-inline constexpr std::array<std::string_view, 4> kNames<render::ToneMap>{"none", "srgb", "reinhard",
-                                                                         "thesis"};
+inline constexpr std::array<std::string_view, 5> kNames<render::ToneMap>{"none", "srgb", "reinhard", "thesis",
+                                                                         "neutral"};
 
 }  // namespace brdf

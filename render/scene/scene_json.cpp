@@ -119,6 +119,12 @@ void read_background(Scene& scene, const JsonPlace& place) {
     scene.background = vector(place, 0, 1e6);
     return;
   }
+  if (place.has("bottom") || place.has("top")) {
+    place.allow_keys({"bottom", "top"});
+    scene.background = vector(place.at("bottom"), 0, 1e6);
+    scene.backdrop_top = vector(place.at("top"), 0, 1e6);
+    return;
+  }
   place.allow_keys({"horizon", "zenith"});
   scene.background = vector(place.at("horizon"), 0, 1e6);
   scene.sky_zenith = vector(place.at("zenith"), 0, 1e6);
@@ -186,7 +192,7 @@ Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder
   read(root, "per_vertex", scene.per_vertex);
   read(root, "as_coded", scene.as_coded);
   // The articles' modes compute colours to be shown as they are.
-  scene.tone_map = scene.shading == Shading::brdf ? ToneMap::srgb : ToneMap::none;
+  scene.tone_map = scene.shading == Shading::brdf ? ToneMap::neutral : ToneMap::none;
   read(root, "tone_map", scene.tone_map);
   read(root, "exposure", scene.exposure, -20, 20);
   return scene;
@@ -212,6 +218,8 @@ Json to_json(const Scene& scene) {
   json["ambient"] = json_of(scene.ambient);
   if (scene.sky_zenith) {
     json["background"] = {{"horizon", json_of(scene.background)}, {"zenith", json_of(*scene.sky_zenith)}};
+  } else if (scene.backdrop_top) {
+    json["background"] = {{"bottom", json_of(scene.background)}, {"top", json_of(*scene.backdrop_top)}};
   } else {
     json["background"] = json_of(scene.background);
   }

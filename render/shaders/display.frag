@@ -17,11 +17,7 @@ layout(set = 0, binding = 0) uniform sampler2D pictures[2];
 layout(set = 0, binding = 1) uniform sampler2D targets[kTargetCount];
 layout(location = 0) out vec4 color;
 
-vec3 curve(int tone_map, vec3 linear) {
-  return vec3(tone_curve(tone_map, linear.r), tone_curve(tone_map, linear.g), tone_curve(tone_map, linear.b));
-}
-
-vec3 shown(vec3 linear) { return curve(push.tone_map, linear * push.gain); }
+vec3 shown(vec3 linear) { return tone_curve(push.tone_map, linear * push.gain); }
 
 // Four columns, two rows; the last place shows the lighting.
 vec3 gbuffer(vec2 uv) {
@@ -38,7 +34,7 @@ vec3 gbuffer(vec2 uv) {
   if (push.bits == 8 && (direction || k == target_position)) return v;
   if (direction) return v * 0.5 + 0.5;
   if (k == target_position) return v / push.extent * 0.5 + 0.5;
-  return curve(tone_map_srgb, v);
+  return tone_curve(tone_map_srgb, v);
 }
 
 void main() {

@@ -30,16 +30,16 @@ Traced log_10(Traced x) {
 namespace render {
 namespace {
 
-// One `case` per enumerator of a function that returns value(enumerator).
+// One `case` per enumerator of a function that returns value(enumerator), a list of values put into `result`.
 template <class Enum, class Value>
-std::string switch_over(const std::string& argument, int count, Value value) {
+std::string switch_over(const std::string& argument, int count, const std::string& result, Value value) {
   std::string text = "  switch (" + argument + ") {\n";
   for (int k = 0; k < count; ++k) {
     Trace trace;
     const Trace::Scope scope(trace);
-    const Traced result = value(Enum(k));
-    text += "  case " + std::to_string(k) + ": {\n" + trace.statements({result.node()}, "return %0;", true) +
-            "  }\n";
+    std::vector<int> nodes;
+    for (const Traced& v : value(Enum(k))) nodes.push_back(v.node());
+    text += "  case " + std::to_string(k) + ": {\n" + trace.statements(nodes, result, true) + "  }\n";
   }
   return text + "  }\n";
 }
@@ -49,12 +49,16 @@ std::string traced_rules() {
   std::string text =
       "float driven(int rule, float own, float albedo, float roughness, float metallic) {\n" +
       switch_over<Rule>(
-          "rule", kRuleCount,
-          [&](Rule rule) { return driven(rule, in("own"), in("albedo"), in("roughness"), in("metallic")); }) +
+          "rule", kRuleCount, "return %0;",
+          [&](Rule rule) {
+            return std::array{driven(rule, in("own"), in("albedo"), in("roughness"), in("metallic"))};
+          }) +
       "  return own;\n}\n";
-  text += "float tone_curve(int tone_map, float linear) {\n" +
-          switch_over<ToneMap>("tone_map", int(kNames<ToneMap>.size()),
-                               [&](ToneMap map) { return tone_curve(map, in("linear")); }) +
+  text += "vec3 tone_curve(int tone_map, vec3 linear) {\n" +
+          switch_over<ToneMap>("tone_map", int(kNames<ToneMap>.size()), "return vec3(%0, %1, %2);",
+                               [&](ToneMap map) {
+                                 return tone_curve<Traced>(map, {in("linear.r"), in("linear.g"), in("linear.b")});
+                               }) +
           "  return linear;\n}\n";
   Trace trace;
   const Trace::Scope scope(trace);
@@ -66,6 +70,9 @@ std::string traced_rules() {
                                 "return vec3(%0, %1, %2);", true);
   text += detail::glsl_function("float sky_color(float horizon, float zenith, float up)",
                                 {sky_color(in("horizon"), in("zenith"), in("up"))}, "return %0;", true);
+  text +=
+      detail::glsl_function("float backdrop_color(float bottom, float top, float height)",
+                            {backdrop_color(in("bottom"), in("top"), in("height"))}, "return %0;", true);
   return text;
 }
 
@@ -85,6 +92,7 @@ std::string layout() {
          constant("kMostWeights", kMostWeights) + constant("kTargetCount", kTargetCount) +
          constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", io::kHatchPeriod) +
          constant("kHatchDark", io::kHatchDark) + constant("kHatchBright", io::kHatchBright) +
+         constant("kBackdrop", kBackdrop) +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" +
          enumerators<Shading>("shading") + enumerators<ToneMap>("tone_map") +

@@ -9,7 +9,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 camera;
   vec4 right, up, forward;  // of the picture plane: the ray through ndc (x, y) is forward + x right + y up
   vec4 ambient, back_color, background, zenith;
-  ivec4 counts;  // x: lights, y: there is a sky, zw: the picture's width and height
+  ivec4 counts;  // x: lights, y: there is a sky, or a backdrop (kBackdrop), zw: the picture's width and height
   Light lights[kMostLights];
 } frame;
 

@@ -5,7 +5,12 @@
 layout(location = 0) out vec4 color;
 
 void main() {
-  const float up = normalize(ray_through(gl_FragCoord.xy)).y;
+  const vec3 ray = ray_through(gl_FragCoord.xy);
+  const float up = normalize(ray).y;
+  const float height = dot(ray, frame.up.xyz) / dot(frame.up.xyz, frame.up.xyz);
   color = vec4(0.0);
-  for (int c = 0; c < 3; ++c) color[c] = sky_color(frame.background[c], frame.zenith[c], up);
+  for (int c = 0; c < 3; ++c) {
+    color[c] = frame.counts.y == kBackdrop ? backdrop_color(frame.background[c], frame.zenith[c], height)
+                                           : sky_color(frame.background[c], frame.zenith[c], up);
+  }
 }

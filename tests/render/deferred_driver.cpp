@@ -77,6 +77,21 @@ TEST(Deferred, SeveralFormsAndPointLightsShareOnePicture) {
   }
 }
 
+TEST(Deferred, ASampleElsewhereInThePixelIsTheReferences) {
+  Device device;
+  Scene scene = sphere_scene(make_material(*find_form("cook_torrance")));
+  scene.camera.offset = {0.375f, -0.25f};
+  const PreparedScene there = prepare(scene);
+  scene.camera.offset = {};
+  const Picture centres = render_reference(prepare(scene));
+  const Picture picture = drawn(device, there, {.gbuffer_bits = 32}), reference = render_reference(there);
+  const Difference difference = compare(picture, reference);
+  EXPECT_LT(difference.rel_mse, 1e-11);
+  EXPECT_LT(difference.coverage_mismatch, 1e-4);
+  EXPECT_NEAR(picture.at(0, 0).r, reference.at(0, 0).r, 1e-6);  // the backdrop
+  EXPECT_GT(compare(picture, centres).rel_mse, 1e-5);
+}
+
 TEST(Deferred, EightBitTargetsAreCoarseButRight) {
   const PreparedScene scene = prepare(sphere_scene(make_material(*find_form("cook_torrance"))));
   Device device;

@@ -37,11 +37,8 @@ std::vector<std::string> sentences_of(const Recommendation& r) {
 
 // Stops that bring all but the brightest hundredth of the lit pixels below white; never brighter than it is.
 float exposure_of(const render::Picture& picture) {
-  std::vector<double> brightest;
-  for (const glm::vec4& p : picture.pixels)
-    if (p.a > 0.5f && std::max({p.r, p.g, p.b}) > 0) brightest.push_back(double(std::max({p.r, p.g, p.b})));
+  const std::vector<double> brightest = render::surface_brightness(picture);
   if (brightest.empty()) return 0;
-  std::sort(brightest.begin(), brightest.end());
   return float(std::min(0.0, -std::log2(timing::quantile(brightest, 0.99))));
 }
 
