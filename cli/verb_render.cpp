@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include "io/error.h"
 #include "io/json.h"
 #include "io/numbers.h"
+#include "io/text.h"
 #include "render/compare/supersample.h"
 #include "render/job.h"
 
@@ -98,11 +100,12 @@ struct Options {
 void read_exposure(const std::string& text, render::Job& job) {
   job.exposure_from_picture = text == "auto";
   if (job.exposure_from_picture) return;
-  float stops = 0;
-  const bool number = CLI::detail::lexical_cast(text, stops);
-  if (!number || !(std::abs(stops) <= 20))
-    throw CLI::ValidationError("--exposure", text + ": must be auto or a number of stops from -20 to 20");
-  job.exposure = stops;
+  double stops = 0;
+  if (!io::parse_number(text, stops) || !std::isfinite(stops))
+    throw CLI::ValidationError("--exposure", "'" + text + "' must be a finite number, or auto");
+  if (std::abs(stops) > 20)
+    throw CLI::ValidationError("--exposure", "Value " + text + " not in range -20 to 20");
+  job.exposure = float(stops);
 }
 
 void add_scene_options(CLI::App& verb, render::Job& job) {
@@ -128,8 +131,9 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_option("--supersample", job.supersample,
                   "Samples across a pixel, N x N averaged (default 4; EXR with other layers: 1)")
       ->check(CLI::Range(1, render::kMostSupersample));
-  verb.add_flag_callback("--no-dither", [&job] { job.rounding = render::Rounding::nearest; },
-                         "PNG: round to the nearest byte instead of spreading the rounding as blue noise");
+  verb.add_flag_callback(
+      "--no-dither", [&job] { job.rounding = render::Rounding::nearest; },
+      "PNG: round to the nearest byte instead of spreading the rounding as blue noise");
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
   add_memory_option(verb, job.memory_limit);
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");

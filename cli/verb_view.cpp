@@ -68,7 +68,8 @@ void add_view(CLI::App& app) {
   verb->add_flag("--validation", viewer.validation,
                  "Run under Vulkan's validation and synchronisation layers");
   verb->footer(
-      "Drag: orbit, right drag: pan, wheel: zoom, shift-click: probe, drop: open a file.\n"
+      "Drag: orbit (on the line of a split: move it), right drag: pan, wheel: zoom, shift-click: probe, "
+      "drop: open a file.\n"
       "n, shift-n: next form, family; m: shading; c: tone map; +, -: exposure; s: split; b: flip; k: what B "
       "is;\n"
       "d: false-colour difference; g: the seven targets; l: lobe plot; t: turntable; o: open; r, f: reset, "

@@ -19,8 +19,8 @@ struct Job {
   std::filesystem::path scene, state, output;  // output: .exr or .png
   std::optional<int> width, height;
   std::optional<float> exposure;
-  bool exposure_from_picture = false;    // instead
-  std::optional<int> supersample;        // samples across a pixel; none: 4, and 1 for an EXR that holds more than A
+  bool exposure_from_picture = false;  // instead
+  std::optional<int> supersample;  // samples across a pixel; none: 4, and 1 for an EXR that holds more than A
   Rounding rounding = Rounding::dithered;
   std::optional<std::string> tone_map, shading;
   bool per_vertex = false, as_coded = false;

@@ -20,7 +20,8 @@ std::vector<glm::vec2> sample_places(int n) {
   const auto side = double(n);
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
-      places.emplace_back((column + (row + 0.5) / side) / side - 0.5, (row + (column + 0.5) / side) / side - 0.5);
+      places.emplace_back((column + (row + 0.5) / side) / side - 0.5,
+                          (row + (column + 0.5) / side) / side - 0.5);
     }
   }
   return places;

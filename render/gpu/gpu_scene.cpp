@@ -7,12 +7,14 @@
 #include "io/error.h"
 #include "render/gpu/gpu_layout.h"
 #include "render/scene/camera_view.h"
+#include "render/scene/shadow_view.h"
 
 namespace brdf::render {
 namespace {
 
 constexpr std::array kFrameBindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-                                    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER}};
+                                    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+                                    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};  // the shadow map
 constexpr std::array<Binding, 1> kMapBindings{
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kNames<TextureSlot>.size())}};
 
@@ -35,8 +37,15 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   frame.back_color = glm::vec4(scene.back_color, 0);
   frame.background = glm::vec4(scene.background, 0);
   frame.zenith = glm::vec4(scene.sky_zenith.value_or(scene.backdrop_top.value_or(scene.background)), 0);
-  frame.counts = {int(scene.lights.size()), scene.sky_zenith ? kSky : scene.backdrop_top ? kBackdrop : 0, scene.camera.width,
-                  scene.camera.height};
+  frame.counts = {int(scene.lights.size()),
+                  scene.sky_zenith     ? kSky
+                  : scene.backdrop_top ? kBackdrop
+                                       : 0,
+                  scene.camera.width, scene.camera.height};
+  const std::optional<ShadowView> shadow = shadow_view(prepared);
+  if (shadow) frame.shadow_projection = shadow->projection;
+  frame.shadow =
+      shadow ? glm::vec4(shadow->light, kShadowMapSize, shadow->offset, 0) : glm::vec4(-1, 0, 0, 0);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) frame.lights[k] = gpu_light(scene.lights[k]);
   return frame;
 }
@@ -103,7 +112,12 @@ GpuScene::GpuScene(Device& device, const PreparedScene& scene) : device_(&device
     if (!meshes_.contains(mesh.get())) meshes_.emplace(mesh.get(), upload_mesh(*mesh));
   }
   upload_textures(scene);
+  set_shadow_map(white_.view(), sampler_.get());
   update(scene);
+}
+
+void GpuScene::set_shadow_map(VkImageView view, VkSampler sampler) {
+  write_image(*device_, frame_set_, 2, view, sampler);
 }
 
 GpuScene::MeshBuffers GpuScene::upload_mesh(const Mesh& mesh) {

@@ -22,6 +22,8 @@ class GpuScene {
   VkDescriptorSetLayout maps_layout() const { return maps_layout_.get(); }
   VkDescriptorSet frame_set() const { return frame_set_; }
   VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
+  // Where the lighting finds the shadow map (white until then).
+  void set_shadow_map(VkImageView view, VkSampler sampler);
   // The number that shaders know a reflectance of the scene by.
   int number_of(const Reflectance& reflectance) const { return numbers_.of(reflectance); }
   bool textured(std::size_t object) const { return textured_[object]; }

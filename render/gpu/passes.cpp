@@ -230,10 +230,10 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
   vkCmdEndRendering(commands);
 }
 
-void begin_forward(VkCommandBuffer commands, Image& color, Image& depth) {
-  color.transition(commands, Use::color_attachment);
+void begin_forward(VkCommandBuffer commands, Image& color, Image& depth, VkAttachmentLoadOp load) {
+  color.transition(commands, Use::color_attachment, load == VK_ATTACHMENT_LOAD_OP_CLEAR);
   depth.transition(commands, Use::depth_attachment, true);
-  const auto target = attachment(color, kColorLayout, VK_ATTACHMENT_LOAD_OP_LOAD, glm::vec4(0));
+  const auto target = attachment(color, kColorLayout, load, glm::vec4(0));
   VkRenderingAttachmentInfo depth_target =
       attachment(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
   depth_target.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;

@@ -26,8 +26,9 @@ void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
 VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load,
                                      const glm::vec4& clear);
 
-// Begins drawing meshes over what is in `color`, with a fresh depth buffer, and sets the viewport.
-void begin_forward(VkCommandBuffer commands, Image& color, Image& depth);
+// Begins drawing meshes over what is in `color` (or over zeros), with a fresh depth buffer, and sets the viewport.
+void begin_forward(VkCommandBuffer commands, Image& color, Image& depth,
+                   VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_LOAD);
 
 // Begins drawing meshes into cleared targets.
 void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer);

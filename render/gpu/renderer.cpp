@@ -63,6 +63,7 @@ Renderer::Renderer(Device& device, const PreparedScene& scene, const RendererOpt
 
 void Renderer::make_passes() {
   const VkExtent2D extent = color_.extent();
+  if (scene_.scene.shadow && !shadow_) shadow_.emplace(*device_, gpu_);
   if (uses_gbuffer(scene_.scene, options_)) {
     if (deferred_) return;
     gbuffer_.emplace(*device_, extent, options_.gbuffer_bits);
@@ -95,6 +96,10 @@ void Renderer::record(VkCommandBuffer commands, Timestamps* times) {
     classic_->record(commands, scene_, gpu_, color_, depth_);
     mark("forward");
     return;
+  }
+  if (scene_.scene.shadow) {
+    shadow_->record(commands, scene_, gpu_);
+    mark("shadow");
   }
   if (options_.path == Path::forward) {
     forward_->record(commands, scene_, gpu_, color_, depth_);

@@ -7,6 +7,7 @@
 
 #include "render/gpu/classic_pass.h"
 #include "render/gpu/passes.h"
+#include "render/gpu/shadow_pass.h"
 #include "render/vulkan/timestamps.h"
 
 namespace brdf::render {
@@ -26,7 +27,7 @@ class Renderer {
   // Camera, lights and items changed; the picture's size, meshes and textures did not.
   // A change of the shading mode makes the images that it needs.
   void update(const PreparedScene& scene);
-  // Marks the passes "background", "geometry", "lighting" or "forward" where times are wanted.
+  // Marks the passes "background", "shadow", "geometry", "lighting" or "forward" where times are wanted.
   void record(VkCommandBuffer commands, Timestamps* times = nullptr);
   // Records, runs and waits.
   void draw(Timestamps* times = nullptr);
@@ -56,6 +57,7 @@ class Renderer {
   std::optional<DeferredPass> deferred_;
   std::optional<ForwardPass> forward_;
   std::optional<ClassicPass> classic_;
+  std::optional<ShadowPass> shadow_;
 };
 
 // Whether the scene is drawn through the seven targets; otherwise forward.

@@ -33,6 +33,12 @@ constexpr std::uint32_t kDisplay[] =
 constexpr std::uint32_t kProof[] =
 #include "proof.comp.inc"
     ;
+constexpr std::uint32_t kShadowVertex[] =
+#include "shadow.vert.inc"
+    ;
+constexpr std::uint32_t kShadow[] =
+#include "shadow.frag.inc"
+    ;
 constexpr std::uint32_t kCopy[] =
 #include "copy.frag.inc"
     ;
@@ -41,7 +47,8 @@ constexpr std::uint32_t kCopy[] =
 
 const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = kGBuffer,
             lighting = kLighting, forward = kForward, sky = kSky, classic_vertex = kClassicVertex,
-            classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy;
+            classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy,
+            shadow_vertex = kShadowVertex, shadow = kShadow;
 
 const char* const lighting_text =
 #include "lighting.frag.text.inc"

@@ -7,7 +7,7 @@
 namespace brdf::render::shader_code {
 
 extern const Spirv mesh_vertex, screen_vertex, gbuffer, lighting, forward, sky, classic_vertex, classic,
-    display, proof, copy;
+    display, proof, copy, shadow_vertex, shadow;
 
 // Without brdf.glsl (see FragmentCode).
 extern const char* const lighting_text;

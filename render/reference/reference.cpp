@@ -12,6 +12,7 @@
 #include "render/reference/surface_hit.h"
 #include "render/scene/camera_view.h"
 #include "render/scene/display_rule.h"
+#include "render/scene/shadow_view.h"
 
 namespace brdf::render {
 namespace {
@@ -49,6 +50,10 @@ class SceneRays {
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene_.get(), &context, &hit);
     return hit;
+  }
+  // Whether something lies along the direction from this far on.
+  bool blocked(const glm::vec3& origin, const glm::vec3& direction) const {
+    return trace(origin, direction).hit.geomID != RTC_INVALID_GEOMETRY_ID;
   }
 
  private:
@@ -88,7 +93,8 @@ glm::vec3 backdrop(const Scene& scene, const glm::vec3& ray) {
   const glm::vec3 up = make_view(scene.camera).up;
   const float height = glm::dot(ray, up) / glm::dot(up, up);
   glm::vec3 color;
-  for (int c = 0; c < 3; ++c) color[c] = backdrop_color(scene.background[c], (*scene.backdrop_top)[c], height);
+  for (int c = 0; c < 3; ++c)
+    color[c] = backdrop_color(scene.background[c], (*scene.backdrop_top)[c], height);
   return color;
 }
 
@@ -100,9 +106,26 @@ glm::vec3 sky(const Scene& scene, const glm::vec3& ray) {
   return color;
 }
 
+// Which light something keeps from a surface.
+class Shadow {
+ public:
+  Shadow(const PreparedScene& prepared, const SceneRays& rays) : rays_(rays) {
+    if (const std::optional<std::size_t> light = shadow_light(prepared.scene)) light_ = *light;
+    offset_ = 1e-4f * prepared.bounds.w;  // past the triangle itself
+  }
+  bool hides(std::size_t light, const SurfaceHit& s, const glm::vec3& to_light) const {
+    return light == light_ && rays_.blocked(s.position + offset_ * s.normal, to_light);
+  }
+
+ private:
+  const SceneRays& rays_;
+  std::size_t light_ = kMostLights;  // none
+  float offset_;
+};
+
 // The value, and whether all of it is known.
 MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
-                    const Measured* measured) {
+                    const Shadow& shadow, const Measured* measured) {
   const Scene& scene = prepared.scene;
   MeasuredValue sum(glm::vec3(0));
   for (const auto& layer : prepared.layers) {
@@ -112,9 +135,10 @@ MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const g
     if (!s.front) return scene.back_color;
     const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
     if (!measured) sum.f_cos += scene.ambient * s.diffuse;
-    for (const Light& light : scene.lights) {
-      const Lit lit = lit_by(light, s.position);
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+      const Lit lit = lit_by(scene.lights[k], s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
+      if (wi.z > 0 && shadow.hides(k, s, lit.wi)) continue;
       const MeasuredValue value = measured ? (*measured)(wi, wo) : eval_cos_at(item, s, wi, wo);
       sum.f_cos += lit.irradiance * value.f_cos;
       sum.known = sum.known && value.known;
@@ -124,7 +148,7 @@ MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const g
   return sum;
 }
 
-// Calls visit(x, y, ray, hit) for every pixel, rows shared between threads.
+// Calls visit(x, y, ray, hit, rays) for every pixel, rows shared between threads.
 template <class Visit>
 void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit) {
   const Camera& camera = prepared.scene.camera;
@@ -133,7 +157,7 @@ void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit
   const auto row = [&](std::size_t y) {
     for (int x = 0; x < camera.width; ++x) {
       const glm::vec3 ray = view.ray(pixel_center(x, int(y), camera.width, camera.height));
-      visit(x, int(y), ray, rays.trace(camera.position, ray));
+      visit(x, int(y), ray, rays.trace(camera.position, ray), rays);
     }
   };
   io::parallel_for(std::size_t(camera.height), row, threads);
@@ -143,32 +167,36 @@ void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit
 
 Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& options) {
   Picture picture(prepared.scene.camera.width, prepared.scene.camera.height);
-  for_each_pixel(prepared, options.threads, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
+  const auto visit = [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit, const SceneRays& rays) {
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
       picture.at(x, y) = glm::vec4(sky(prepared.scene, ray), 0);
       return;
     }
-    const MeasuredValue value = shade(prepared, hit, ray, options.measured);
+    const MeasuredValue value = shade(prepared, hit, ray, Shadow(prepared, rays), options.measured);
     picture.at(x, y) = glm::vec4(value.f_cos, value.known ? 1 : kNotMeasured);
-  });
+  };
+  for_each_pixel(prepared, options.threads, visit);
   return picture;
 }
 
 std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
   const Scene& scene = prepared.scene;
   std::vector<LitPoint> points;
-  for_each_pixel(prepared, 1, [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit) {
+  const auto visit = [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit, const SceneRays& rays) {
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+    const Shadow shadow(prepared, rays);
     const Item& item = prepared.layers[0][hit.hit.geomID];
     const SurfaceHit s = surface_at(prepared, item, hit.hit.primID, ray);
     if (!s.front) return;
     const glm::vec3 wo = to_local(glm::normalize(scene.camera.position - s.position), s);
-    for (const Light& light : scene.lights) {
-      const Lit lit = lit_by(light, s.position);
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+      const Lit lit = lit_by(scene.lights[k], s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
-      if (wi.z > 0 && wo.z > 0) points.push_back({x, y, item.object, wi, wo, lit.irradiance});
+      if (wi.z > 0 && wo.z > 0 && !shadow.hides(k, s, lit.wi))
+        points.push_back({x, y, item.object, wi, wo, lit.irradiance});
     }
-  });
+  };
+  for_each_pixel(prepared, 1, visit);
   return points;
 }
 

@@ -20,7 +20,8 @@ struct Camera {
   glm::vec3 position{0, 0, 4}, target{0, 0, 0}, up{0, 1, 0};
   float vertical_fov = 32;  // degrees
   int width = 512, height = 512;
-  glm::vec2 offset{0};  // of the sample in its pixel, from the centre, in pixels to the right and down; in no file
+  glm::vec2 offset{
+      0};  // of the sample in its pixel, from the centre, in pixels to the right and down; in no file
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -57,7 +58,8 @@ struct Scene {
   glm::vec3 background{0};                // at the horizon where there is a sky
   std::optional<glm::vec3> sky_zenith;    // a sky: background at the horizon, this above
   std::optional<glm::vec3> backdrop_top;  // no sky: background at the picture's lower edge, this at the upper
-  glm::vec3 back_color{0.5f};           // of surfaces seen from behind
+  glm::vec3 back_color{0.5f};             // of surfaces seen from behind
+  bool shadow = false;                    // the first directional light casts one
   std::vector<Light> lights;
   std::vector<Object> objects;
   std::filesystem::path folder;  // that relative file names start from

@@ -171,7 +171,7 @@ bool read_flag(const JsonPlace& place) {
 Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder) {
   require_format(root, "brdf-scene");
   root.allow_keys({"format", "version", "camera", "ambient", "background", "back_color", "lights", "objects",
-                   "shading", "per_vertex", "as_coded", "tone_map", "exposure"});
+                   "shading", "per_vertex", "as_coded", "tone_map", "exposure", "shadow"});
   Scene scene;
   scene.folder = folder;
   if (root.has("camera")) scene.camera = read_camera(root.at("camera"));
@@ -184,6 +184,7 @@ Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder
       lights.fail("must have at most " + std::to_string(kMostLights) + " lights");
     for (std::size_t k = 0; k < lights.size(); ++k) scene.lights.push_back(read_light(lights.at(k)));
   }
+  read(root, "shadow", scene.shadow);
   const JsonPlace objects = root.at("objects");
   if (objects.size() == 0 || objects.size() > 200) objects.fail("must have 1 to 200 objects");
   for (std::size_t k = 0; k < objects.size(); ++k)
@@ -226,6 +227,7 @@ Json to_json(const Scene& scene) {
   json["back_color"] = json_of(scene.back_color);
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) json["lights"].push_back(json_of(light));
+  json["shadow"] = scene.shadow;
   json["objects"] = Json::array();
   for (const Object& object : scene.objects) json["objects"].push_back(json_of(object));
   json["shading"] = name_of(scene.shading);

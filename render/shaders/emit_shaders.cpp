@@ -46,20 +46,20 @@ std::string switch_over(const std::string& argument, int count, const std::strin
 
 std::string traced_rules() {
   const auto in = [](const char* name) { return Traced::input(name); };
-  std::string text =
-      "float driven(int rule, float own, float albedo, float roughness, float metallic) {\n" +
-      switch_over<Rule>(
-          "rule", kRuleCount, "return %0;",
-          [&](Rule rule) {
-            return std::array{driven(rule, in("own"), in("albedo"), in("roughness"), in("metallic"))};
-          }) +
-      "  return own;\n}\n";
-  text += "vec3 tone_curve(int tone_map, vec3 linear) {\n" +
-          switch_over<ToneMap>("tone_map", int(kNames<ToneMap>.size()), "return vec3(%0, %1, %2);",
-                               [&](ToneMap map) {
-                                 return tone_curve<Traced>(map, {in("linear.r"), in("linear.g"), in("linear.b")});
-                               }) +
-          "  return linear;\n}\n";
+  std::string text = "float driven(int rule, float own, float albedo, float roughness, float metallic) {\n" +
+                     switch_over<Rule>("rule", kRuleCount, "return %0;",
+                                       [&](Rule rule) {
+                                         return std::array{driven(rule, in("own"), in("albedo"),
+                                                                  in("roughness"), in("metallic"))};
+                                       }) +
+                     "  return own;\n}\n";
+  text +=
+      "vec3 tone_curve(int tone_map, vec3 linear) {\n" +
+      switch_over<ToneMap>("tone_map", int(kNames<ToneMap>.size()), "return vec3(%0, %1, %2);",
+                           [&](ToneMap map) {
+                             return tone_curve<Traced>(map, {in("linear.r"), in("linear.g"), in("linear.b")});
+                           }) +
+      "  return linear;\n}\n";
   Trace trace;
   const Trace::Scope scope(trace);
   const auto [r, g, b] = false_color_of(in("relative"));
@@ -70,9 +70,8 @@ std::string traced_rules() {
                                 "return vec3(%0, %1, %2);", true);
   text += detail::glsl_function("float sky_color(float horizon, float zenith, float up)",
                                 {sky_color(in("horizon"), in("zenith"), in("up"))}, "return %0;", true);
-  text +=
-      detail::glsl_function("float backdrop_color(float bottom, float top, float height)",
-                            {backdrop_color(in("bottom"), in("top"), in("height"))}, "return %0;", true);
+  text += detail::glsl_function("float backdrop_color(float bottom, float top, float height)",
+                                {backdrop_color(in("bottom"), in("top"), in("height"))}, "return %0;", true);
   return text;
 }
 

@@ -19,7 +19,9 @@
 namespace brdf::render {
 namespace {
 
-constexpr int kFramesAfterInput = 3;  // Dear ImGui settles within three
+constexpr int kSplitLine = GLFW_MOUSE_BUTTON_LAST + 1;  // what is dragged, beside the mouse's buttons
+constexpr double kNearLine = 8;                         // pixels
+constexpr int kFramesAfterInput = 3;                    // Dear ImGui settles within three
 
 class Viewer {
  public:
@@ -239,10 +241,16 @@ class Viewer {
     glfwGetCursorPos(window_.get(), &cursor_[0], &cursor_[1]);
     if (ImGui::GetIO().WantCaptureMouse && action == GLFW_PRESS) return;
     dragging_ = action == GLFW_PRESS ? button : -1;
+    if (dragging_ == GLFW_MOUSE_BUTTON_LEFT && on_split_line()) dragging_ = kSplitLine;
     if (action == GLFW_PRESS && (button == GLFW_MOUSE_BUTTON_MIDDLE || mods & GLFW_MOD_SHIFT)) {
       dragging_ = -1;
       probe_ = pixel_probe(pictures_.prepared(), int(cursor_[0]), int(cursor_[1]));
     }
+  }
+
+  bool on_split_line() const {
+    const double line = double(state_.split) * window_.framebuffer_size().width;
+    return state_.display == Display::split && std::abs(cursor_[0] - line) <= kNearLine;
   }
 
   void cursor(double x, double y) {
@@ -250,6 +258,8 @@ class Viewer {
     const float dx = float(x - cursor_[0]), dy = float(y - cursor_[1]);
     cursor_ = {x, y};
     const VkExtent2D size = window_.framebuffer_size();
+    if (dragging_ == kSplitLine)
+      state_.split = glm::clamp(float(x) / float(std::max(1u, size.width)), 0.0f, 1.0f);
     if (dragging_ == GLFW_MOUSE_BUTTON_LEFT) orbit(camera(), -dx * 0.008f, dy * 0.008f);
     if (dragging_ == GLFW_MOUSE_BUTTON_RIGHT) {
       pan(camera(), {dx / float(std::max(1u, size.width)), dy / float(std::max(1u, size.height))});

@@ -130,6 +130,9 @@ TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render m.json --lobes --solo 'A q' -o x.png", 2, "must be one of A r, A g, A b");
   expect_refused("render --state m.json -o x.png", 2, "must be \"brdf-view\"");
   expect_refused("render --state m.json m.json -o x.png", 2, "give nothing beside it");
+  expect_refused("render m.json --exposure bright -o x.png", 2, "must be a finite number, or auto");
+  expect_refused("render m.json --exposure 21 -o x.png", 2, "not in range -20 to 20");
+  expect_refused("render m.json --supersample 0 -o x.png", 2, "Value 0 not in range 1 to 16");
   expect_refused("render --parity", 2, "--parity needs --all or --form");
 }
 
@@ -165,6 +168,31 @@ TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped)
     EXPECT_LT(off, 3) << name;
     RecordProperty(name + "_degrees", std::to_string(off));
   }
+}
+
+TEST_F(RenderCli, PicturesAreFinishedUnlessAskedNotTo) {
+  const std::string size = "render m.json --width 64 --height 64 ";
+  const auto bytes = [&](const std::string& options) {
+    const Outcome outcome = run(size + options + " -o out.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return render::load_texture(folder_.path() / "out.png").texels;
+  };
+  const auto usual = bytes("");
+  EXPECT_EQ(usual, bytes("--supersample 4"));  // and the same again
+  EXPECT_NE(usual, bytes("--no-dither"));
+  EXPECT_NE(usual, bytes("--supersample 1"));
+  EXPECT_NE(usual, bytes("--tone-map reinhard"));
+  // Bytes without dither are the nearest to the values of the EXR, a picture that is exact.
+  const auto plain = bytes("--supersample 1 --no-dither");
+  ASSERT_EQ(run(size + "--supersample 1 -o out.exr").exit_code, 0);
+  const render::Picture linear = render::read_exr(folder_.path() / "out.exr", "");
+  const render::BytePicture shown = render::displayed(linear, render::ToneMap::neutral, 0);
+  for (std::size_t k = 0; k < plain.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(plain[k][c], shown.pixels[k][c]);
+  const Outcome bright = run(size + "--exposure auto --json -o out.png");
+  ASSERT_EQ(bright.exit_code, 0) << bright.err;
+  EXPECT_EQ(io::parse_json(bright.out, "stdout")["exposure"].get<float>(), render::exposure_from(linear));
+  EXPECT_NE(run(size + "--exposure auto -o out.png").out.find("stops, from the picture"), std::string::npos);
 }
 
 TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {

@@ -41,7 +41,7 @@ std::string message_of(const std::string& text) {
 
 TEST(Scene, ReadsWhatItWrote) {
   const std::string text = scene_with(
-      R"("camera":{"position":[1,2,3],"vertical_fov":40,"width":64,"height":32},"ambient":[0.1,0.2,0.3],
+      R"("shadow":true,"camera":{"position":[1,2,3],"vertical_fov":40,"width":64,"height":32},"ambient":[0.1,0.2,0.3],
          "background":{"horizon":[1,1,1],"zenith":[0,0,1]},"lights":[{"type":"point","position":[1,2,3],"intensity":2},
          {"type":"directional","direction":[0,-1,0],"color":[1,0,0]}],"shading":"phong","as_coded":true,)",
       R"(,"mesh":"icosphere:2","rotation":[10,20,30],"scale":[1,2,1])");
@@ -54,9 +54,20 @@ TEST(Scene, ReadsWhatItWrote) {
   again.lights[0].color.g = 0.5f;
   EXPECT_NE(again, once);
   EXPECT_TRUE(once.as_coded);
+  EXPECT_TRUE(once.shadow);
   EXPECT_EQ(once.tone_map, ToneMap::none);  // the articles' colours are shown as they are
   EXPECT_EQ(once.lights.size(), 2u);
   EXPECT_TRUE(once.sky_zenith.has_value());
+}
+
+TEST(Scene, ABackdropIsNoSky) {
+  const Scene once = parsed(scene_with(R"("background":{"bottom":[1,1,1],"top":[0,0,0.5]},)"));
+  EXPECT_EQ(once.backdrop_top, glm::vec3(0, 0, 0.5f));
+  EXPECT_FALSE(once.sky_zenith);
+  EXPECT_EQ(parsed(io::to_text(to_json(once))), once);
+  EXPECT_NE(message_of(scene_with(R"("background":{"bottom":[1,1,1],"zenith":[0,0,1]},)")).find("zenith"),
+            std::string::npos);
+  EXPECT_NE(message_of(scene_with(R"("background":{"top":[1,1,1]},)")).find("bottom"), std::string::npos);
 }
 
 TEST(Scene, RefusesWhatItDoesNotKnowByItsPath) {

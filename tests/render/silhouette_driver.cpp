@@ -33,7 +33,8 @@ struct Geometry {
 float largest_cosine(const Scene& scene, const glm::vec3& position, const glm::vec3& normal) {
   float most = -1;
   for (const Light& light : scene.lights)
-    most = std::max(most, glm::dot(normal, glm::normalize(light.point ? light.vector - position : -light.vector)));
+    most = std::max(most,
+                    glm::dot(normal, glm::normalize(light.point ? light.vector - position : -light.vector)));
   return most;
 }
 
@@ -97,7 +98,8 @@ void expect_lit(Device& device, const Scene& scene, const std::string& what) {
 TEST(Silhouette, NoPixelOfAShippedSceneIsBlackWhereLightFallsOnIt) {
   Device device;
   for (const auto& file : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes"))
-    if (file.path().extension() == ".json") expect_lit(device, load_scene(file.path()), file.path().stem().string());
+    if (file.path().extension() == ".json")
+      expect_lit(device, load_scene(file.path()), file.path().stem().string());
 }
 
 // Whatever the maps do to the normals: white paint is black nowhere.
@@ -123,8 +125,10 @@ TEST(Silhouette, NoPixelOfAMaterialIsBlackWhereLightFallsOnIt) {
     expect_lit(device, scene, name);
   };
   for (const char* name : {"rolled_brass", "ivory_plastic", "glossy_grey_paper"})
-    shown(name, io::read_material(std::string(BRDF_SOURCE_DIR "/data/materials/") + name + ".json"), {1280, 720});
-  for (const Reflectance& form : catalogue()) shown(std::string(info(form).name), make_material(form), {320, 320});
+    shown(name, io::read_material(std::string(BRDF_SOURCE_DIR "/data/materials/") + name + ".json"),
+          {1280, 720});
+  for (const Reflectance& form : catalogue())
+    shown(std::string(info(form).name), make_material(form), {320, 320});
 }
 
 }  // namespace

@@ -192,6 +192,18 @@ try:
     press("h")
     assert len({len(s) for s in shots}) >= 3
 
+    # The line of a split follows the mouse; the camera stands still.
+    press("h", "s")
+    before = saved_state()
+    x("mousemove", "--window", window, round(640 * before["split"]), 300, "mousedown", 1)
+    x("mousemove", "--window", window, 480, 300)
+    time.sleep(0.5)
+    x("mouseup", 1)
+    after = saved_state()
+    assert abs(after["split"] - 480 / 640) < 0.01, (before["split"], after["split"])
+    assert after["scene"]["camera"] == before["scene"]["camera"]
+    press("s", "h")
+
     # Shading modes, tone maps, exposure, lobe plot, turntable, probe.
     for _ in range(7):
         press("m")

@@ -205,7 +205,7 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   if (material) io::write_material_file(folder / "material.json", {*material, fit});
   const float exposure = exposure_of(r.reference_picture);
   const auto tone = [exposure](const render::Picture& p) {
-    return render::displayed(p, render::ToneMap::srgb, exposure);
+    return render::displayed(p, render::ToneMap::srgb, exposure, render::Rounding::dithered);
   };
   render::write_png(folder / "model.png", tone(r.picture));
   render::write_png(folder / "reference.png", tone(r.reference_picture));

@@ -1,0 +1,21 @@
+// Draws the shadow map: the scene's depth from the light that casts a shadow.
+#pragma once
+
+#include "render/gpu/gpu_scene.h"
+
+namespace brdf::render {
+
+class ShadowPass {
+ public:
+  // The map belongs to the scene's frame from now on.
+  ShadowPass(Device& device, GpuScene& gpu);
+  void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu);
+
+ private:
+  Image map_, depth_;
+  Owned<VkSampler> sampler_;
+  Owned<VkPipelineLayout> layout_;
+  Owned<VkPipeline> pipeline_;
+};
+
+}  // namespace brdf::render

@@ -1,0 +1,135 @@
+// The shadow of the first directional light: traced by the reference, by a map in the renderer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brdf/reflectance.h"
+#include "render/gpu/renderer.h"
+#include "render/reference/reference.h"
+
+namespace brdf::render {
+namespace {
+
+Picture drawn(Device& device, const PreparedScene& scene, const RendererOptions& options) {
+  Renderer renderer(device, scene, options);
+  renderer.draw();
+  return picture_from(scene.scene.camera.width, scene.scene.camera.height, renderer.read_color());
+}
+
+// A ball of radius 1/2 that floats over a ground at height 0, seen and lit from above.
+Scene ball_over_ground(const glm::vec3& light) {
+  Scene scene;
+  const Material grey = make_material(*find_form("lambert"));
+  for (const char* mesh : {"sphere", "plane"}) {
+    Object object;
+    object.mesh = mesh;
+    object.material = grey;
+    scene.objects.push_back(object);
+  }
+  scene.objects[0].position = {0, 1, 0};
+  scene.objects[0].scale = glm::vec3(0.5f);
+  scene.objects[1].scale = {4, 1, 4};
+  scene.camera = {
+      .position = {0, 6, 6}, .target = {0, 0.3f, 0}, .up = {0, 1, 0}, .width = 200, .height = 200};
+  scene.lights.push_back({false, light, glm::vec3(1), float(kPi)});
+  scene.shadow = true;
+  return scene;
+}
+
+TEST(Shadow, LiesWhereTheBallHidesTheSun) {
+  const Scene scene = ball_over_ground({0.5f, -1, 0.25f});
+  const PreparedScene prepared = prepare(scene);
+  const Picture reference = render_reference(prepared);
+  const glm::vec3 to_light = -glm::normalize(scene.lights[0].vector);
+  int inside = 0, outside = 0;
+  for (int y = 0; y < 200; y += 3) {
+    for (int x = 0; x < 200; x += 3) {
+      const PixelProbe at = pixel_probe(prepared, x, y);
+      if (!at.hit || at.object != 1) continue;
+      // How far the ray to the light passes from the ball's centre.
+      const glm::vec3 offset = scene.objects[0].position - at.position;
+      const float distance = glm::length(offset - to_light * glm::dot(offset, to_light));
+      if (std::abs(distance - 0.5f) < 0.01f) continue;
+      const bool dark = reference.at(x, y).r == 0;
+      EXPECT_EQ(dark, distance < 0.5f) << x << ", " << y;
+      ++(dark ? inside : outside);
+    }
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_GT(outside, 500);
+}
+
+struct Apart {
+  double edges = 0;    // share of the surface that differs by more than 1 %
+  double rel_mse = 0;  // of the rest
+  double all = 0;
+};
+
+Apart apart(const Picture& picture, const Picture& reference) {
+  Apart out;
+  int surface = 0, edges = 0;
+  Picture a = picture;
+  for (std::size_t k = 0; k < a.pixels.size(); ++k) {
+    if (!is_surface(reference.pixels[k]) || !is_surface(a.pixels[k])) continue;
+    ++surface;
+    const glm::vec3 difference = glm::abs(glm::vec3(a.pixels[k]) - glm::vec3(reference.pixels[k]));
+    if (std::max({difference.r, difference.g, difference.b}) <=
+        0.01f * std::max(reference.pixels[k].g, 0.01f))
+      continue;
+    ++edges;
+    a.pixels[k].a = 0;
+  }
+  out.edges = double(edges) / surface;
+  out.rel_mse = compare(a, reference).rel_mse;
+  out.all = compare(picture, reference).rel_mse;
+  return out;
+}
+
+// Apart from parity: a map has texels, a ray has none.
+TEST(Shadow, TheMapDiffersFromTheRayAtTheShadowsEdgesAlone) {
+  Device device;
+  const auto check = [&](const Scene& scene, const std::string& name, double most) {
+    const PreparedScene prepared = prepare(scene);
+    const Picture reference = render_reference(prepared);
+    for (const RendererOptions& options :
+         {RendererOptions{.gbuffer_bits = 32}, RendererOptions{.gbuffer_bits = 16}}) {
+      const Apart found = apart(drawn(device, prepared, options), reference);
+      std::printf("%s %d bits: %.4f %% apart, rest %.3g, all %.3g\n", name.c_str(), options.gbuffer_bits,
+                  100 * found.edges, found.rel_mse, found.all);
+      EXPECT_GT(found.edges, 1e-4) << name;
+      EXPECT_LT(found.edges, most) << name;
+      EXPECT_LT(found.rel_mse, 1e-6) << name;
+    }
+  };
+  check(ball_over_ground({0.5f, -1, 0.25f}), "ball", 0.02);
+  for (const char* name : {"vase", "car"})
+    check(load_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json"), name, 0.03);
+}
+
+TEST(Shadow, WithoutItNothingChangesAndALampCastsNone) {
+  Device device;
+  Scene scene = ball_over_ground({0.5f, -1, 0.25f});
+  scene.shadow = false;
+  const PreparedScene plain = prepare(scene);
+  const Picture lit = render_reference(plain);
+  EXPECT_LT(compare(drawn(device, plain, {.gbuffer_bits = 32}), lit).rel_mse, 1e-11);
+  scene.shadow = true;
+  EXPECT_GT(compare(render_reference(prepare(scene)), lit).rel_mse, 1e-4);
+  scene.lights = {{true, {0, 3, 0}, glm::vec3(1), 4}};  // a point light
+  scene.shadow = false;
+  const Picture lamp = render_reference(prepare(scene));
+  scene.shadow = true;
+  EXPECT_EQ(render_reference(prepare(scene)).pixels, lamp.pixels);
+}
+
+TEST(Shadow, IsSilentUnderTheValidationLayersForwardToo) {
+  Device device({.validation = true});
+  const PreparedScene scene = prepare(ball_over_ground({0.5f, -1, 0.25f}));
+  const Picture deferred = drawn(device, scene, {.gbuffer_bits = 32}),
+                forward = drawn(device, scene, {.path = Path::forward});
+  EXPECT_LT(compare(deferred, forward).rel_mse, 1e-6);
+  EXPECT_EQ(device.validation_messages(), 0u);
+}
+
+}  // namespace
+}  // namespace brdf::render
