@@ -6,6 +6,7 @@
 #include "brdf/reflectance.h"
 #include "render/gpu/renderer.h"
 #include "render/reference/reference.h"
+#include "render/scene/camera_view.h"
 
 namespace brdf::render {
 namespace {
@@ -41,22 +42,27 @@ TEST(Shadow, LiesWhereTheBallHidesTheSun) {
   const PreparedScene prepared = prepare(scene);
   const Picture reference = render_reference(prepared);
   const glm::vec3 to_light = -glm::normalize(scene.lights[0].vector);
+  const View view = make_view(scene.camera);
   int inside = 0, outside = 0;
-  for (int y = 0; y < 200; y += 3) {
-    for (int x = 0; x < 200; x += 3) {
-      const PixelProbe at = pixel_probe(prepared, x, y);
-      if (!at.hit || at.object != 1) continue;
-      // How far the ray to the light passes from the ball's centre.
-      const glm::vec3 offset = scene.objects[0].position - at.position;
-      const float distance = glm::length(offset - to_light * glm::dot(offset, to_light));
+  // How far a line passes from the ball's centre.
+  const auto past_ball = [&](const glm::vec3& from, const glm::vec3& along) {
+    const glm::vec3 offset = scene.objects[0].position - from, way = glm::normalize(along);
+    return glm::length(offset - way * glm::dot(offset, way));
+  };
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      const glm::vec3 ray = view.ray(pixel_center(x, y, 200, 200));
+      const glm::vec3 at = view.position - ray * (view.position.y / ray.y);  // on the ground
+      if (std::max(std::abs(at.x), std::abs(at.z)) > 3.9f || past_ball(view.position, ray) < 0.51f) continue;
+      const float distance = past_ball(at, to_light);
       if (std::abs(distance - 0.5f) < 0.01f) continue;
       const bool dark = reference.at(x, y).r == 0;
       EXPECT_EQ(dark, distance < 0.5f) << x << ", " << y;
       ++(dark ? inside : outside);
     }
   }
-  EXPECT_GT(inside, 20);
-  EXPECT_GT(outside, 500);
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(outside, 5000);
 }
 
 struct Apart {
