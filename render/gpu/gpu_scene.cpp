@@ -45,7 +45,7 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   const std::optional<ShadowView> shadow = shadow_view(prepared);
   if (shadow) frame.shadow_projection = shadow->projection;
   frame.shadow =
-      shadow ? glm::vec4(shadow->light, kShadowMapSize, shadow->offset, 0) : glm::vec4(-1, 0, 0, 0);
+      shadow ? glm::vec4(shadow->light, kShadowMapSize, prepared.meshes.size(), 0) : glm::vec4(-1, 0, 0, 0);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) frame.lights[k] = gpu_light(scene.lights[k]);
   return frame;
 }

@@ -7,7 +7,7 @@
 namespace brdf::render {
 namespace {
 
-constexpr VkFormat kMapFormat = VK_FORMAT_R32_SFLOAT;
+constexpr VkFormat kMapFormat = VK_FORMAT_R32G32_SFLOAT;
 constexpr VkExtent2D kMapExtent{kShadowMapSize, kShadowMapSize};
 
 }  // namespace
@@ -20,7 +20,7 @@ ShadowPass::ShadowPass(Device& device, GpuScene& gpu)
   layout_ = make_pipeline_layout(device, sets, sizeof(int));
   pipeline_ = make_pipeline(device, {.vertex = shader_code::shadow_vertex,
                                      .fragment = shader_code::shadow,
-                                     .input = VertexInput::mesh_without_tangent,
+                                     .input = VertexInput::mesh_position,
                                      .colors = {kMapFormat},
                                      .depth = true,
                                      .layout = layout_.get()});

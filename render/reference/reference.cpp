@@ -35,8 +35,9 @@ class SceneRays {
     rtcCommitScene(scene_.get());
   }
 
-  RTCRayHit trace(const glm::vec3& origin, const glm::vec3& direction) const {
+  RTCRayHit trace(const glm::vec3& origin, const glm::vec3& direction, float from = 0) const {
     RTCRayHit hit{};
+    hit.ray.tnear = from;
     hit.ray.org_x = origin.x;
     hit.ray.org_y = origin.y;
     hit.ray.org_z = origin.z;
@@ -51,9 +52,14 @@ class SceneRays {
     rtcIntersect1(scene_.get(), &context, &hit);
     return hit;
   }
-  // Whether something lies along the direction from this far on.
-  bool blocked(const glm::vec3& origin, const glm::vec3& direction) const {
-    return trace(origin, direction).hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  // Whether an object other than this one lies along the direction; its own surfaces are passed, each by `step`.
+  bool blocked(const glm::vec3& origin, const glm::vec3& direction, std::size_t own, float step) const {
+    for (float from = 0;;) {
+      const RTCRayHit hit = trace(origin, direction, from);
+      if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+      if (hit.hit.geomID != own) return true;
+      from = hit.ray.tfar + step;
+    }
   }
 
  private:
@@ -111,16 +117,17 @@ class Shadow {
  public:
   Shadow(const PreparedScene& prepared, const SceneRays& rays) : rays_(rays) {
     if (const std::optional<std::size_t> light = shadow_light(prepared.scene)) light_ = *light;
-    offset_ = 1e-4f * prepared.bounds.w;  // past the triangle itself
+    step_ = 1e-4f * prepared.bounds.w;
   }
-  bool hides(std::size_t light, const SurfaceHit& s, const glm::vec3& to_light) const {
-    return light == light_ && rays_.blocked(s.position + offset_ * s.normal, to_light);
+  bool hides(std::size_t light, std::size_t from_object, const glm::vec3& position,
+             const glm::vec3& to_light) const {
+    return light == light_ && rays_.blocked(position, to_light, from_object, step_);
   }
 
  private:
   const SceneRays& rays_;
   std::size_t light_ = kMostLights;  // none
-  float offset_;
+  float step_;
 };
 
 // The value, and whether all of it is known.
@@ -138,7 +145,7 @@ MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const g
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
       const Lit lit = lit_by(scene.lights[k], s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
-      if (wi.z > 0 && shadow.hides(k, s, lit.wi)) continue;
+      if (wi.z > 0 && shadow.hides(k, item.object, s.position, lit.wi)) continue;
       const MeasuredValue value = measured ? (*measured)(wi, wo) : eval_cos_at(item, s, wi, wo);
       sum.f_cos += lit.irradiance * value.f_cos;
       sum.known = sum.known && value.known;
@@ -192,7 +199,7 @@ std::vector<LitPoint> lit_points(const PreparedScene& prepared) {
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
       const Lit lit = lit_by(scene.lights[k], s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
-      if (wi.z > 0 && wo.z > 0 && !shadow.hides(k, s, lit.wi))
+      if (wi.z > 0 && wo.z > 0 && !shadow.hides(k, item.object, s.position, lit.wi))
         points.push_back({x, y, item.object, wi, wo, lit.irradiance});
     }
   };

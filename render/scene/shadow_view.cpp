@@ -62,8 +62,6 @@ std::optional<ShadowView> shadow_view(const PreparedScene& prepared) {
   view.projection = glm::transpose(
       glm::mat4(glm::vec4(right / half.x, -middle.x / half.x), glm::vec4(up / half.y, -middle.y / half.y),
                 glm::vec4(to_light / (2 * reach), 0.5f - center / (2 * reach)), glm::vec4(0, 0, 0, 1)));
-  const float texel = 2 * std::max(half.x, half.y) / float(kShadowMapSize);
-  view.offset = 2.5f * texel + reach / 2048;
   return view;
 }
 

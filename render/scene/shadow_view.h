@@ -1,5 +1,6 @@
 // Which light of a scene casts a shadow, and how its shadow map looks at the scene. The renderer draws that map, the
-// reference traces the same light.
+// reference traces the same light. Objects cast shadows on one another, none on itself: there the cosine says what is
+// dark, and the facets of a coarse mesh under a smooth normal would show as steps.
 #pragma once
 
 #include <optional>
@@ -18,9 +19,6 @@ struct ShadowView {
   // To x, y in [-1, 1] round everything that is not flat (a ground lies under things, not over them) and to the nearness
   // to the light in [0, 1].
   glm::mat4 projection{1};
-  // From this far along its normal a surface looks for what hides the light: farther than the map's texels and the
-  // rounding of stored positions reach.
-  float offset = 0;
 };
 
 // Nothing where no light casts one.

@@ -16,6 +16,7 @@ void main() {
     return;
   }
   const vec3 position = items[s.item].model[3].xyz + s.relative;
+  shadow_receiver = s.item;
   color = vec4(shade(kForm, position, normalize(position - frame.camera.xyz), s.normal, s.tangent, s.bitangent,
                      s.weights, items[s.item].form.z, s.shape),
                1.0);

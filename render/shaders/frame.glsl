@@ -11,7 +11,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 ambient, back_color, background, zenith;
   ivec4 counts;  // x: lights, y: there is a sky, or a backdrop (kBackdrop), zw: the picture's width and height
   mat4 shadow_projection;
-  vec4 shadow;   // x: number of the light that casts one, -1: none; y: texels of the map across; z: offset along normals
+  vec4 shadow;   // x: number of the light that casts one, -1: none; y: texels of the map across; z: number of objects
   Light lights[kMostLights];
 } frame;
 

@@ -52,5 +52,6 @@ void main() {
   const vec3 ray = ray_through(gl_FragCoord.xy);
   vec3 position = items[id].model[3].xyz + relative;
   if (kBits != 32) position = frame.camera.xyz + ray * (dot(position - frame.camera.xyz, ray) / dot(ray, ray));
+  shadow_receiver = id;
   color = vec4(shade(kForm, position, normalize(ray), n, t, b, w, items[id].form.z, shape), 1.0);
 }

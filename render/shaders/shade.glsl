@@ -12,7 +12,7 @@ vec3 shade(int form, vec3 position, vec3 view, vec3 n, vec3 t, vec3 b, vec3 w[kM
     const float d2 = dot(to_light, to_light);
     const vec3 wi = to_local(to_light * inversesqrt(d2), t, b, n);
     const vec3 irradiance = light.vector.w == 0.0 ? light.irradiance.rgb : light.irradiance.rgb / d2;
-    sum += irradiance * lit_share(k, position, n) * brdf_eval_cos(form, wi, wo, shape, w[0], w[1], w[2]);
+    sum += irradiance * lit_share(k, position) * brdf_eval_cos(form, wi, wo, shape, w[0], w[1], w[2]);
   }
   return sum;
 }

@@ -57,7 +57,9 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
   if (d.input != VertexInput::none) {
     input.vertexBindingDescriptionCount = 1;
     input.pVertexBindingDescriptions = &kVertexBinding;
-    input.vertexAttributeDescriptionCount = d.input == VertexInput::mesh ? 4 : 3;
+    input.vertexAttributeDescriptionCount = d.input == VertexInput::mesh            ? 4
+                                            : d.input == VertexInput::mesh_position ? 1
+                                                                                    : 3;
     input.pVertexAttributeDescriptions = kVertexAttributes.data();
   }
   VkPipelineInputAssemblyStateCreateInfo assembly{

@@ -11,7 +11,7 @@ namespace brdf::render {
 
 using Spirv = std::span<const std::uint32_t>;
 
-enum class VertexInput { none, mesh, mesh_without_tangent };
+enum class VertexInput { none, mesh, mesh_without_tangent, mesh_position };
 enum class Blend { replace, add };
 
 struct PipelineDescription {
