@@ -143,7 +143,7 @@ MaterialFile material_from_json(const JsonPlace& place) {
   check_header(place);
   MaterialFile file;
   if (place.at("form").value() == "sum") {
-    place.allow_keys({"format", "version", "form", "channels", "terms", "fit"});
+    place.allow_keys({"format", "version", "name", "source", "form", "channels", "terms", "fit"});
     if (place.has("channels")) file.material.channels = read_channels(place.at("channels"));
     const JsonPlace terms = place.at("terms");
     if (terms.size() == 0) terms.fail("must hold at least one term");
@@ -151,10 +151,13 @@ MaterialFile material_from_json(const JsonPlace& place) {
       file.material.terms.push_back(read_sum_term(terms.at(k), file.material.channels));
   } else {
     const Reflectance form = read_form(place.at("form"));
-    place.allow_keys({"format", "version", "form", "channels", "weights", "shape", "tangent_phi", "fit"});
+    place.allow_keys({"format", "version", "name", "source", "form", "channels", "weights", "shape",
+                      "tangent_phi", "fit"});
     file.material.channels = read_channels(place.at("channels"));
     file.material.terms.push_back(read_term(place, form, file.material.channels.size()));
   }
+  if (place.has("name")) file.name = place.at("name").text();
+  if (place.has("source")) file.source = place.at("source").text();
   if (place.has("fit")) file.fit = place.at("fit").value();
   return file;
 }
@@ -184,9 +187,16 @@ Material read_material(const Content& content) {
 }
 
 Json to_json(const Material& material) {
+  return to_json(MaterialFile{material, nullptr});
+}
+
+Json to_json(const MaterialFile& file) {
+  const Material& material = file.material;
   Json json;
   json["format"] = kFormat;
   json["version"] = kVersion;
+  if (!file.name.empty()) json["name"] = file.name;
+  if (!file.source.empty()) json["source"] = file.source;
   if (material.terms.size() == 1) {
     json.update(term_json(material.terms[0], material.channels));
   } else {
@@ -195,11 +205,6 @@ Json to_json(const Material& material) {
     json["terms"] = Json::array();
     for (const Term& term : material.terms) json["terms"].push_back(term_json(term, material.channels));
   }
-  return json;
-}
-
-Json to_json(const MaterialFile& file) {
-  Json json = to_json(file.material);
   if (!file.fit.is_null()) json["fit"] = file.fit;
   return json;
 }

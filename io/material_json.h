@@ -5,10 +5,12 @@
 
 namespace brdf::io {
 
-// A material with the provenance and statistics of the fit it came from (null where there are none).
+// A material with the provenance and statistics of the fit it came from (null where there are none), what people call
+// it and where its numbers come from (empty where the file does not say).
 struct MaterialFile {
   Material material;
   Json fit;
+  std::string name{}, source{};
 };
 
 MaterialFile read_material_file(const std::filesystem::path& path);

@@ -154,7 +154,7 @@ MaterialFile choose_material_file(const MaterialChoice& choice) {
                        std::to_string(kMostChannels) + " channels of a material");
     file.material = make_material(require_form(choice.form), channel_names(channels));
   }
-  if (!settings.empty()) file.fit = nullptr;  // no longer what was fitted
+  if (!settings.empty()) file = {std::move(file.material), nullptr};  // no longer what was fitted or published
   apply_settings(file.material, settings);
   return file;
 }

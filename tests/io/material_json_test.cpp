@@ -63,6 +63,21 @@ TEST(MaterialJson, SumsAndTheFitBlockRoundTrip) {
   EXPECT_EQ(back.fit.dump(), file.fit.dump());
 }
 
+TEST(MaterialJson, ANameAndASourceRoundTripAndAreNoneWhereTheFileHasNone) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "m.json";
+  const MaterialFile plain{make_material(ward{}, {"fr"}), nullptr};
+  EXPECT_FALSE(to_json(plain).contains("name") || to_json(plain).contains("source"));
+  write_material_file(path, {plain.material, nullptr, "rolled brass", "Ward 1992, table 1"});
+  const MaterialFile back = read_material_file(path);
+  EXPECT_EQ(back.material, plain.material);
+  EXPECT_EQ(back.name, "rolled brass");
+  EXPECT_EQ(back.source, "Ward 1992, table 1");
+  Json wrong = to_json(back);
+  wrong["name"] = 3;
+  EXPECT_THROW(material_from_json(JsonPlace(wrong, "m")), InputError);
+}
+
 TEST(MaterialJson, AnyTangentInWholeDegreesOrDecimalsReadsAndWritesTheSame) {
   for (int tenths = -1800; tenths <= 1800; ++tenths) {
     const double degrees = tenths / 10.0;
