@@ -230,9 +230,15 @@ Mesh make_mesh(const std::string& specification, const std::filesystem::path& fo
   if (kind == "plane") return make_plane(plain ? 1 : count_of(specification, colon, 1, 1000));
   if (kind == "checker_even") return make_plane(plain ? 8 : count_of(specification, colon, 2, 1000), 0);
   if (kind == "checker_odd") return make_plane(plain ? 8 : count_of(specification, colon, 2, 1000), 1);
-  for (const char* part : {"car", "car:body", "car:cabin", "car:wheels"}) {
-    if (specification == part) return make_car(plain ? "" : specification.substr(colon + 1));
-  }
+  const std::string part = plain ? "" : specification.substr(colon + 1);
+  const auto is_part = [&](std::initializer_list<std::string_view> parts) {
+    return plain || std::find(parts.begin(), parts.end(), part) != parts.end();
+  };
+  if (kind == "car" && is_part({"body", "cabin", "wheels"})) return make_car(part);
+  if (kind == "shader_ball" && is_part({"ball", "stand"})) return make_shader_ball(part);
+  if (kind == "sedan" && is_part({"body", "windows", "trim", "metal", "lamps"})) return make_sedan(part);
+  if (kind == "vase" && plain) return make_vase();
+  if (kind == "cloth" && plain) return make_cloth();
   if (kind == "text" && !plain) return make_text_sphere(specification.substr(colon + 1));
   return load_model(folder / specification);
 }

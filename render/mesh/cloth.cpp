@@ -1,0 +1,165 @@
+// A cloth laid over a ball: masses on springs (Provot 1995), moved by Verlet steps with the springs' lengths put right after
+// each (Jakobsen 2001), then smoothed as a B-spline surface and given two sides.
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/random.h"
+#include "render/mesh/mesh.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr int kPoints = 61;  // along each side
+constexpr float kSide = 4.2f, kBall = 0.75f, kFloor = -0.75f, kThickness = 0.012f;
+constexpr float kClear = 0.01f;  // between the cloth's middle and what it lies on
+constexpr int kSteps = 420, kCorrections = 5;
+
+struct Spring {
+  int a, b;
+  float length, stiffness;
+};
+
+int index(int i, int j) {
+  return j * kPoints + i;
+}
+
+// Along the threads, across them, and over two threads against bending.
+std::vector<Spring> springs(const std::vector<glm::vec3>& at) {
+  std::vector<Spring> all;
+  const auto add = [&](int i, int j, int di, int dj, float stiffness) {
+    if (i + di < 0 || i + di >= kPoints || j + dj >= kPoints) return;
+    const int a = index(i, j), b = index(i + di, j + dj);
+    all.push_back({a, b, glm::distance(at[std::size_t(a)], at[std::size_t(b)]), stiffness});
+  };
+  for (int j = 0; j < kPoints; ++j) {
+    for (int i = 0; i < kPoints; ++i) {
+      add(i, j, 1, 0, 1);
+      add(i, j, 0, 1, 1);
+      add(i, j, 1, 1, 0.3f);
+      add(i, j, -1, 1, 0.3f);
+      add(i, j, 2, 0, 0.12f);
+      add(i, j, 0, 2, 0.12f);
+    }
+  }
+  return all;
+}
+
+// Out of the ball and above the floor; what touches is held back by friction.
+void collide(glm::vec3& at, glm::vec3& before) {
+  const float distance = glm::length(at);
+  bool touches = false;
+  if (distance < kBall + kClear) {
+    at *= (kBall + kClear) / std::max(distance, 1e-6f);
+    touches = true;
+  }
+  if (at.y < kFloor + kClear) {
+    at.y = kFloor + kClear;
+    touches = true;
+  }
+  if (touches) before = glm::mix(before, at, 0.5f);
+}
+
+std::vector<glm::vec3> laid() {
+  std::vector<glm::vec3> at;
+  Random random(7);
+  // Turned and off the centre, and not quite flat: its folds fall as they like.
+  const float c = std::cos(0.35f), s = std::sin(0.35f);
+  for (int j = 0; j < kPoints; ++j) {
+    for (int i = 0; i < kPoints; ++i) {
+      const float x = kSide * (float(i) / float(kPoints - 1) - 0.5f),
+                  z = kSide * (float(j) / float(kPoints - 1) - 0.5f);
+      at.push_back({c * x - s * z + 0.05f, 0.8f + float(random.uniform(0, 0.004)), s * x + c * z - 0.08f});
+    }
+  }
+  return at;
+}
+
+std::vector<glm::vec3> fallen() {
+  std::vector<glm::vec3> at = laid(), before = at;
+  const std::vector<Spring> all = springs(at);
+  for (int step = 0; step < kSteps; ++step) {
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const glm::vec3 moved = (at[k] - before[k]) * 0.985f;
+      before[k] = at[k];
+      at[k] += moved - glm::vec3(0, 0.0004f, 0);
+    }
+    for (int correction = 0; correction < kCorrections; ++correction) {
+      for (const Spring& spring : all) {
+        glm::vec3 &a = at[std::size_t(spring.a)], &b = at[std::size_t(spring.b)];
+        const glm::vec3 along = b - a;
+        const float length = std::max(glm::length(along), 1e-6f);
+        const glm::vec3 move = along * (0.5f * spring.stiffness * (length - spring.length) / length);
+        a += move;
+        b -= move;
+      }
+      for (std::size_t k = 0; k < at.size(); ++k) collide(at[k], before[k]);
+    }
+  }
+  return at;
+}
+
+struct SurfacePoint {
+  glm::vec3 place, along_u, along_v;
+};
+
+// The uniform cubic B-spline with these control points; u and v in threads.
+SurfacePoint surface(const std::vector<glm::vec3>& control, float u, float v) {
+  const int i = std::min(int(u), kPoints - 2), j = std::min(int(v), kPoints - 2);
+  const auto weights = [](float t, float(&w)[4], float(&d)[4]) {
+    const float r = 1 - t;
+    w[0] = r * r * r / 6, w[1] = (3 * t * t * t - 6 * t * t + 4) / 6,
+    w[2] = (3 * r * r * r - 6 * r * r + 4) / 6;
+    w[3] = t * t * t / 6;
+    d[0] = -r * r / 2, d[1] = t * (3 * t - 4) / 2, d[2] = -r * (3 * r - 4) / 2, d[3] = t * t / 2;
+  };
+  float wu[4], du[4], wv[4], dv[4];
+  weights(u - float(i), wu, du);
+  weights(v - float(j), wv, dv);
+  SurfacePoint out{glm::vec3(0), glm::vec3(0), glm::vec3(0)};
+  for (int n = 0; n < 4; ++n) {
+    for (int m = 0; m < 4; ++m) {
+      const glm::vec3& p = control[std::size_t(
+          index(std::clamp(i + m - 1, 0, kPoints - 1), std::clamp(j + n - 1, 0, kPoints - 1)))];
+      out.place += wu[m] * wv[n] * p;
+      out.along_u += du[m] * wv[n] * p;
+      out.along_v += wu[m] * dv[n] * p;
+    }
+  }
+  return out;
+}
+
+// One side, `lift` from the middle; the lower one faces the other way.
+Mesh side(const std::vector<glm::vec3>& control, float lift) {
+  constexpr int kFine = 4 * (kPoints - 1);
+  Mesh mesh;
+  for (int j = 0; j <= kFine; ++j) {
+    for (int i = 0; i <= kFine; ++i) {
+      const SurfacePoint p = surface(control, float(i) / 4, float(j) / 4);
+      const glm::vec3 up = glm::normalize(glm::cross(p.along_v, p.along_u));
+      const glm::vec3 normal = lift > 0 ? up : -up;
+      const glm::vec3 tangent = glm::normalize(p.along_u - normal * glm::dot(normal, p.along_u));
+      const glm::vec2 uv{float(i) / float(kFine), float(j) / float(kFine)};
+      mesh.vertices.push_back({p.place + lift * up, normal, glm::vec4(tangent, lift > 0 ? -1.f : 1.f), uv});
+    }
+  }
+  constexpr auto kRow = std::uint32_t(kFine + 1);
+  for (std::uint32_t j = 0; j + 1 < kRow; ++j) {
+    for (std::uint32_t i = 0; i + 1 < kRow; ++i) {
+      const std::uint32_t a = j * kRow + i, b = a + 1, c = a + kRow, d = c + 1;
+      if (lift > 0) mesh.indices.insert(mesh.indices.end(), {a, c, b, b, c, d});
+      if (lift < 0) mesh.indices.insert(mesh.indices.end(), {a, b, c, b, d, c});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Mesh make_cloth() {
+  static const std::vector<glm::vec3> control = fallen();
+  Mesh mesh = side(control, kThickness / 2);
+  append(mesh, side(control, -kThickness / 2));
+  return mesh;
+}
+
+}  // namespace brdf::render
