@@ -4,10 +4,13 @@
 #include <memory>
 
 #include "cli/options.h"
+#include "cli/parameter_row.h"
+#include "cli/progress.h"
 #include "cli/render_parity.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/json.h"
+#include "io/material_file.h"
 #include "io/numbers.h"
 #include "io/text.h"
 #include "render/compare/supersample.h"
@@ -18,7 +21,9 @@ namespace {
 
 void print_text(const render::JobReport& report, const render::Job& job, bool times) {
   std::cout << (job.output.empty() ? "not written" : job.output.string()) << ": " << report.width << " x "
-            << report.height << " on " << report.device;
+            << report.height;
+  if (job.turntable) std::cout << ", " << *job.turntable << " frames";
+  std::cout << " on " << report.device;
   if (report.clipped > 0) std::cout << ", " << 100 * report.clipped << " % of the surface clipped";
   std::cout << '\n';
   if (job.exposure_from_picture)
@@ -71,6 +76,7 @@ void print_json(const render::JobReport& report, const render::Job& job) {
   out["width"] = report.width;
   out["height"] = report.height;
   out["exposure"] = report.exposure;
+  if (job.turntable) out["frames"] = *job.turntable;
   out["clipped"] = report.clipped;
   out["passes"] = io::Json::array();
   for (const auto& [pass, ms] : report.passes) out["passes"].push_back({{"pass", pass}, {"ms", ms}});
@@ -94,6 +100,8 @@ struct Options {
   bool json = false, times = false, split = false, no_labels = false;
   bool parity = false, all = false, lookup_pictures = false, lobes = false, lobe_body = false;
   int map_size = 256;
+  std::string over;
+  int balls = 6;
   std::uint64_t seed = 1;
 };
 
@@ -137,6 +145,31 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
   add_memory_option(verb, job.memory_limit);
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
+}
+
+void add_show_options(CLI::App& verb, Options& o) {
+  render::Job& job = o.job;
+  verb.add_option(
+      "--shape", job.shape,
+      "What a MATERIAL is shown on instead of a sphere: shader_ball, cloth, vase, sedan, any mesh of "
+      "a scene or a model's file");
+  verb.add_option(
+      "--over", o.over,
+      "A row of one MATERIAL over a parameter: NAME=FIRST:LAST, each labelled with the value; log "
+      "spacing where the parameter's scale is one");
+  verb.add_option("--balls", o.balls, "With --over: how many")
+      ->check(CLI::Range(2, 12))
+      ->capture_default_str();
+  verb.add_option("--turntable", job.turntable,
+                  "So many frames, the camera once round its target; -o: an animation.webp, or PNG files "
+                  "named by the frame's number (frames/%03d.png)")
+      ->check(CLI::Range(2, 9999));
+  verb.add_option("--fps", job.frames_per_second, "Of an animation: frames per second")
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  verb.add_option("--quality", job.quality, "Of an animation: 0 to 99, or 100: without loss")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
 }
 
 void add_comparison_options(CLI::App& verb, Options& o) {
@@ -188,6 +221,16 @@ void add_other_modes(CLI::App& verb, Options& o) {
   verb.add_flag("--json", o.json, "Measures as JSON on stdout");
 }
 
+// The job with the row that --over asks for in place of its material.
+void make_row(Options& o) {
+  render::Job& job = o.job;
+  if (job.materials.size() != 1 || !job.scene.empty() || !job.state.empty())
+    throw InputError("--over takes one MATERIAL and no scene");
+  job.row_source = job.materials[0];
+  job.materials.clear();
+  job.row = parameter_row(io::read_material(job.row_source), o.over, o.balls);
+}
+
 Exit run(Options& o) {
   render::Job& job = o.job;
   if (o.parity) return run_parity(o.forms, o.all, o.json);
@@ -204,6 +247,8 @@ Exit run(Options& o) {
   } else if (o.lobes || o.lobe_body) {
     render::write_lobes(job, o.lobe_body ? render::LobeView::body : render::LobeView::plane);
   } else {
+    if (!o.over.empty()) make_row(o);
+    if (job.turntable) job.progress = progress_line("brdf render");
     const render::JobReport report = render::run(job);
     for (const std::string& note : report.notes) std::cerr << "brdf render: " << note << '\n';
     o.json ? print_json(report, job) : print_text(report, job, o.times);
@@ -218,6 +263,7 @@ void add_render(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand("render", "Render materials or a scene with the deferred renderer");
   add_scene_options(*verb, options->job);
+  add_show_options(*verb, *options);
   add_comparison_options(*verb, *options);
   add_other_modes(*verb, *options);
   verb->footer(
@@ -236,6 +282,8 @@ void add_render(CLI::App& app) {
       "         brdf render --parity --form ward --validation\n"
       "         brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
       "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
+      "         brdf render gold.json --shape shader_ball --turntable 60 -o gold.webp\n"
+      "         brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   on_run(*verb, [options] { return run(*options); });
 }

@@ -50,6 +50,8 @@ void add_view(CLI::App& app) {
   verb->add_option("MATERIAL", options->job.materials,
                    "Material JSON files: two are compared side by side; or samples");
   verb->add_option("--scene", options->job.scene, "A scene's JSON file");
+  verb->add_option("--shape", options->job.shape,
+                   "What a MATERIAL is shown on instead of a sphere: as in render");
   verb->add_option("--measured", options->job.measured, "A sample table to compare with");
   verb->add_option("--state", options->job.state, "A saved state to start from");
   verb->add_option("--save-as", viewer.state_file, "Where Ctrl-S saves the state")->capture_default_str();

@@ -11,6 +11,8 @@
 namespace brdf::io {
 namespace {
 
+constexpr std::string_view kTangent = "tangent_phi";  // of a term, not in its form's table
+
 std::vector<std::string> channel_names(std::size_t count) {
   if (count == 1) return {"fr"};
   if (count == 3) return {"r", "g", "b"};
@@ -64,7 +66,7 @@ bool apply(Term& term, const Setting& setting) {
     for (const int k : {along, across}) set_shape(term, static_cast<std::size_t>(k), setting);
     return true;
   }
-  if (setting.name == "tangent_phi" && table.anisotropic()) {
+  if (setting.name == kTangent && table.anisotropic()) {
     check_range(setting, -180, 180);
     if (setting.values.size() != 1) refuse(setting, "takes one value");
     term.tangent_phi = degrees(setting.values[0]);
@@ -92,7 +94,7 @@ std::string known_parameters(const Material& material) {
     for (const ParameterInfo& p : table.shape) add(p.name);
     if (table.anisotropic()) {
       add(table.tied_name());
-      add("tangent_phi");
+      add(kTangent);
     }
   }
   return joined(known);
@@ -139,6 +141,18 @@ void apply_settings(Material& material, const std::vector<Setting>& settings) {
   }
 }
 
+ParameterInfo parameter_named(const Material& material, const std::string& name, const std::string& option) {
+  for (const Term& term : material.terms) {
+    const ReflectanceInfo& table = info(term.form);
+    if (table.anisotropic() && name == kTangent)
+      return {.name = kTangent, .min = -180, .max = 180, .initial = 0, .usual_max = 180, .unit = "degrees"};
+    if (table.anisotropic() && name == table.tied_name()) return table.shape[std::size_t(table.axes().along)];
+    if (const int k = table.weight_index(name); k >= 0) return table.weights[std::size_t(k)];
+    if (const int k = table.shape_index(name); k >= 0) return table.shape[std::size_t(k)];
+  }
+  throw InputError(option + " " + name + ": no such parameter (known: " + known_parameters(material) + ")");
+}
+
 MaterialFile choose_material_file(const MaterialChoice& choice) {
   if (choice.form.empty() == choice.material.empty())
     throw InputError("exactly one of --form and --material must be given");
@@ -154,7 +168,8 @@ MaterialFile choose_material_file(const MaterialChoice& choice) {
                        std::to_string(kMostChannels) + " channels of a material");
     file.material = make_material(require_form(choice.form), channel_names(channels));
   }
-  if (!settings.empty()) file = {std::move(file.material), nullptr};  // no longer what was fitted or published
+  if (!settings.empty())
+    file = {std::move(file.material), nullptr};  // no longer what was fitted or published
   apply_settings(file.material, settings);
   return file;
 }

@@ -1,10 +1,11 @@
 #include "render/job.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/content.h"
 #include "io/error.h"
-#include "io/material_file.h"
+#include "io/material_json.h"
 #include "io/numbers.h"
 #include "io/output.h"
 #include "io/samples.h"
@@ -12,6 +13,7 @@
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
 #include "render/compare/pictures.h"
+#include "render/frames.h"
 #include "render/gpu/lookup.h"
 #include "render/scene/texture.h"
 
@@ -31,7 +33,8 @@ bool compared(const Job& job) {
 
 // Nothing but samples.
 bool samples_alone(const Job& job) {
-  return job.materials.empty() && job.scene.empty() && job.state.empty() && !job.measured.empty();
+  return job.materials.empty() && job.row.empty() && job.scene.empty() && job.state.empty() &&
+         !job.measured.empty();
 }
 
 bool is_png(const std::filesystem::path& file) {
@@ -42,24 +45,42 @@ void check_usage(const Job& job) {
   if (!job.compare.empty() && !job.measured.empty()) throw InputError("give one of --compare and --measured");
   if (!job.state.empty() && (!job.scene.empty() || !job.materials.empty() || compared(job)))
     throw InputError("--state holds the scene and what it is compared with: give nothing beside it");
+  if (!job.shape.empty() && (!job.scene.empty() || !job.state.empty()))
+    throw InputError("--shape is what a MATERIAL is shown on: a scene has its own");
   if (job.output.empty()) return;
+  if (job.turntable) return check_frames(job);
   if (!is_png(job.output) && job.output.extension() != ".exr") {
     throw InputError("-o " + job.output.string() + ": the name must end in .exr or .png");
   }
 }
 
-std::pair<std::string, Material> load_material(const std::filesystem::path& file) {
-  Material material = io::read_material(file);
-  require_colours(material.channels, file.string());
-  return {file.stem().string(), std::move(material)};
+// `named`: whether the file itself says what it is called.
+std::pair<std::string, Material> load_material(const std::filesystem::path& file, bool* named = nullptr) {
+  io::MaterialFile read = io::read_material_file(file);
+  require_colours(read.material.channels, file.string());
+  if (named) *named = !read.name.empty();
+  return {read.name.empty() ? file.stem().string() : read.name, std::move(read.material)};
+}
+
+// The same picture from farther away: at the ends of a row balls stay round.
+void step_back(Camera& camera) {
+  constexpr float kFarther = 6;
+  camera.position = camera.target + kFarther * (camera.position - camera.target);
+  const float half = std::tan(glm::radians(camera.vertical_fov) / 2) / kFarther;
+  camera.vertical_fov = glm::degrees(2 * std::atan(half));
 }
 
 Scene scene_of(const Job& job) {
   std::vector<std::pair<std::string, Material>> materials;
-  for (const std::filesystem::path& file : job.materials) materials.push_back(load_material(file));
+  bool named = false;
+  for (const std::filesystem::path& file : job.materials) materials.push_back(load_material(file, &named));
+  materials.insert(materials.end(), job.row.begin(), job.row.end());
   if (job.scene.empty()) {
     if (materials.empty()) throw InputError("nothing to render: give a MATERIAL, --scene or --state");
-    return material_scene(materials);
+    Scene scene = job.shape.empty() ? material_scene(materials) : shape_scene(job.shape, materials);
+    if (materials.size() > 1) step_back(scene.camera);
+    if (materials.size() == 1 && named) scene.objects[0].label = materials[0].first;
+    return scene;
   }
   Scene scene = load_scene(job.scene);
   if (materials.size() > 1) throw InputError("--scene takes one MATERIAL at most, to put on every object");
@@ -127,7 +148,7 @@ ViewState state_of(const Job& given) {
     if (!job.compare.empty() && job.compare != "embree") {
       std::tie(state.material_name, state.material) = load_material(job.compare);
       state.other = Other::material;
-      state.everywhere = true;
+      state.everywhere = job.shape.empty();  // a car's tyres stay what they are
     }
   }
   apply_overrides(job, state.scene);
@@ -182,12 +203,14 @@ void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures
 // Refuses an output that is one of the files that the picture is made of.
 void check_output(const Job& job, const ViewState& state) {
   std::vector<std::filesystem::path> inputs = job.materials;
-  inputs.insert(inputs.end(), {job.scene, job.state, job.compare, job.measured, state.samples});
+  inputs.insert(inputs.end(),
+                {job.scene, job.state, job.compare, job.measured, state.samples, job.row_source});
   for (const Object& object : state.scene.objects) {
     inputs.push_back(state.scene.folder / object.mesh);
     for (const auto& texture : object.textures)
       if (texture) inputs.push_back(state.scene.folder / *texture);
   }
+  if (job.turntable) return check_frame_targets(job, inputs);
   io::check_targets({{"-o", job.output}}, inputs);
 }
 
@@ -243,7 +266,14 @@ JobReport run(const Job& given) {
     report.probed_a = pictures.a_picture().at(job.probe->x, job.probe->y);
     if (with_other) report.probed_b = pictures.b_picture().at(job.probe->x, job.probe->y);
   }
-  if (is_png(job.output)) {
+  if (job.turntable && !job.output.empty()) {
+    write_frames(job, [&](int frame) {
+      ViewState turned = state;
+      if (frame > 0) orbit(turned.scene.camera, float(2 * kPi * frame / *job.turntable), 0);
+      pictures.update(turned, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
+      return row ? pictures.row(turned, job.labels) : pictures.capture(turned, job.labels);
+    });
+  } else if (is_png(job.output)) {
     write_png(job.output, row ? pictures.row(state, job.labels) : pictures.capture(state, job.labels));
   } else if (!job.output.empty()) {
     write_exr_layers(job, state, pictures, with_other);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,10 @@ namespace brdf::render {
 
 struct Job {
   std::vector<std::filesystem::path> materials;
+  // Materials that are ready, with what stands below each, and the file they were made of.
+  std::vector<std::pair<std::string, Material>> row;
+  std::filesystem::path row_source;
+  std::string shape;  // what materials are shown on, as a scene's "mesh"; empty: spheres
   std::filesystem::path scene, state, output;  // output: .exr or .png
   std::optional<int> width, height;
   std::optional<float> exposure;
@@ -37,6 +42,12 @@ struct Job {
   std::optional<double> plot_theta;  // lobe plot: angle of the light in degrees
   std::optional<std::string> solo;   // lobe plot: this curve alone
   bool validation = false;           // under the validation layers
+  // Frames with the camera once round its target, the first being the picture itself: .webp, or PNG files whose name has
+  // the frame's number where `output` has %d or %04d.
+  std::optional<int> turntable;
+  double frames_per_second = 25;
+  int quality = 90;                        // of .webp: 100 is without loss
+  std::function<void(int, int)> progress;  // frames done, of how many
 };
 
 struct JobReport {

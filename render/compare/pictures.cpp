@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "render/compare/object_labels.h"
 #include "render/compare/supersample.h"
 #include "render/reference/reference.h"
 
@@ -194,7 +195,9 @@ Comparison Pictures::comparison(const ViewState& state, bool labels) {
 BytePicture Pictures::capture(const ViewState& state, bool labels) {
   if (state.display == Display::gbuffer && has_targets()) return target_sheet(*a_, labels);
   if (needs_b(state)) return arranged(comparison(state, labels), state.display);
-  return displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
+  BytePicture out = displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
+  if (labels) draw_object_labels(out, prepared_);
+  return out;
 }
 
 BytePicture Pictures::row(const ViewState& state, bool labels) {

@@ -22,6 +22,7 @@ Scene material_scene(const std::vector<std::pair<std::string, Material>>& materi
     Object object;
     object.material_name = materials[std::size_t(k)].first;
     object.material = materials[std::size_t(k)].second;
+    if (count > 1) object.label = object.material_name;
     object.position.x = 2.2f * float(k) - span / 2;
     scene.objects.push_back(object);
   }

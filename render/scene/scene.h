@@ -39,7 +39,8 @@ enum class TextureSlot { albedo, normal, roughness, metallic };
 struct Object {
   std::string mesh = "sphere";
   Material material;
-  std::string material_name;                                     // for labels: the file's stem or the form
+  std::string material_name;  // for labels: what the file calls it, else its stem or the form
+  std::string label;          // drawn below it in pictures
   std::array<std::optional<std::filesystem::path>, 4> textures;  // by TextureSlot
   glm::vec3 position{0};
   glm::vec3 rotation{0};  // degrees about x, then y, then z
@@ -81,6 +82,11 @@ io::ChannelColours require_colours(const std::vector<std::string>& channels, con
 // A row of spheres, one per material, under one light and
 // a little ambient: what `brdf render MATERIAL...` shows.
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials);
+
+// The same with a shape of make_mesh() in place of the spheres, as large as they, seen from a little above. Parts that are
+// never of the material shown (a car's windows and tyres, the stand of the shader ball) are further objects after the one
+// that is. Throws InputError on a shape that cannot be read.
+Scene shape_scene(const std::string& shape, const std::vector<std::pair<std::string, Material>>& materials);
 
 // Rotation and scale of an object, and the same for normals.
 glm::mat3 linear_part(const Object& object);

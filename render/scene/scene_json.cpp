@@ -78,20 +78,24 @@ Light read_light(const JsonPlace& place) {
 void read_material_of(Object& object, const JsonPlace& place, const std::filesystem::path& folder) {
   if (place.value().is_string()) {
     const std::filesystem::path file = folder / place.text();
-    object.material = io::read_material(file);
-    object.material_name = file.stem().string();
+    io::MaterialFile read = io::read_material_file(file);
+    object.material = std::move(read.material);
+    object.material_name = read.name.empty() ? file.stem().string() : read.name;
     return;
   }
-  object.material = io::material_from_json(place).material;
-  object.material_name = object.material.terms.size() == 1
+  io::MaterialFile read = io::material_from_json(place);
+  object.material = std::move(read.material);
+  object.material_name = !read.name.empty() ? read.name
+                         : object.material.terms.size() == 1
                              ? std::string(info(object.material.terms[0].form).name)
                              : std::string("sum");
 }
 
 Object read_object(const JsonPlace& place, const std::filesystem::path& folder) {
-  place.allow_keys({"mesh", "material", "textures", "position", "rotation", "scale"});
+  place.allow_keys({"mesh", "material", "label", "textures", "position", "rotation", "scale"});
   Object object;
   if (place.has("mesh")) object.mesh = place.at("mesh").text();
+  if (place.has("label")) object.label = place.at("label").text();
   read_material_of(object, place.at("material"), folder);
   require_colours(object.material.channels, place.file() + ": " + place.path() + ".material");
   if (place.has("textures")) {
@@ -137,6 +141,7 @@ Json json_of(const glm::vec3& v) {
 Json json_of(const Object& object) {
   Json json;
   json["mesh"] = object.mesh;
+  if (!object.label.empty()) json["label"] = object.label;
   json["material"] = io::to_json(object.material);
   for (std::size_t k = 0; k < object.textures.size(); ++k)
     if (object.textures[k]) json["textures"][kNames<TextureSlot>[k]] = object.textures[k]->string();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -167,13 +169,49 @@ TEST(Scene, AStateIsReadAsItWasWritten) {
 TEST(Scene, EveryShippedSceneLoads) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
-    if (entry.path().extension() != ".json" || entry.path().stem().string().starts_with("material_"))
-      continue;
+    if (entry.path().extension() != ".json") continue;
     SCOPED_TRACE(entry.path().string());
     EXPECT_NO_THROW(prepare(load_scene(entry.path())));
     ++count;
   }
   EXPECT_GE(count, 10);
+}
+
+TEST(Scene, ObjectsOfShippedScenesThatShowMaterialsAreLabelled) {
+  for (const char* name : {"six_families", "material_balls", "shader_balls", "draped_cloth", "vase", "car",
+                           "brushed_metal", "grazing", "rusty_metal_families"}) {
+    const Scene scene = load_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json");
+    EXPECT_TRUE(std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+      return !object.label.empty();
+    })) << name;
+    const io::Json written = to_json(scene);
+    const Scene again = scene_from_json({written, "memory"}, scene.folder);
+    for (std::size_t k = 0; k < scene.objects.size(); ++k)
+      EXPECT_EQ(again.objects[k].label, scene.objects[k].label);
+  }
+}
+
+TEST(Scene, AShapeIsAsLargeAsTheSphereAndDressedWhereItHasParts) {
+  const Material material = make_material(*find_form("ward"));
+  const auto bounds_of = [](const Scene& scene) { return prepare(scene).bounds; };
+  for (const char* shape : {"vase", "cloth", "icosphere:2"}) {
+    SCOPED_TRACE(shape);
+    const Scene scene = shape_scene(shape, {{"m", material}});
+    ASSERT_EQ(scene.objects.size(), 1u);
+    const glm::vec4 bounds = bounds_of(scene);
+    EXPECT_LT(glm::length(glm::vec3(bounds)), 1e-4);
+    EXPECT_NEAR(bounds.w, std::sqrt(3.0f), 1e-3);  // of the box round a unit sphere
+  }
+  const Scene cars = shape_scene("sedan", {{"a", material}, {"b", make_material(*find_form("lambert"))}});
+  ASSERT_EQ(cars.objects.size(), 10u);
+  EXPECT_EQ(cars.objects[0].material, material);
+  EXPECT_EQ(cars.objects[5].mesh, "sedan:body");
+  EXPECT_EQ(cars.objects[5].label, "b");
+  EXPECT_NEAR(cars.objects[5].position.x - cars.objects[0].position.x, 2.2f, 1e-5f);
+  // Windows and tyres are dark whatever is shown.
+  const Term& windows = cars.objects[1].material.terms[0];
+  EXPECT_LT(windows.weights[0][std::size_t(info(windows.form).weight_index(Role::diffuse))], 0.02);
+  EXPECT_THROW(shape_scene("no_such_shape", {{"m", material}}), InputError);
 }
 
 TEST(Scene, PerChannelShapesBecomeOneItemPerChannel) {
