@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 namespace brdf::fit {
@@ -45,8 +46,8 @@ class CompressedCost : public ceres::CostFunction {
     mutable_parameter_block_sizes()->push_back(int(size));
   }
 
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const std::span p(parameters[0], size_);
+  // Whether cost and Jacobian are numbers there. Ceres would find out itself, and say so on the terminal.
+  bool finite_at(std::span<const double> p) const {
     const Eigen::Index n = Eigen::Index(size_);
     const NormalEquations& e = equations(p);
     if (!std::isfinite(e.cost)) return false;
@@ -56,8 +57,11 @@ class CompressedCost : public ceres::CostFunction {
       compress(e, jacobian_, residuals_);
       compressed_ = true;
     }
-    // Ceres would find that itself, and say so on the terminal.
-    if (!jacobian_.allFinite() || !residuals_.allFinite()) return false;
+    return jacobian_.allFinite() && residuals_.allFinite();
+  }
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::Index n = Eigen::Index(size_);
+    if (!finite_at({parameters[0], size_})) return false;
     std::copy(residuals_.data(), residuals_.data() + n + 1, residuals);
     if (jacobians && jacobians[0]) std::copy(jacobian_.data(), jacobian_.data() + (n + 1) * n, jacobians[0]);
     return true;
@@ -84,15 +88,21 @@ class CompressedCost : public ceres::CostFunction {
   mutable int passes_ = 0;
 };
 
-class StopWhenInterrupted : public ceres::IterationCallback {
+// Ends a run that is interrupted, and one that fails: Ceres writes to the terminal when it gives up by itself.
+class Watch : public ceres::IterationCallback {
  public:
-  explicit StopWhenInterrupted(const std::atomic<bool>* flag) : flag_(flag) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return flag_ && flag_->load() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  explicit Watch(const std::atomic<bool>* interrupted) : interrupted_(interrupted) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
+    if (interrupted_ && interrupted_->load()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    invalid_ = iteration.iteration == 0 || iteration.step_is_valid ? 0 : invalid_ + 1;
+    return gave_up() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
   }
+  bool gave_up() const { return invalid_ >= kMostInvalid; }
 
  private:
-  const std::atomic<bool>* flag_;
+  static constexpr int kMostInvalid = 5;  // as Ceres has it
+  const std::atomic<bool>* interrupted_;
+  int invalid_ = 0;
 };
 
 Termination termination_of(const ceres::Solver::Summary& summary) {
@@ -127,6 +137,11 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
     solution.message = "every parameter is held";
     return;
   }
+  if (!cost.finite_at(p)) {
+    solution.termination = Termination::failed;
+    solution.message = "Residual and Jacobian evaluation failed.";
+    return;
+  }
   if (!constant.empty()) problem.SetManifold(p.data(), new ceres::SubsetManifold(int(p.size()), constant));
   ceres::Solver::Options o;
   o.max_num_iterations = options.max_iterations;
@@ -136,13 +151,14 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   o.linear_solver_type = ceres::DENSE_QR;
   o.logging_type = ceres::SILENT;
   o.num_threads = 1;
-  StopWhenInterrupted stop(options.interrupted);
-  o.callbacks.push_back(&stop);
+  Watch watch(options.interrupted);
+  o.callbacks.push_back(&watch);
+  o.max_num_consecutive_invalid_steps = std::numeric_limits<int>::max();
   ceres::Solver::Summary summary;
   ceres::Solve(o, &problem, &summary);
   solution.termination = termination_of(summary);
-  solution.message = summary.message;
-  solution.iterations += int(summary.iterations.size());
+  solution.message = watch.gave_up() ? "Five invalid steps in a row." : summary.message;
+  solution.iterations += int(summary.iterations.size()) - watch.gave_up();
 }
 
 }  // namespace
