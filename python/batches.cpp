@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
+#include "brdf/clones.h"
 #include "io/error.h"
 #include "io/numbers.h"
 
@@ -70,43 +72,54 @@ struct Block {
   }
 };
 
-// Reads `count` directions into three arrays. Returns whether all are unit vectors.
+}  // namespace
+
+// Reads `count` directions into three arrays, of arrays as numpy makes them or of any strides.
 template <class T>
-bool gather(const char* from, std::ptrdiff_t step, std::ptrdiff_t last, std::size_t count, T* x, T* y, T* z) {
-  const auto read = [&](std::ptrdiff_t pair, std::ptrdiff_t coordinate) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const char* const at = from + std::ptrdiff_t(k) * pair;
-      x[k] = load<T>(at);
-      y[k] = load<T>(at + coordinate);
-      z[k] = load<T>(at + 2 * coordinate);
-    }
-  };
+BRDF_CLONES void gather(const char* from, std::ptrdiff_t step, std::ptrdiff_t last, std::size_t count,
+                        T* __restrict x, T* __restrict y, T* __restrict z) {
   constexpr std::ptrdiff_t kSize = sizeof(T);
-  if (step == 3 * kSize && last == kSize)
-    read(3 * kSize, kSize);
-  else
-    read(step, last);
-  bool unit = true;
-  for (std::size_t k = 0; k < count; ++k)
-    unit &= std::abs(double(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]) - 1) <= kUnitLength;
-  return unit;
+  if (step == 3 * kSize && last == kSize) {
+    const T* __restrict const at = reinterpret_cast<const T*>(from);
+    for (std::size_t k = 0; k < count; ++k) {
+      x[k] = at[3 * k];
+      y[k] = at[3 * k + 1];
+      z[k] = at[3 * k + 2];
+    }
+    return;
+  }
+  for (std::size_t k = 0; k < count; ++k, from += step) {
+    x[k] = load<T>(from);
+    y[k] = load<T>(from + last);
+    z[k] = load<T>(from + 2 * last);
+  }
 }
+
+// Whether all are unit vectors; NaN is none.
+template <class T>
+BRDF_CLONES bool are_unit(std::size_t count, const T* x, const T* y, const T* z) {
+  std::uint32_t good = 0;
+  for (std::size_t k = 0; k < count; ++k)
+    good += std::abs(x[k] * x[k] + y[k] * y[k] + z[k] * z[k] - 1) <= T(kUnitLength);
+  return good == count;
+}
+
+namespace {
 
 template <class T>
 [[noreturn]] void refuse(const char* name, const T* x, const T* y, const T* z, std::size_t first,
                          std::size_t count) {
   std::size_t k = 0;
-  const auto length = [&] {
-    return std::sqrt(double(x[k]) * x[k] + double(y[k]) * y[k] + double(z[k]) * z[k]);
-  };
-  while (k + 1 < count && std::abs(length() * length() - 1) <= kUnitLength) ++k;
+  while (k + 1 < count && are_unit(1, x + k, y + k, z + k)) ++k;
+  const double length = std::sqrt(double(x[k]) * x[k] + double(y[k]) * y[k] + double(z[k]) * z[k]);
   throw InputError(std::string(name) + ": pair " + std::to_string(first + k) + ": length " +
-                   io::short_number(length()) +
+                   io::short_number(length) +
                    ": must be a unit vector (brdf.directions makes them of angles)");
 }
 
 template <class T>
 void scatter(const T* values, std::size_t count, char* to, std::ptrdiff_t step) {
+  if (step == sizeof(T)) return (void)std::copy_n(values, count, reinterpret_cast<T*>(to));
   for (std::size_t k = 0; k < count; ++k) *reinterpret_cast<T*>(to + std::ptrdiff_t(k) * step) = values[k];
 }
 
@@ -120,8 +133,8 @@ void read_block(const PairArrays<T>& arrays, Walk& walk, std::size_t first, std:
       T* const x = block.coordinates[coordinate] + k;
       T* const y = block.coordinates[coordinate + 1] + k;
       T* const z = block.coordinates[coordinate + 2] + k;
-      if (!gather(data + walk.offset(strides), step(strides), strides.of_last, n, x, y, z))
-        refuse(name, x, y, z, first + k, n);
+      gather(data + walk.offset(strides), step(strides), strides.of_last, n, x, y, z);
+      if (!are_unit(n, x, y, z)) refuse(name, x, y, z, first + k, n);
     };
     read("wi", arrays.wi, arrays.wi_strides, 0);
     read("wo", arrays.wo, arrays.wo_strides, 3);

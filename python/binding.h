@@ -5,6 +5,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <memory>
+
 #include "io/material_json.h"
 #include "io/samples.h"
 
@@ -12,9 +14,12 @@ namespace brdf::python {
 
 namespace py = pybind11;
 
-// The values that Python holds; results are new ones.
+// The values that Python holds; results are new ones. A table is shared with the fits that were made of it.
 struct Samples {
-  io::SampleTable table;
+  std::shared_ptr<const io::SampleTable> held;
+
+  explicit Samples(io::SampleTable table) : held(std::make_shared<io::SampleTable>(std::move(table))) {}
+  const io::SampleTable& table() const { return *held; }
 };
 struct Optics {
   io::MaterialFile file;
@@ -22,6 +27,7 @@ struct Optics {
 
 void bind_samples(py::module_& module);
 void bind_materials(py::module_& module);
+void bind_sampling(py::module_& module);
 void bind_fits(py::module_& module);
 void bind_judgements(py::module_& module);
 

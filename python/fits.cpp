@@ -18,7 +18,7 @@ namespace {
 // A result with what it was made of, for the reports.
 struct Fitted {
   fit::FitResult result;
-  io::SampleTable table;
+  std::shared_ptr<const io::SampleTable> table;
   fit::FitOptions options;
 };
 
@@ -51,15 +51,24 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
   return choice;
 }
 
+// The table as it is fitted: its own values, unless a scale is free, and a name for reports.
+std::shared_ptr<const io::SampleTable> prepared(const Samples& samples, bool free_scale) {
+  if (!free_scale && !samples.table().source.empty()) return samples.held;
+  auto table = std::make_shared<io::SampleTable>(samples.table());
+  if (table->source.empty()) table->source = "samples";
+  if (free_scale) io::make_relative(*table);
+  return table;
+}
+
 std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice& choice,
                                     py::object progress) {
-  auto fitted = std::make_unique<Fitted>(Fitted{{}, samples.table, fit::options_of(choice)});
-  if (fitted->table.source.empty()) fitted->table.source = "samples";  // what reports call it
+  auto fitted = std::make_unique<Fitted>();
+  fitted->options = fit::options_of(choice);
   Watch watch(std::move(progress));
   fitted->options.interrupted = &watch.stop();
   run_watched(watch, [&] {
-    if (fitted->options.free_scale) io::make_relative(fitted->table);
-    fitted->result = fit::fit(fitted->table, fit::models_of(choice.form), fitted->options,
+    fitted->table = prepared(samples, fitted->options.free_scale);
+    fitted->result = fit::fit(*fitted->table, fit::models_of(choice.form), fitted->options,
                               [&](const std::string& what) { watch.tell(what); });
   });
   fitted->options.interrupted = nullptr;
@@ -69,12 +78,12 @@ std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice
 Optics material_of(const Fitted& f, std::size_t k) {
   const fit::FormFit& form = f.result.ranking.at(k);
   if (!form.solved()) return {{form.material, nullptr}};
-  return {{form.material, fit::material_block(form, f.result, f.table, f.options)}};
+  return {{form.material, fit::material_block(form, f.result, *f.table, f.options)}};
 }
 
 std::string text_of(const Fitted& f) {
   std::ostringstream out;
-  fit::print(out, f.result, f.table, f.options);
+  fit::print(out, f.result, *f.table, f.options);
   return out.str();
 }
 
@@ -102,7 +111,7 @@ void bind_fits(py::module_& module) {
   py::class_<fit::FitChoice>(module, "FitChoice").def(py::init(&choice_of));
   py::class_<Fitted>(module, "Fitted")
       .def_property_readonly(
-          "json", [](const Fitted& f) { return io::to_text(fit::to_json(f.result, f.table, f.options)); })
+          "json", [](const Fitted& f) { return io::to_text(fit::to_json(f.result, *f.table, f.options)); })
       .def_property_readonly("text", &text_of)
       .def_property_readonly("interrupted", [](const Fitted& f) { return f.result.interrupted; })
       .def_property_readonly("recommended", [](const Fitted& f) { return f.result.recommended; })
@@ -111,7 +120,7 @@ void bind_fits(py::module_& module) {
       .def("material", &material_of)
       .def("html", [](const Fitted& f) {
         const py::gil_scoped_release unlocked;
-        return fit::html_report(f.result, f.table, f.options);
+        return fit::html_report(f.result, *f.table, f.options);
       });
   module.def("fit", &fit_samples);
   module.def("fit_files", &fit_files);

@@ -30,7 +30,7 @@ Judged judge(const std::vector<std::string>& forms, const py::list& items, const
     content.subjects.push_back(validate::Subject::form(io::require_form(name)));
   for (const py::handle item : items) {
     if (py::isinstance<Samples>(item)) {
-      validate::add_table(content, item.cast<const Samples&>().table);
+      validate::add_table(content, item.cast<const Samples&>().table());
     } else if (py::isinstance<py::tuple>(item)) {
       const auto [name, optics] = item.cast<std::pair<std::string, Optics>>();
       validate::add_material(content, name, optics.file);
@@ -47,10 +47,9 @@ Judged judge(const std::vector<std::string>& forms, const py::list& items, const
 
 Samples measure(const Optics& optics, synth::Instrument instrument, py::object progress) {
   Watch watch(std::move(progress));
-  Samples samples;
-  run_watched(watch,
-              [&] { samples.table = synth::measure(optics.file.material, instrument, told_to(watch)); });
-  return samples;
+  io::SampleTable table;
+  run_watched(watch, [&] { table = synth::measure(optics.file.material, instrument, told_to(watch)); });
+  return Samples(std::move(table));
 }
 
 Samples synth_samples(const Optics& optics, const std::string& grid, const std::vector<double>& theta_i,

@@ -42,6 +42,7 @@ PYBIND11_MODULE(_brdf, module) {
   bind_errors(module);
   bind_samples(module);
   bind_materials(module);
+  bind_sampling(module);
   bind_fits(module);
   bind_judgements(module);
 }

@@ -26,7 +26,7 @@ py::array_t<double> view(const py::object& owner, const std::vector<double>& col
 }
 
 const io::SampleTable& table_of(const py::object& self) {
-  return self.cast<const Samples&>().table;
+  return self.cast<const Samples&>().table();
 }
 
 std::size_t channel_index(const io::SampleTable& table, std::size_t channel) {
@@ -76,7 +76,7 @@ Samples from_arrays(const std::array<Column, 4>& angles, const std::vector<Colum
     for (const std::vector<double>& column : *columns)
       if (!column.empty() && column.size() != table.rows()) throw py::value_error("columns of other lengths");
   io::check_table(table);
-  return {std::move(table)};
+  return Samples(std::move(table));
 }
 
 // Angles of directions of any length.
@@ -92,7 +92,7 @@ py::tuple angles_of(const Column& vectors) {
 
 std::string to_csv(const Samples& samples) {
   std::ostringstream out;
-  io::write_samples(out, samples.table);
+  io::write_samples(out, samples.table());
   return out.str();
 }
 
@@ -100,7 +100,7 @@ std::string to_csv(const Samples& samples) {
 template <class Read>
 Samples read(Read&& make) {
   const py::gil_scoped_release unlocked;
-  return {make()};
+  return Samples(make());
 }
 
 }  // namespace
@@ -117,25 +117,25 @@ void bind_samples(py::module_& module) {
       .def_property_readonly("phi_o", [](const py::object& s) { return view(s, table_of(s).phi_o); })
       .def("column", [](const py::object& s,
                         std::size_t c) { return view(s, table_of(s).values[channel_index(table_of(s), c)]); })
-      .def("has_sigma", [](const Samples& s, std::size_t c) { return s.table.has_sigma(c); })
-      .def_property_readonly("values", [](const Samples& s) { return rows_of(s.table, s.table.values); })
-      .def_property_readonly("sigma", [](const Samples& s) { return rows_of(s.table, s.table.sigma); })
+      .def("has_sigma", [](const Samples& s, std::size_t c) { return s.table().has_sigma(c); })
+      .def_property_readonly("values", [](const Samples& s) { return rows_of(s.table(), s.table().values); })
+      .def_property_readonly("sigma", [](const Samples& s) { return rows_of(s.table(), s.table().sigma); })
       .def_property_readonly("wi",
-                             [](const Samples& s) { return vectors_of(s.table.theta_i, s.table.phi_i); })
+                             [](const Samples& s) { return vectors_of(s.table().theta_i, s.table().phi_i); })
       .def_property_readonly("wo",
-                             [](const Samples& s) { return vectors_of(s.table.theta_o, s.table.phi_o); })
-      .def_property_readonly("rows", [](const Samples& s) { return s.table.rows(); })
-      .def_property_readonly("channels", [](const Samples& s) { return s.table.channels; })
-      .def_property_readonly("metadata", [](const Samples& s) { return s.table.metadata; })
-      .def_property_readonly("source", [](const Samples& s) { return s.table.source; })
-      .def_property_readonly("format", [](const Samples& s) { return s.table.format; })
-      .def_property_readonly("warnings", [](const Samples& s) { return s.table.warnings; })
-      .def_property_readonly("scale", [](const Samples& s) { return s.table.scale; })
-      .def_property_readonly("skipped", [](const Samples& s) { return s.table.skipped; })
+                             [](const Samples& s) { return vectors_of(s.table().theta_o, s.table().phi_o); })
+      .def_property_readonly("rows", [](const Samples& s) { return s.table().rows(); })
+      .def_property_readonly("channels", [](const Samples& s) { return s.table().channels; })
+      .def_property_readonly("metadata", [](const Samples& s) { return s.table().metadata; })
+      .def_property_readonly("source", [](const Samples& s) { return s.table().source; })
+      .def_property_readonly("format", [](const Samples& s) { return s.table().format; })
+      .def_property_readonly("warnings", [](const Samples& s) { return s.table().warnings; })
+      .def_property_readonly("scale", [](const Samples& s) { return s.table().scale; })
+      .def_property_readonly("skipped", [](const Samples& s) { return s.table().skipped; })
       .def("csv", &to_csv)
       .def("write", [](const Samples& s, const std::string& path) {
         const py::gil_scoped_release unlocked;
-        return io::write_table(path, s.table);
+        return io::write_table(path, s.table());
       });
   module.def("read", [](const std::string& path) { return read([&] { return io::read_samples(path); }); });
   module.def("read_text", [](const std::string& text, const std::string& name) {

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -179,6 +179,29 @@ class Material:
         """f_r in 1/sr (cos: times cos_i) of angles in degrees, which broadcast: (..., channels)."""
         f = self._evaluated(directions(theta_i, phi_i), directions(theta_o, phi_o), None, cos)
         return f.astype(np.float64, copy=False)
+
+    def sample(self, wo: ArrayLike, u: ArrayLike) -> Array:
+        """Random directions wi (..., 3) about as bright as the material is seen from wo (..., 3), from numbers u (..., 3)
+        in [0, 1); wo and u broadcast. A direction may lie below the horizon: its value is 0. Sums take a term at random."""
+        viewer, numbers = (np.asarray(a, dtype=np.float64) for a in (wo, u))
+        return self._rows(_brdf.sample, "wo", viewer, "u", numbers)
+
+    def pdf(self, wi: ArrayLike, wo: ArrayLike) -> Array:
+        """The density of `sample` at wi (..., 3), seen from wo (..., 3), in 1/sr: (...)."""
+        light, viewer = (np.asarray(a, dtype=np.float64) for a in (wi, wo))
+        return self._rows(_brdf.pdf, "wi", light, "wo", viewer)
+
+    def _rows(self, call: Callable[[_brdf.Optics, Array, Array], Array], name: str, a: Array, other: str,
+              b: Array) -> Array:
+        for what, array in ((name, a), (other, b)):
+            if array.ndim == 0 or array.shape[-1] != 3:
+                raise InputError(f"{what}: shape {array.shape}: must end in 3")
+        try:
+            a, b = np.broadcast_arrays(a, b)
+        except ValueError:
+            raise InputError(f"{name} and {other}: shapes {a.shape} and {b.shape} do not broadcast") from None
+        found = call(self._optics, a.reshape(-1, 3), b.reshape(-1, 3))
+        return found.reshape(a.shape[:-1] + found.shape[1:])
 
     def albedo(self, theta: ArrayLike, phi: float = 0.0, *, fixed: str = "i", tolerance: float = 1e-6,
                rule: str = "automatic") -> Albedo:

@@ -204,5 +204,33 @@ TYPED_TEST(Batch, TermsAreSeenFromTheirTurnedFrame) {
   }
 }
 
+TYPED_TEST(Batch, TermsInFloatAreTheirFormInFloat) {
+  Term term = make_term(TypeParam{}, 2);
+  for (double& weight : term.weights[1]) weight *= 0.3;
+  term.tangent_phi = radians(0.4);
+  const auto arrays = random_directions<float>(6);
+  const Directions<float> d = arrays.view();
+  DirectionArrays<float> turned(kCount);
+  const float cosine = float(std::cos(0.4)), sine = float(std::sin(0.4));
+  for (std::size_t i = 0; i < kCount; ++i)
+    turned.set(i, turn(d.wi(i), cosine, sine), turn(d.wo(i), cosine, sine));
+  const auto rounded = [](const std::vector<double>& values) {
+    return std::vector<float>(values.begin(), values.end());
+  };
+  const std::vector<float> weights = rounded(term.weights[1]), first = rounded(term.weights[0]);
+  const std::vector<float> shape = rounded(term.shape[0]);
+  const ParameterValues<float> values{weights, first, shape, 1};
+  std::vector<float> f(kCount), f_cos(kCount), own(kCount), own_cos(kCount);
+  term.form->eval(values, turned.view(), own.data());
+  term.form->eval_cos(values, turned.view(), own_cos.data());
+  eval_batch(term, 1, d, f.data());
+  eval_cos_batch(term, 1, d, f_cos.data());
+  for (std::size_t i = 0; i < kCount; ++i) {
+    expect_same_bits(f[i], own[i], i);
+    expect_same_bits(f_cos[i], own_cos[i], i);
+    if (this->HasFatalFailure()) return;
+  }
+}
+
 }  // namespace
 }  // namespace brdf

@@ -152,6 +152,27 @@ class Types(unittest.TestCase):
             a + brdf.material("lambert")
 
 
+class Sampling(unittest.TestCase):
+    def test_values_over_densities_average_to_the_albedo(self):
+        u = np.random.default_rng(17).random((40_000, 3))
+        for material in (brdf.material("ward", kd=0.2, ks=0.4, alpha_x=0.1, alpha_y=0.3, tangent_phi=30),
+                         brdf.material("lambert", rho=0.3) + brdf.material("cook_torrance", alpha=0.3)):
+            wo = brdf.directions(40, 70)
+            wi = material.sample(wo, u)
+            self.assertEqual(wi.shape, (40_000, 3))
+            up = wi[:, 2] > 0
+            weights = np.zeros(len(u))
+            weights[up] = material.eval_cos(wi[up], wo)[:, 0] / material.pdf(wi[up], wo)
+            error = weights.std() / np.sqrt(len(u))
+            albedo = material.albedo(40, 70, fixed="o").value[0]
+            self.assertLess(abs(weights.mean() - albedo), 4 * error)
+            self.assertLess(error, 0.02 * albedo)
+        with self.assertRaisesRegex(brdf.InputError, "below 1"):
+            material.sample(wo, [0, 0, 1])
+        with self.assertRaisesRegex(brdf.InputError, "unit vector"):
+            material.pdf([0, 0, 2], wo)
+
+
 class Tables(unittest.TestCase):
     def test_arrays_there_and_back(self):
         wi, wo = random_directions((4, 1), 15), random_directions((5,), 16)
