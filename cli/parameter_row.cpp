@@ -37,7 +37,7 @@ Range parse_range(const std::string& text) {
 std::vector<std::pair<std::string, Material>> parameter_row(const Material& material, const std::string& text,
                                                             int count) {
   const Range range = parse_range(text);
-  const ParameterInfo parameter = parameter_named(material, range.name, "--over");
+  const ParameterInfo parameter = io::parameter_named(material, range.name, "--over");
   for (const double value : {range.first, range.last})
     if (!(value >= parameter.min && value <= parameter.max))
       throw InputError("--over " + range.name + ": " + io::to_text(value) + " must be between " +
