@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/parameters.h"
+#include "io/settings.h"
 #include "io/error.h"
 #include "io/numbers.h"
 #include "io/text.h"
@@ -50,7 +50,7 @@ std::vector<std::pair<std::string, Material>> parameter_row(const Material& mate
                        : range.first + (range.last - range.first) * t;
     if (k == count - 1) value = range.last;
     Material at = material;
-    apply_settings(at, {{range.name, {value}}});
+    io::apply_settings(at, {{range.name, {value}}});
     row.emplace_back(range.name + " " + io::short_number(value, 3), std::move(at));
   }
   return row;

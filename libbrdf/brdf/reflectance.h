@@ -174,6 +174,11 @@ class ReflectanceModel {
   //   vec3 brdf_eval_<name>(vec3 wi, vec3 wo, float <shape>..., vec3 <weight>...)      f_r, 1/sr
   //   vec3 brdf_eval_cos_<name>(...)                                                   f_r cos_i
   virtual std::string glsl(const GlslOptions& options = {}) const;
+  // The sampler, of share 0.5, as two functions beside those (u: three numbers in [0, 1)); empty where it is not
+  // written in GLSL:
+  //   vec3 brdf_sample_<name>(vec3 u, vec3 wo, float <shape>...)
+  //   float brdf_pdf_<name>(vec3 wi, vec3 wo, float <shape>...)
+  virtual std::string glsl_sampler(const GlslOptions& options = {}) const;
 };
 
 // The model of a form's struct. Those of the catalogue are compiled into the library; for one's own include

@@ -253,6 +253,9 @@ class FormModel final : public ReflectanceModel {
   }
 
   std::string glsl(const GlslOptions& options) const override { return glsl_functions(F{}, options); }
+  std::string glsl_sampler(const GlslOptions& options) const override {
+    return glsl_sampler_functions(F{}, options);
+  }
 };
 
 }  // namespace detail

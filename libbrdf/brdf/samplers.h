@@ -5,11 +5,13 @@
 //   Vec3<T> sample(const S<T>&, T u1, T u2, const Vec3<T>& wo)   a direction wi, u in [0, 1)
 //   T pdf(const S<T>&, const Geometry<T>&)                       its density per solid angle of wi, 1/sr
 // Directions in the local frame, wo fixed and above the
-// horizon. A sampled wi may lie below it. T is float or double.
+// horizon. A sampled wi may lie below it. T is float, double or the tracing scalar (brdf/trace.h), which writes the
+// sampler as GLSL: hence select() instead of `?:`, and elementary functions named without std::.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "brdf/cosine_lobe.h"
 #include "brdf/microfacet.h"
@@ -18,14 +20,20 @@ namespace brdf {
 
 template <class T>
 Vec3<T> normalised(const Vec3<T>& v) {
-  return v * (T(1) / std::sqrt(dot(v, v)));
+  return v * (T(1) / math::sqrt(dot(v, v)));
 }
 
 // The direction at this cosine to z and this azimuth.
 template <class T>
 Vec3<T> from_cosine(T cosine, T phi) {
-  const T sine = std::sqrt(at_least((T(1) - cosine) * (T(1) + cosine), T(0)));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
+  using std::cos, std::sin;
+  const T sine = math::sqrt(at_least((T(1) - cosine) * (T(1) + cosine), T(0)));
+  return {sine * cos(phi), sine * sin(phi), cosine};
+}
+
+template <class C, class T>
+Vec3<T> chosen(const C& condition, const Vec3<T>& yes, const Vec3<T>& no) {
+  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
 }
 
 template <class T>
@@ -36,15 +44,17 @@ Vec3<T> mirrored(const Vec3<T>& w, const Vec3<T>& h) {
 // Density cos/pi.
 template <class T>
 Vec3<T> sample_cosine(T u1, T u2) {
-  return from_cosine(std::sqrt(T(1) - u1), T(2 * kPi) * u2);
+  return from_cosine(math::sqrt(T(1) - u1), T(2 * kPi) * u2);
 }
 
 // About the mirror direction of wo, density (n + 1)/(2 pi) (r.wi)^n.
 template <class T>
 Vec3<T> sample_phong(T n, T u1, T u2, const Vec3<T>& wo) {
-  const Vec3<T> local = from_cosine(std::pow(T(1) - u1, T(1) / (n + T(1))), T(2 * kPi) * u2);
+  using std::pow;
+  const Vec3<T> local = from_cosine(pow(T(1) - u1, T(1) / (n + T(1))), T(2 * kPi) * u2);
   const Vec3<T> r{-wo.x, -wo.y, wo.z};
-  const Vec3<T> any = std::abs(r.z) < T(0.9) ? Vec3<T>{T(0), T(0), T(1)} : Vec3<T>{T(1), T(0), T(0)};
+  const Vec3<T> any =
+      chosen(larger(r.z, -r.z) < T(0.9), Vec3<T>{T(0), T(0), T(1)}, Vec3<T>{T(1), T(0), T(0)});
   const Vec3<T> x = normalised(cross(any, r));
   return x * local.x + cross(r, x) * local.y + r * local.z;
 }
@@ -56,7 +66,8 @@ T pdf_phong(T n, const Geometry<T>& g) {
 // Half vector with density (n + 2)/(2 pi) cos_h^(n+1).
 template <class T>
 Vec3<T> sample_half_cosine(T n, T u1, T u2) {
-  return from_cosine(std::pow(T(1) - u1, T(1) / (n + T(2))), T(2 * kPi) * u2);
+  using std::pow;
+  return from_cosine(pow(T(1) - u1, T(1) / (n + T(2))), T(2 * kPi) * u2);
 }
 template <class T>
 T pdf_half_cosine(T n, const Geometry<T>& g) {
@@ -68,9 +79,10 @@ T pdf_half_cosine(T n, const Geometry<T>& g) {
 // on the Ward BRDF"): density D cos_h with Beckmann's D.
 template <class T>
 Vec3<T> sample_gaussian_slopes(const Roughness<T>& a, T u1, T u2) {
-  const T radius = std::sqrt(-std::log(T(1) - u1));
+  using std::cos, std::sin, std::log;
+  const T radius = math::sqrt(-log(T(1) - u1));
   const T phi = T(2 * kPi) * u2;
-  return normalised(Vec3<T>{a.alpha_x * radius * std::cos(phi), a.alpha_y * radius * std::sin(phi), T(1)});
+  return normalised(Vec3<T>{a.alpha_x * radius * cos(phi), a.alpha_y * radius * sin(phi), T(1)});
 }
 template <class T>
 T pdf_gaussian_slopes(const Roughness<T>& a, const Geometry<T>& g) {
@@ -81,16 +93,17 @@ T pdf_gaussian_slopes(const Roughness<T>& a, const Geometry<T>& g) {
 // Visible normals of GGX (Heitz 2018): the disc of the stretched view direction, projected back.
 template <class T>
 Vec3<T> sample_visible_ggx(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo) {
+  using std::cos, std::sin;
   const Vec3<T> v = normalised(Vec3<T>{a.alpha_x * wo.x, a.alpha_y * wo.y, wo.z});
   const T length2 = square(v.x) + square(v.y);
-  const Vec3<T> t1 =
-      length2 > T(0) ? Vec3<T>{-v.y, v.x, T(0)} * (T(1) / std::sqrt(length2)) : Vec3<T>{T(1), T(0), T(0)};
+  const Vec3<T> t1 = chosen(T(0) < length2, Vec3<T>{-v.y, v.x, T(0)} * (T(1) / math::sqrt(length2)),
+                            Vec3<T>{T(1), T(0), T(0)});
   const Vec3<T> t2 = cross(v, t1);
-  const T r = std::sqrt(u1), phi = T(2 * kPi) * u2;
-  const T p1 = r * std::cos(phi);
+  const T r = math::sqrt(u1), phi = T(2 * kPi) * u2;
+  const T p1 = r * cos(phi);
   const T share = T(0.5) * (T(1) + v.z);
-  const T p2 = (T(1) - share) * std::sqrt(at_least(T(1) - p1 * p1, T(0))) + share * r * std::sin(phi);
-  const T p3 = std::sqrt(at_least(T(1) - p1 * p1 - p2 * p2, T(0)));
+  const T p2 = (T(1) - share) * math::sqrt(at_least(T(1) - p1 * p1, T(0))) + share * r * sin(phi);
+  const T p3 = math::sqrt(at_least(T(1) - p1 * p1 - p2 * p2, T(0)));
   const Vec3<T> h = t1 * p1 + t2 * p2 + v * p3;
   return normalised(Vec3<T>{a.alpha_x * h.x, a.alpha_y * h.y, at_least(h.z, T(1e-12))});
 }
@@ -103,22 +116,28 @@ T pdf_visible_ggx(const Roughness<T>& a, const Geometry<T>& g) {
 
 namespace detail {
 // The slope x below which a share u of the visible Gaussian slopes lies, seen at this angle:
-// cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. Newton's method inside a bracket.
+// cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. Newton's method inside a bracket; as many steps as
+// it takes, or where it is traced as many as float asks for.
 template <class T>
 T visible_gaussian_slope(T cosine, T sine, T u) {
+  using std::exp, std::erfc;
   const auto mass = [&](T x) {
-    return cosine * T(0.5) * std::erfc(-x) + sine * T(0.28209479177387814) * std::exp(-x * x);
+    return cosine * T(0.5) * erfc(-x) + sine * T(0.28209479177387814) * exp(-x * x);
   };
-  T low = T(-6), high = cosine < T(6) * sine ? cosine / sine : T(6);
+  T low = T(-6), high = select(cosine < T(6) * sine, cosine / sine, T(6));
   const T target = u * mass(high);
   T x = T(0.5) * (low + high);
-  for (int k = 0; k < 40; ++k) {
+  constexpr bool kStops = std::is_floating_point_v<T>;
+  for (int k = 0; k < (kStops ? 40 : 14); ++k) {
     const T excess = mass(x) - target;
-    (excess > T(0) ? high : low) = x;
-    const T slope = (cosine - x * sine) * T(0.56418958354775629) * std::exp(-x * x);
-    T next = x - excess / slope;
-    if (!(next > low && next < high)) next = T(0.5) * (low + high);
-    if (std::abs(next - x) < T(4) * std::numeric_limits<T>::epsilon()) break;
+    const auto above = T(0) < excess;
+    high = select(above, x, high);
+    low = select(above, low, x);
+    const T slope = (cosine - x * sine) * T(0.56418958354775629) * exp(-x * x);
+    const T step = x - excess / slope, middle = T(0.5) * (low + high);
+    const T next = select(low < step, select(step < high, step, middle), middle);
+    if constexpr (kStops)
+      if (std::abs(next - x) < T(4) * std::numeric_limits<T>::epsilon()) break;
     x = next;
   }
   return x;
@@ -129,10 +148,10 @@ T visible_gaussian_slope(T cosine, T sine, T u) {
 template <class T>
 Vec3<T> sample_visible_beckmann(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo) {
   const Vec3<T> v = normalised(Vec3<T>{a.alpha_x * wo.x, a.alpha_y * wo.y, wo.z});
-  const T sine = std::sqrt(square(v.x) + square(v.y));
+  const T sine = math::sqrt(square(v.x) + square(v.y));
   const T along = detail::visible_gaussian_slope(v.z, sine, u1);
   const T across = detail::visible_gaussian_slope(T(1), T(0), u2);
-  const T c = sine > T(0) ? v.x / sine : T(1), s = sine > T(0) ? v.y / sine : T(0);
+  const T c = select(T(0) < sine, v.x / sine, T(1)), s = select(T(0) < sine, v.y / sine, T(0));
   return normalised(
       Vec3<T>{-a.alpha_x * (c * along - s * across), -a.alpha_y * (s * along + c * across), T(1)});
 }

@@ -2,7 +2,7 @@
 //
 // Directions in the local frame, wo fixed and above the horizon; u in [0, 1). Densities are per solid angle
 // of wi, 1/sr. A sampled wi may lie below the horizon: its contribution is then 0, and over the upper
-// hemisphere pdf() integrates to the chance that it does not. T is float or double.
+// hemisphere pdf() integrates to the chance that it does not. T is float, double or the tracing scalar.
 #pragma once
 
 #include "brdf/form.h"
@@ -18,8 +18,11 @@ concept SampledForm = requires { typename F::Sampler; };
 template <Form F, class T>
 Vec3<T> sample(F, const typename F::template Shape<T>& shape, T u1, T u2, T u3, const Vec3<T>& wo,
                T share = T(0.5)) {
-  if constexpr (SampledForm<F>)
+  if constexpr (SampledForm<F> && std::is_floating_point_v<T>) {
     if (u3 < share) return F::Sampler::sample(shape, u1, u2, wo);
+  } else if constexpr (SampledForm<F>) {
+    return chosen(u3 < share, F::Sampler::sample(shape, u1, u2, wo), sample_cosine(u1, u2));
+  }
   return sample_cosine(u1, u2);
 }
 
@@ -27,12 +30,10 @@ Vec3<T> sample(F, const typename F::template Shape<T>& shape, T u1, T u2, T u3, 
 template <Form F, class T>
 T pdf(F, const typename F::template Shape<T>& shape, const Vec3<T>& wi, const Vec3<T>& wo, T share = T(0.5)) {
   const Geometry<T> g = geometry(wi, wo);
-  if (g.lowest < T(0)) return T(0);
   const T diffuse = g.cos_i * T(1 / kPi);
-  if constexpr (SampledForm<F>)
-    return share * F::Sampler::pdf(shape, g) + (T(1) - share) * diffuse;
-  else
-    return diffuse;
+  T density = diffuse;
+  if constexpr (SampledForm<F>) density = share * F::Sampler::pdf(shape, g) + (T(1) - share) * diffuse;
+  return select(g.lowest < T(0), T(0), density);
 }
 
 }  // namespace brdf

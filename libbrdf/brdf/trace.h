@@ -16,6 +16,7 @@
 
 #include "brdf/form.h"
 #include "brdf/reflectance.h"
+#include "brdf/sampling.h"
 
 namespace brdf {
 
@@ -113,6 +114,13 @@ class Traced {
   friend Traced log1p(Traced x, Traced rest);
   friend Traced erfcx(Traced x);
   friend Traced atan2(Traced y, Traced x);
+  // What samplers take besides: not proved equal to the library's bit for bit, as values are.
+  friend Traced sin(Traced x);
+  friend Traced cos(Traced x);
+  friend Traced pow(Traced x, Traced y);
+  friend Traced log1p(Traced x);
+  friend Traced expm1(Traced x);
+  friend Traced erfc(Traced x);
 
  private:
   struct Node {
@@ -130,6 +138,9 @@ std::string glsl_kernels(const GlslOptions& options = {});
 
 namespace detail {
 
+// The number as GLSL has it, which reads back to the same float.
+std::string float_literal(float x);
+
 // A function with this signature: the statements that compute
 // the values, then `result` with %0, %1, ... replaced.
 std::string glsl_function(std::string_view signature, const std::vector<Traced>& values,
@@ -144,16 +155,25 @@ P inputs(const std::string& component) {
   return p;
 }
 
+inline Vec3<Traced> input_vector(const std::string& v) {
+  return {Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
+}
+
+// The shape's parameters as arguments that follow others.
+template <class Shape>
+std::string glsl_shape() {
+  std::string text;
+  for (const auto& field : Shape::fields()) text += ", float " + std::string(field.info.name);
+  return text;
+}
+
 template <Form F>
 std::string glsl_of(F form, bool cosine, const GlslOptions& options) {
   using Weights = typename F::template Weights<Traced>;
   using Shape = typename F::template Shape<Traced>;
   Trace trace(options.dialect);
   const Trace::Scope scope(trace);
-  const auto vector = [](const std::string& v) {
-    return Vec3<Traced>{Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
-  };
-  const Geometry<Traced> g = geometry(vector("wi"), vector("wo"));
+  const Geometry<Traced> g = geometry(input_vector("wi"), input_vector("wo"));
   const Shape shape = inputs<Shape>("");
   const Weights first = inputs<Weights>(".r");
   std::vector<Traced> values;
@@ -161,9 +181,8 @@ std::string glsl_of(F form, bool cosine, const GlslOptions& options) {
     const Weights w = inputs<Weights>(component);
     values.push_back(cosine ? eval_cos(form, w, first, shape, g) : eval(form, w, first, shape, g));
   }
-  std::string signature =
-      std::string("vec3 brdf_eval_") + (cosine ? "cos_" : "") + std::string(F::name) + "(vec3 wi, vec3 wo";
-  for (const auto& field : Shape::fields()) signature += ", float " + std::string(field.info.name);
+  std::string signature = std::string("vec3 brdf_eval_") + (cosine ? "cos_" : "") + std::string(F::name) +
+                          "(vec3 wi, vec3 wo" + glsl_shape<Shape>();
   for (const auto& field : Weights::fields()) signature += ", vec3 " + std::string(field.info.name);
   return glsl_function(signature + ")", values, "return vec3(%0, %1, %2);", options.marks_precise());
 }
@@ -176,6 +195,29 @@ std::string glsl_functions(F form, const GlslOptions& options = {}) {
   return detail::glsl_of(form, false, options) + detail::glsl_of(form, true, options);
 }
 
+// A form's sampler and its density, see ReflectanceModel::glsl_sampler.
+template <Form F>
+std::string glsl_sampler_functions(F form, const GlslOptions& options = {}) {
+  using Shape = typename F::template Shape<Traced>;
+  const std::string name(F::name), arguments = detail::glsl_shape<Shape>();
+  std::string text;
+  {
+    Trace trace(options.dialect);
+    const Trace::Scope scope(trace);
+    const Vec3<Traced> u = detail::input_vector("u");
+    const Vec3<Traced> wi =
+        sample(form, detail::inputs<Shape>(""), u.x, u.y, u.z, detail::input_vector("wo"), Traced(0.5));
+    text += detail::glsl_function("vec3 brdf_sample_" + name + "(vec3 u, vec3 wo" + arguments + ")",
+                                  {wi.x, wi.y, wi.z}, "return vec3(%0, %1, %2);", options.marks_precise());
+  }
+  Trace trace(options.dialect);
+  const Trace::Scope scope(trace);
+  const Traced density = pdf(form, detail::inputs<Shape>(""), detail::input_vector("wi"),
+                             detail::input_vector("wo"), Traced(0.5));
+  return text + detail::glsl_function("float brdf_pdf_" + name + "(vec3 wi, vec3 wo" + arguments + ")",
+                                      {density}, "return %0;", options.marks_precise());
+}
+
 // A function that picks the reflectance by its number in a shader:
 //   vec3 <function>(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2)
 // calls <function>_<name> of the one that has it; `function` is brdf_eval or brdf_eval_cos.
@@ -184,5 +226,9 @@ struct NumberedReflectance {
   Reflectance reflectance;
 };
 std::string glsl_dispatch(std::string_view function, std::span<const NumberedReflectance> reflectances);
+// The same for samplers; one without a sampler in GLSL has the cosine's:
+//   vec3 brdf_sample(int form, vec3 u, vec3 wo, vec4 shape)
+//   float brdf_pdf(int form, vec3 wi, vec3 wo, vec4 shape)
+std::string glsl_sampler_dispatch(std::span<const NumberedReflectance> reflectances);
 
 }  // namespace brdf

@@ -57,20 +57,45 @@ std::string glsl_kernels(const GlslOptions& options) {
                          {"sine", "cosine"});
 }
 
+namespace {
+
+// `case` of a switch: the reflectance's own function with these arguments before its shape and weights.
+std::string call_of(std::string_view function, const NumberedReflectance& entry, std::string_view arguments,
+                    std::size_t weights) {
+  const ReflectanceInfo& info = entry.reflectance.info();
+  std::string text = "    case " + std::to_string(entry.number) + ": return " + std::string(function) + "_" +
+                     std::string(info.name) + "(" + std::string(arguments);
+  for (std::size_t k = 0; k < info.shape.size(); ++k) text += ", shape[" + std::to_string(k) + "]";
+  for (std::size_t k = 0; k < weights; ++k) text += ", w" + std::to_string(k);
+  return text + ");\n";
+}
+
+}  // namespace
+
 std::string glsl_dispatch(std::string_view function, std::span<const NumberedReflectance> reflectances) {
-  const std::string name(function);
-  std::string text = "vec3 " + name +
+  std::string text = "vec3 " + std::string(function) +
                      "(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2) {\n  switch "
                      "(form) {\n";
-  for (const auto& [number, reflectance] : reflectances) {
-    const ReflectanceInfo& info = reflectance.info();
-    text +=
-        "    case " + std::to_string(number) + ": return " + name + "_" + std::string(info.name) + "(wi, wo";
-    for (std::size_t k = 0; k < info.shape.size(); ++k) text += ", shape[" + std::to_string(k) + "]";
-    for (std::size_t k = 0; k < info.weights.size(); ++k) text += ", w" + std::to_string(k);
-    text += ");\n";
-  }
+  for (const NumberedReflectance& entry : reflectances)
+    text += call_of(function, entry, "wi, wo", entry.reflectance.info().weights.size());
   return text + "  }\n  return vec3(0.0);\n}\n";
+}
+
+std::string glsl_sampler_dispatch(std::span<const NumberedReflectance> reflectances) {
+  std::string sample = "vec3 brdf_sample(int form, vec3 u, vec3 wo, vec4 shape) {\n  switch (form) {\n",
+              pdf = "float brdf_pdf(int form, vec3 wi, vec3 wo, vec4 shape) {\n  switch (form) {\n";
+  for (const NumberedReflectance& entry : reflectances) {
+    if (entry.reflectance->glsl_sampler().empty()) continue;
+    sample += call_of("brdf_sample", entry, "u, wo", 0);
+    pdf += call_of("brdf_pdf", entry, "wi, wo", 0);
+  }
+  Trace trace;
+  const Trace::Scope scope(trace);
+  const Vec3<Traced> u = detail::input_vector("u"), wi = sample_cosine(u.x, u.y);
+  sample +=
+      "  }\n" + trace.statements({wi.x.node(), wi.y.node(), wi.z.node()}, "return vec3(%0, %1, %2);", true);
+  return sample + "}\n" + pdf + "  }\n  return max(wi.z, 0.0) * " + detail::float_literal(float(1 / kPi)) +
+         ";\n}\n";
 }
 
 }  // namespace brdf

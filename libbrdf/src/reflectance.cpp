@@ -113,6 +113,9 @@ double ReflectanceModel::pdf(std::span<const double>, const Vec3<double>& wi, co
 std::string ReflectanceModel::glsl(const GlslOptions&) const {
   return {};
 }
+std::string ReflectanceModel::glsl_sampler(const GlslOptions&) const {
+  return {};
+}
 
 std::optional<Reflectance> find_form(std::string_view name) {
   for (const Reflectance& form : catalogue())

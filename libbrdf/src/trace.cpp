@@ -7,20 +7,21 @@
 #include <optional>
 
 namespace brdf {
-namespace {
 
-thread_local Trace* active = nullptr;
-
-std::string float_literal(float x) {
+std::string detail::float_literal(float x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", double(x));
   std::string s = text;
   return s.find_first_of(".e") == std::string::npos ? s + ".0" : s;
 }
 
+namespace {
+
+thread_local Trace* active = nullptr;
+
 int add_float(float x) {
   return Trace::current().add(
-      {Trace::Type::float_type, float_literal(x), {}, true, std::bit_cast<std::uint32_t>(x)});
+      {Trace::Type::float_type, detail::float_literal(x), {}, true, std::bit_cast<std::uint32_t>(x)});
 }
 int add_uint(std::uint32_t x) {
   return Trace::current().add({Trace::Type::uint_type, std::to_string(x) + "u", {}, true, x});
@@ -234,6 +235,27 @@ Traced erfcx(Traced x) {
 }
 Traced atan2(Traced y, Traced x) {
   return Traced::from_node(add(Trace::Type::float_type, "brdf_angle", {y.node(), x.node()}));
+}
+
+Traced sin(Traced x) {
+  return Traced::from_node(add(Trace::Type::float_type, "sin", {x.node()}));
+}
+Traced cos(Traced x) {
+  return Traced::from_node(add(Trace::Type::float_type, "cos", {x.node()}));
+}
+Traced pow(Traced x, Traced y) {
+  return exp(y * log(x));
+}
+Traced log1p(Traced x) {
+  return math::log1p(x);
+}
+Traced expm1(Traced x) {
+  return exp(x) - Traced(1);
+}
+Traced erfc(Traced x) {
+  const TracedBool negative = x < Traced(0);
+  const Traced size = select(negative, -x, x), tail = exp(-size * size) * erfcx(size);
+  return select(negative, Traced(2) - tail, tail);
 }
 
 }  // namespace brdf

@@ -179,11 +179,12 @@ struct StudentFacets {
 struct StudentSlopes {
   template <class T>
   static Vec3<T> sample(const StudentRoughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
+    using std::cos, std::sin, std::expm1, std::log1p;
     const Roughness<T> a = s.ggx();
-    const T radius = std::sqrt(std::expm1(-std::log1p(-u1) / (s.gamma - T(1))));
+    const T radius = math::sqrt(expm1(-log1p(-u1) / (s.gamma - T(1))));
     const T phi = T(2 * kPi) * u2;
-    return mirrored(wo, normalised(Vec3<T>{a.alpha_x * radius * std::cos(phi),
-                                           a.alpha_y * radius * std::sin(phi), T(1)}));
+    return mirrored(wo,
+                    normalised(Vec3<T>{a.alpha_x * radius * cos(phi), a.alpha_y * radius * sin(phi), T(1)}));
   }
   template <class T>
   static T pdf(const StudentRoughness<T>& s, const Geometry<T>& g) {
