@@ -9,6 +9,7 @@
 
 #include "io/error.h"
 #include "io/parallel.h"
+#include "render/reference/environment_light.h"
 #include "render/reference/surface_hit.h"
 #include "render/scene/camera_view.h"
 #include "render/scene/display_rule.h"
@@ -104,7 +105,11 @@ glm::vec3 backdrop(const Scene& scene, const glm::vec3& ray) {
   return color;
 }
 
-glm::vec3 sky(const Scene& scene, const glm::vec3& ray) {
+glm::vec3 sky(const PreparedScene& prepared, const glm::vec3& ray) {
+  const Scene& scene = prepared.scene;
+  if (prepared.environment && scene.environment->shown)
+    return scene.environment->intensity *
+           prepared.environment->shown(to_picture(*scene.environment) * glm::normalize(ray));
   if (!scene.sky_zenith) return scene.backdrop_top ? backdrop(scene, ray) : scene.background;
   const float up = glm::normalize(ray).y;
   glm::vec3 color;
@@ -129,6 +134,24 @@ class Shadow {
   std::size_t light_ = kMostLights;  // none
   float step_;
 };
+// Light from all around, summed over the layers.
+EnvironmentEstimate environment_at(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
+                                   int x, int y, const ReferenceOptions& options) {
+  EnvironmentEstimate sum;
+  for (std::size_t k = 0; k < prepared.layers.size(); ++k) {
+    const Item& item = prepared.layers[k][hit.hit.geomID];
+    if (!item.form) continue;
+    const SurfaceHit s = surface_at(prepared, item, hit.hit.primID, ray);
+    if (!s.front) break;
+    const glm::vec3 wo = to_local(glm::normalize(prepared.scene.camera.position - s.position), s);
+    const auto starts =
+        point_starts(std::uint32_t(x), std::uint32_t(y), options.seed + std::uint32_t(k) * 0x10000u);
+    const EnvironmentEstimate e = environment_light(prepared, item, s, wo, starts, options.samples);
+    sum.mean += e.mean;
+    sum.variance += e.variance;
+  }
+  return sum;
+}
 
 // The value, and whether all of it is known.
 MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
@@ -174,12 +197,19 @@ void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit
 
 Picture render_reference(const PreparedScene& prepared, const ReferenceOptions& options) {
   Picture picture(prepared.scene.camera.width, prepared.scene.camera.height);
+  const bool environment = prepared.environment && !options.measured;
+  if (options.standard_error) *options.standard_error = Picture(picture.width, picture.height);
   const auto visit = [&](int x, int y, const glm::vec3& ray, const RTCRayHit& hit, const SceneRays& rays) {
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-      picture.at(x, y) = glm::vec4(sky(prepared.scene, ray), 0);
+      picture.at(x, y) = glm::vec4(sky(prepared, ray), 0);
       return;
     }
-    const MeasuredValue value = shade(prepared, hit, ray, Shadow(prepared, rays), options.measured);
+    MeasuredValue value = shade(prepared, hit, ray, Shadow(prepared, rays), options.measured);
+    if (environment) {
+      const EnvironmentEstimate e = environment_at(prepared, hit, ray, x, y, options);
+      value.f_cos += e.mean;
+      if (options.standard_error) options.standard_error->at(x, y) = glm::vec4(glm::sqrt(e.variance), 1);
+    }
     picture.at(x, y) = glm::vec4(value.f_cos, value.known ? 1 : kNotMeasured);
   };
   for_each_pixel(prepared, options.threads, visit);

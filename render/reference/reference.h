@@ -1,5 +1,5 @@
 // The reference: the same scene by Embree, one ray through every pixel's centre, direct light without shadows
-// as in the renderer, materials by libbrdf's own float evaluation.
+// as in the renderer and the environment's by samples, materials by libbrdf's own float evaluation.
 #pragma once
 
 #include <functional>
@@ -24,6 +24,10 @@ struct ReferenceOptions {
   // Shades every object where set (ambient then has nothing to act on); pixels lit along directions of which it
   // knows nothing have the alpha kNotMeasured.
   const Measured* measured = nullptr;
+  // Of the environment's light, which what is measured leaves out.
+  int samples = 256;
+  std::uint32_t seed = 1;
+  Picture* standard_error = nullptr;  // where wanted: that of each pixel
 };
 
 Picture render_reference(const PreparedScene& scene, const ReferenceOptions& options = {});

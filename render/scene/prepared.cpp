@@ -100,6 +100,11 @@ void update_items(PreparedScene& prepared) {
 
 namespace {
 
+LightMap light_map(const Scene& scene) {
+  if (const auto formula = find_named<Formula>(scene.environment->picture)) return light_map_of(*formula);
+  return load_light_map(scene.folder / scene.environment->picture);
+}
+
 [[noreturn]] void refuse(std::size_t object, const std::string& what, std::size_t most) {
   throw InputError("$.objects[" + std::to_string(object) + "]: with it the scene has more than " +
                    std::to_string(most) + " " + what);
@@ -127,6 +132,7 @@ PreparedScene prepare(Scene scene) {
     }
     prepared.textures.push_back(std::move(textures));
   }
+  if (scene.environment) prepared.environment = std::make_shared<const LightMap>(light_map(scene));
   prepared.scene = std::move(scene);
   update_items(prepared);
   return prepared;

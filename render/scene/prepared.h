@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "render/light/light_map.h"
 #include "render/mesh/mesh.h"
 #include "render/scene/scene.h"
 #include "render/scene/texture.h"
@@ -34,6 +35,7 @@ struct PreparedScene {
   std::vector<std::shared_ptr<const Mesh>> meshes;  // per object
   std::vector<TextureSet> textures;                 // per object
   std::vector<std::vector<Item>> layers;            // every layer has an item per object
+  std::shared_ptr<const LightMap> environment;      // null: none
   glm::vec4 bounds{0, 0, 0, 1};                     // sphere round all objects
 };
 

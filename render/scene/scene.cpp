@@ -50,4 +50,8 @@ glm::mat3 linear_part(const Object& object) {
   return glm::mat3(glm::scale(m, object.scale));
 }
 
+glm::mat3 to_picture(const Environment& environment) {
+  return glm::mat3(glm::rotate(glm::mat4(1), glm::radians(-environment.rotation), glm::vec3(0, 1, 0)));
+}
+
 }  // namespace brdf::render

@@ -34,6 +34,15 @@ struct Light {
 };
 inline constexpr std::size_t kMostLights = 64;
 
+// Light from all around, far away.
+struct Environment {
+  std::string picture;  // a file from the scene's folder, or a Formula's name
+  float rotation = 0;   // degrees about the vertical axis, counter-clockwise from above
+  float intensity = 1;  // factor on its radiance
+  bool shown = true;    // behind the objects, instead of the scene's background
+  friend bool operator==(const Environment&, const Environment&) = default;
+};
+
 enum class TextureSlot { albedo, normal, roughness, metallic };
 
 struct Object {
@@ -62,6 +71,7 @@ struct Scene {
   glm::vec3 back_color{0.5f};             // of surfaces seen from behind
   bool shadow = false;                    // the first directional light casts one
   std::vector<Light> lights;
+  std::optional<Environment> environment;
   std::vector<Object> objects;
   std::filesystem::path folder;  // that relative file names start from
   Shading shading = Shading::brdf;
@@ -90,6 +100,9 @@ Scene shape_scene(const std::string& shape, const std::vector<std::pair<std::str
 
 // Rotation and scale of an object, and the same for normals.
 glm::mat3 linear_part(const Object& object);
+
+// Turns directions of the world into those of the environment's picture.
+glm::mat3 to_picture(const Environment& environment);
 
 }  // namespace render
 

@@ -4,6 +4,7 @@
 
 #include "io/installed.h"
 #include "io/material_json.h"
+#include "render/light/formula.h"
 
 namespace brdf::render {
 namespace {
@@ -73,6 +74,17 @@ Light read_light(const JsonPlace& place) {
   read(place, "color", light.color, 0, 1e6);
   read(place, "intensity", light.intensity, 0, 1e6);
   return light;
+}
+
+Environment read_environment(const JsonPlace& place) {
+  place.allow_keys({"picture", "rotation", "intensity"});
+  Environment environment;
+  environment.picture = place.at("picture").text();
+  if (environment.picture.empty())
+    place.at("picture").fail("must be a file's name or one of " + known_names<Formula>());
+  read(place, "rotation", environment.rotation, -360, 360);
+  read(place, "intensity", environment.intensity, 0, 1e6);
+  return environment;
 }
 
 void read_material_of(Object& object, const JsonPlace& place, const std::filesystem::path& folder) {
@@ -151,6 +163,12 @@ Json json_of(const Object& object) {
   return json;
 }
 
+Json json_of(const Environment& environment) {
+  return {{"picture", environment.picture},
+          {"rotation", environment.rotation},
+          {"intensity", environment.intensity}};
+}
+
 Json json_of(const Light& light) {
   Json json;
   json["type"] = light.point ? "point" : "directional";
@@ -175,8 +193,9 @@ bool read_flag(const JsonPlace& place) {
 
 Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder) {
   require_format(root, "brdf-scene");
-  root.allow_keys({"format", "version", "camera", "ambient", "background", "back_color", "lights", "objects",
-                   "shading", "per_vertex", "as_coded", "tone_map", "exposure", "shadow"});
+  root.allow_keys({"format", "version", "camera", "ambient", "background", "back_color", "lights",
+                   "environment", "objects", "shading", "per_vertex", "as_coded", "tone_map", "exposure",
+                   "shadow"});
   Scene scene;
   scene.folder = folder;
   if (root.has("camera")) scene.camera = read_camera(root.at("camera"));
@@ -190,6 +209,10 @@ Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder
     for (std::size_t k = 0; k < lights.size(); ++k) scene.lights.push_back(read_light(lights.at(k)));
   }
   read(root, "shadow", scene.shadow);
+  if (root.has("environment")) {
+    scene.environment = read_environment(root.at("environment"));
+    scene.environment->shown = !root.has("background");
+  }
   const JsonPlace objects = root.at("objects");
   if (objects.size() == 0 || objects.size() > 200) objects.fail("must have 1 to 200 objects");
   for (std::size_t k = 0; k < objects.size(); ++k)
@@ -222,11 +245,13 @@ Json to_json(const Scene& scene) {
                     {"width", camera.width},
                     {"height", camera.height}};
   json["ambient"] = json_of(scene.ambient);
-  if (scene.sky_zenith) {
+  if (scene.environment) json["environment"] = json_of(*scene.environment);
+  const bool background = !scene.environment || !scene.environment->shown;
+  if (background && scene.sky_zenith) {
     json["background"] = {{"horizon", json_of(scene.background)}, {"zenith", json_of(*scene.sky_zenith)}};
-  } else if (scene.backdrop_top) {
+  } else if (background && scene.backdrop_top) {
     json["background"] = {{"bottom", json_of(scene.background)}, {"top", json_of(*scene.backdrop_top)}};
-  } else {
+  } else if (background) {
     json["background"] = json_of(scene.background);
   }
   json["back_color"] = json_of(scene.back_color);

@@ -1,5 +1,6 @@
 #include "render/scene/scene.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -39,6 +40,34 @@ std::string message_of(const std::string& text) {
     return error.what();
   }
   return "accepted";
+}
+
+TEST(Scene, ReadsAnEnvironment) {
+  const Scene once = parsed(scene_with(R"("environment":{"picture":"sky","rotation":-30,"intensity":2.5},)"));
+  ASSERT_TRUE(once.environment);
+  EXPECT_EQ(*once.environment, (Environment{"sky", -30, 2.5f, true}));
+  EXPECT_EQ(parsed(io::to_text(to_json(once))), once);
+  EXPECT_EQ(prepare(once).environment->width(), 1024);
+  EXPECT_EQ(prepare(parsed(scene_with(""))).environment, nullptr);
+  Scene other = once;
+  other.environment->rotation = 0;
+  EXPECT_NE(other, once);
+  // A background of its own stays, and is written.
+  const Scene hidden = parsed(scene_with(R"("background":[1,0,0],"environment":{"picture":"uniform"},)"));
+  EXPECT_FALSE(hidden.environment->shown);
+  EXPECT_EQ(parsed(io::to_text(to_json(hidden))), hidden);
+}
+
+TEST(Scene, RefusesEnvironmentsThatAreNone) {
+  const auto refusal = [](const std::string& inside) {
+    return message_of(scene_with("\"environment\":{" + inside + "},"));
+  };
+  EXPECT_THAT(refusal(""), testing::HasSubstr("environment"));
+  EXPECT_THAT(refusal(R"("picture":"")"), testing::HasSubstr("studio, sky, uniform"));
+  EXPECT_THAT(refusal(R"("picture":"sky","rotation":400)"), testing::HasSubstr("environment.rotation"));
+  EXPECT_THAT(refusal(R"("picture":"sky","intensity":-1)"), testing::HasSubstr("environment.intensity"));
+  EXPECT_THAT(refusal(R"("picture":"sky","colour":1)"), testing::HasSubstr("colour"));
+  EXPECT_THAT(refusal(R"("picture":"nowhere.hdr")"), testing::HasSubstr("nowhere.hdr: no such file"));
 }
 
 TEST(Scene, ReadsWhatItWrote) {

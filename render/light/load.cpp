@@ -1,0 +1,92 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <stb_image.h>
+
+#include <cmath>
+#include <memory>
+
+#include "io/error.h"
+#include "render/light/light_map.h"
+
+namespace brdf::render {
+namespace {
+
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<glm::vec3> values;
+};
+
+void require_size(std::int64_t width, std::int64_t height, const std::string& file) {
+  if (width < 1 || height < 1 || width * height > kMostLightTexels)
+    throw InputError(file + ": is a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                     "; an environment has at most " + std::to_string(kMostLightTexels) + " pixels");
+}
+
+Pixels read_exr_pixels(const std::string& file) {
+  try {
+    Imf::InputFile in(file.c_str());
+    const Imath::Box2i window = in.header().dataWindow();
+    Pixels out{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}};
+    require_size(out.width, out.height, file);
+    out.values.resize(std::size_t(out.width) * std::size_t(out.height));
+    const bool grey = in.header().channels().findChannel("Y") && !in.header().channels().findChannel("R");
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < 3; ++c) {
+      const std::string name = grey ? "Y" : std::string(1, "RGB"[c]);
+      if (!in.header().channels().findChannel(name.c_str()))
+        throw InputError(file + ": has no channel " + name + "; an environment has R, G and B, or Y");
+      if (grey && c > 0) break;
+      buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, &out.values[0][c], window, sizeof(glm::vec3),
+                                           sizeof(glm::vec3) * std::size_t(out.width)));
+    }
+    in.setFrameBuffer(buffer);
+    in.readPixels(window.min.y, window.max.y);
+    for (glm::vec3& v : out.values)
+      if (grey) v = glm::vec3(v.r);
+    return out;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(file + ": is no OpenEXR picture that can be read: " + error.what());
+  }
+}
+
+Pixels read_hdr_pixels(const std::string& file) {
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_is_hdr(file.c_str()) || !stbi_info(file.c_str(), &width, &height, &channels))
+    throw InputError(file + ": is no Radiance picture (.hdr)");
+  require_size(width, height, file);
+  const std::unique_ptr<float, decltype(&stbi_image_free)> data(
+      stbi_loadf(file.c_str(), &width, &height, &channels, 3), stbi_image_free);
+  if (!data) throw InputError(file + ": is no Radiance picture that can be read: " + stbi_failure_reason());
+  Pixels out{width, height, {}};
+  for (std::size_t k = 0; k < std::size_t(width) * std::size_t(height); ++k)
+    out.values.emplace_back(data.get()[3 * k], data.get()[3 * k + 1], data.get()[3 * k + 2]);
+  return out;
+}
+
+}  // namespace
+
+LightMap load_light_map(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(file.string() + ": no such file; an environment is a .hdr or .exr picture, or one of " +
+                     known_names<Formula>());
+  const std::string suffix = file.extension().string();
+  if (suffix != ".hdr" && suffix != ".exr")
+    throw InputError(file.string() + ": is neither a .hdr nor an .exr picture");
+  const Pixels pixels = suffix == ".exr" ? read_exr_pixels(file.string()) : read_hdr_pixels(file.string());
+  for (std::size_t k = 0; k < pixels.values.size(); ++k) {
+    for (int c = 0; c < 3; ++c) {
+      const float value = pixels.values[k][c];
+      if (std::isfinite(value) && value >= 0) continue;
+      throw InputError(file.string() + ": the pixel (" + std::to_string(k % std::size_t(pixels.width)) +
+                       ", " + std::to_string(k / std::size_t(pixels.width)) + ") has the value " +
+                       std::to_string(value) + "; radiance is finite and not negative");
+    }
+  }
+  return {pixels.width, pixels.height, pixels.values};
+}
+
+}  // namespace brdf::render
