@@ -100,6 +100,7 @@ void apply_overrides(const Job& job, Scene& scene) {
     scene.shading = named<Shading>(*job.shading, "--shading");
     if (scene.shading != Shading::brdf) scene.tone_map = ToneMap::none;
   }
+  apply_environment(job, scene);
   if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, "--tone-map");
   scene.per_vertex |= job.per_vertex;
   scene.as_coded |= job.as_coded;
@@ -110,6 +111,28 @@ bool needs_other(Display display) {
 }
 
 }  // namespace
+
+// Spheres of materials alone are then lit by nothing else, and seen before it.
+void apply_environment(const Job& job, Scene& scene) {
+  if (job.environment) {
+    const bool spheres = job.scene.empty() && job.state.empty();
+    Environment environment = scene.environment.value_or(Environment{});
+    environment.picture = *job.environment;
+    if (!find_named<Formula>(environment.picture))
+      environment.picture = std::filesystem::absolute(environment.picture).string();
+    if (!scene.environment)
+      environment.shown = spheres || (!scene.sky_zenith && scene.background == glm::vec3(0));
+    scene.environment = environment;
+    if (spheres) {
+      scene.lights.clear();
+      scene.ambient = glm::vec3(0);
+    }
+  }
+  if (!job.rotation) return;
+  if (!scene.environment)
+    throw InputError("--rotate turns an environment: give --environment, or a scene that has one");
+  scene.environment->rotation = *job.rotation;
+}
 
 Job with_samples_told(Job job) {
   std::vector<std::filesystem::path> materials;
@@ -205,6 +228,8 @@ void check_output(const Job& job, const ViewState& state) {
   std::vector<std::filesystem::path> inputs = job.materials;
   inputs.insert(inputs.end(),
                 {job.scene, job.state, job.compare, job.measured, state.samples, job.row_source});
+  if (state.scene.environment && !find_named<Formula>(state.scene.environment->picture))
+    inputs.push_back(state.scene.folder / state.scene.environment->picture);
   for (const Object& object : state.scene.objects) {
     inputs.push_back(state.scene.folder / object.mesh);
     for (const auto& texture : object.textures)
@@ -249,7 +274,7 @@ JobReport run(const Job& given) {
   Device device({.memory_limit = job.memory_limit, .validation = job.validation});
   Finish finish{.rounding = job.rounding};
   if (job.supersample) finish.supersample = *job.supersample;
-  Pictures pictures(device, options, finish);
+  Pictures pictures(device, options, job.samples, finish);
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
   if (job.exposure_from_picture) state.scene.exposure = exposure_from(pictures.a_picture());
   JobReport report;
@@ -282,6 +307,8 @@ JobReport run(const Job& given) {
   report.width = camera.width;
   report.height = camera.height;
   report.passes = pictures.times();
+  report.samples = pictures.samples_drawn();
+  report.noise = pictures.noise();
   report.clipped = clipped_share(pictures.a_picture(), state.scene.tone_map, state.scene.exposure);
   report.validation_messages = device.validation_messages();
   return report;

@@ -15,6 +15,8 @@
 
 namespace brdf::render {
 
+inline constexpr int kDefaultSamples = 64;
+
 struct Job {
   std::vector<std::filesystem::path> materials;
   // Materials that are ready, with what stands below each, and the file they were made of.
@@ -28,6 +30,9 @@ struct Job {
   std::optional<int> supersample;  // samples across a pixel; none: 4, and 1 for an EXR that holds more than A
   Rounding rounding = Rounding::dithered;
   std::optional<std::string> tone_map, shading;
+  std::optional<std::string> environment;  // a picture's file or a Formula's name, instead of the scene's
+  std::optional<float> rotation;           // of the environment, degrees
+  int samples = kDefaultSamples;           // of its light, per pixel
   bool per_vertex = false, as_coded = false;
   int gbuffer_bits = 16;
   std::uint64_t memory_limit = 0;  // bytes, 0: none
@@ -57,7 +62,10 @@ struct JobReport {
   double clipped = 0;  // share of surface pixels that the display clips
   std::string other;   // name of B, where there is one
   std::optional<Difference> difference;
-  std::vector<std::pair<std::string, double>> passes;  // milliseconds
+  std::vector<std::pair<std::string, double>>
+      passes;         // milliseconds; with an environment of one run of kRun samples
+  int samples = 0;    // of an environment's light, 0: there is none
+  double noise = -1;  // see Pictures::noise
   std::optional<PixelProbe> probe;
   glm::vec4 probed_a{0}, probed_b{0};  // the pictures' values at the probed pixel
   unsigned validation_messages = 0;
@@ -72,6 +80,8 @@ std::pair<std::string, Material> any_material();
 
 // What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
+// Puts the job's environment and its rotation into a scene. Throws InputError where there is nothing to rotate.
+void apply_environment(const Job& job, Scene& scene);
 // How the channels of a state's materials became colours, a line for each material that does not say it.
 std::vector<std::string> colour_notes(const ViewState& state);
 // Renders and writes the output, if one is named. Throws

@@ -1,5 +1,7 @@
 #include "render/compare/pictures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "render/compare/object_labels.h"
@@ -14,10 +16,14 @@ bool needs_b(const ViewState& state) {
          state.display == Display::difference;
 }
 
+std::string picture_of(const Scene& scene) {
+  return scene.environment ? scene.environment->picture : "";
+}
+
 // What meshes, textures and the picture's size depend on: a change of anything else needs no new renderer.
 bool same_resources(const Scene& a, const Scene& b) {
   if (a.objects.size() != b.objects.size() || a.folder != b.folder || a.camera.width != b.camera.width ||
-      a.camera.height != b.camera.height) {
+      a.camera.height != b.camera.height || picture_of(a) != picture_of(b)) {
     return false;
   }
   for (std::size_t k = 0; k < a.objects.size(); ++k) {
@@ -48,15 +54,25 @@ Picture Pictures::read(Renderer& renderer) {
   return picture_from(camera.width, camera.height, renderer.read_color());
 }
 
+// Of an environment's samples, for each of the places in a pixel.
+int Pictures::samples_of_a_place() const {
+  return wanted_ / (finish_.supersample * finish_.supersample);
+}
+
 Picture Pictures::fine(Renderer& renderer) {
   const PreparedScene scene = renderer.scene();
-  const auto draw = [&](const PreparedScene& moved) {
+  std::uint32_t seed = options_.seed;
+  const auto draw = [&](const PreparedScene& moved, int samples) {
+    renderer.reseed(seed++);  // each place has random directions of its own
     renderer.update(moved);
-    renderer.draw();
-    return read(renderer);
+    renderer.draw_samples(samples);
   };
-  Picture picture = supersampled(scene, finish_.supersample, draw);
-  draw(scene);  // what the window shows stays
+  Picture picture = supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
+    draw(moved, samples_of_a_place());
+    return read(renderer);
+  });
+  seed = options_.seed;
+  draw(scene, refining_ ? 0 : wanted_);  // what the window shows stays
   return picture;
 }
 
@@ -77,8 +93,14 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   scene.camera.width = int(size.width);
   scene.camera.height = int(size.height);
   // Samples hold no ambient light: leave it out on both sides.
-  if (needs_b(state) && state.other == Other::samples) scene.ambient = glm::vec3(0);
-  if (drawn_a_ == scene) return;
+  if (needs_b(state) && state.other == Other::samples) {
+    scene.ambient = glm::vec3(0);
+    scene.environment.reset();
+  }
+  if (drawn_a_ == scene) {
+    if (unfinished()) refine(state);
+    return;
+  }
   drawn_a_.reset();
   if (a_ && same_resources(scene, prepared_.scene)) {
     prepared_.scene = scene;
@@ -93,12 +115,44 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     a_.emplace(*device_, prepared_, options_);
   }
   images_changed_ = true;
-  a_->draw(&times_);
+  a_->draw_samples(refining_ ? 0 : wanted_, &times_);
   a_picture_.reset();
   fine_a_.reset();
+  noise_ = -1;
+  if (!refining_) measure_noise();
   pass_times_ = times_.read();
   drawn_a_ = std::move(scene);
   drawn_b_.reset();
+}
+
+// One run more of A, and of B where it is drawn the same way. What takes reading back is done at powers of two.
+void Pictures::refine(const ViewState& state) {
+  a_->draw(&times_);
+  pass_times_ = times_.read();
+  a_picture_.reset();
+  if (b_ && b_->samples() > 0 && needs_b(state)) b_->draw();
+  const int runs = a_->samples() / kRun;
+  if ((runs & (runs - 1)) != 0 && unfinished()) return;
+  measure_noise();
+  if (!needs_b(state) || !drawn_b_) return;
+  if (b_) b_picture_ = read(*b_);
+  difference_ = compare(a_picture(), b_picture_);
+}
+
+void Pictures::measure_noise() {
+  if (a_->samples() < 2 * kRun) return;
+  const std::vector<float> errors = a_->read_standard_error();
+  const Picture& picture = a_picture();
+  double squares = 0, sum = 0, count = 0;
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+    if (!is_surface(picture.pixels[k])) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      squares += double(errors[4 * k + c]) * double(errors[4 * k + c]);
+      sum += double(picture.pixels[k][int(c)]);
+      ++count;
+    }
+  }
+  noise_ = sum > 0 ? std::sqrt(squares / count) / (sum / count) : 0;
 }
 
 void Pictures::draw_other_material(const ViewState& state) {
@@ -112,7 +166,7 @@ void Pictures::draw_other_material(const ViewState& state) {
   } else {
     b_.emplace(*device_, other, options_);
   }
-  b_->draw();
+  b_->draw_samples(refining_ ? 0 : wanted_);
   b_picture_ = read(*b_);
   draw_fine_b_ = [this] { return fine(*b_); };
 }
@@ -125,7 +179,9 @@ void Pictures::update_b(const ViewState& state) {
     draw_other_material(state);
   } else {
     b_.reset();
-    ReferenceOptions options;
+    // Of other random numbers than A's; where one waits for the picture, few.
+    ReferenceOptions options{.samples = refining_ ? std::min(wanted_, kRun) : wanted_,
+                             .seed = options_.seed + 1};
     PreparedScene scene = prepared_;
     if (state.other == Other::samples && !state.samples.empty()) {
       if (samples_file_ != state.samples) {
@@ -138,9 +194,14 @@ void Pictures::update_b(const ViewState& state) {
       }
       options.measured = &samples_;
     }
-    const auto draw = [options](const PreparedScene& moved) { return render_reference(moved, options); };
-    b_picture_ = draw(scene);
-    draw_fine_b_ = [this, draw, scene] { return supersampled(scene, finish_.supersample, draw); };
+    b_picture_ = render_reference(scene, options);
+    options.samples = std::max(samples_of_a_place(), kRun);
+    draw_fine_b_ = [this, options, scene]() mutable {
+      return supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
+        options.seed += kMostSupersample * kMostSupersample;
+        return render_reference(moved, options);
+      });
+    };
     const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
     upload_ =
         Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);

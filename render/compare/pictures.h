@@ -22,13 +22,28 @@ struct Finish {
 
 class Pictures {
  public:
-  explicit Pictures(Device& device, const RendererOptions& options, const Finish& finish = {})
-      : device_(&device), options_(options), finish_(finish), times_(device) {}
+  // `samples`: of an environment's light, per pixel. Drawn at once, or (`refining`) a few with each update of a state
+  // that has not changed.
+  Pictures(Device& device, const RendererOptions& options, int samples, const Finish& finish = {},
+           bool refining = false)
+      : device_(&device),
+        options_(options),
+        wanted_(samples),
+        refining_(refining),
+        finish_(finish),
+        times_(device) {}
 
   // Draws what the state needs at this size. Throws InputError where a file of the state cannot be used.
   void update(const ViewState& state, VkExtent2D size);
   // After each update: true once, when other images than before are to be shown.
   bool images_changed() { return std::exchange(images_changed_, false); }
+
+  // Whether an update of the same state would bring more samples.
+  bool unfinished() const { return drawn_a_ && prepared_.environment && a_->samples() < wanted_; }
+  // Samples of an environment's light that A has, 0 without one, and what they leave open: the root mean square of the
+  // surface's standard errors over its mean, told now and then while A is refined; negative: not yet.
+  int samples_drawn() const { return a_ ? a_->samples() : 0; }
+  double noise() const { return noise_; }
 
   // Records the barriers after which everything shown can be sampled.
   void prepare_to_sample(VkCommandBuffer commands);
@@ -60,13 +75,19 @@ class Pictures {
  private:
   void update_a(const ViewState& state, VkExtent2D size);
   void update_b(const ViewState& state);
+  void refine(const ViewState& state);
+  void measure_noise();
   void draw_other_material(const ViewState& state);
   Picture read(Renderer& renderer);
+  int samples_of_a_place() const;
   Picture fine(Renderer& renderer);
   Comparison comparison(const ViewState& state, bool labels);
 
   Device* device_;
   RendererOptions options_;
+  int wanted_;  // samples
+  bool refining_;
+  double noise_ = -1;
   Finish finish_;
   Timestamps times_;
   PreparedScene prepared_;

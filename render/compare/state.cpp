@@ -8,6 +8,7 @@
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/samples.h"
+#include "render/light/formula.h"
 #include "render/mesh/mesh.h"
 #include "render/scene/scene_json.h"
 
@@ -19,6 +20,9 @@ using io::JsonPlace;
 
 // Relative names start from the scene's folder, which a state saved elsewhere does not know.
 Scene with_absolute_names(Scene scene) {
+  if (scene.environment && !find_named<Formula>(scene.environment->picture))
+    scene.environment->picture =
+        std::filesystem::absolute(scene.folder / scene.environment->picture).string();
   for (Object& object : scene.objects) {
     const std::filesystem::path file = scene.folder / object.mesh;
     if (std::filesystem::is_regular_file(file)) object.mesh = std::filesystem::absolute(file).string();
@@ -170,8 +174,13 @@ float split_at_highlight(const Scene& scene, std::size_t object) {
 
 std::string left_out_note(const ViewState& state) {
   const bool compared = state.display != Display::picture && state.display != Display::gbuffer;
-  if (!compared || state.other != Other::samples || state.scene.ambient == glm::vec3(0)) return "";
-  return "ambient light is left out on both sides: samples hold no value for it";
+  if (!compared || state.other != Other::samples) return "";
+  const bool ambient = state.scene.ambient != glm::vec3(0);
+  if (!ambient && !state.scene.environment) return "";
+  const std::string what = !state.scene.environment ? "ambient light is"
+                           : ambient                ? "ambient light and the environment are"
+                                                    : "the environment is";
+  return what + " left out on both sides: samples hold no value for it";
 }
 
 namespace {

@@ -45,9 +45,13 @@ Spirv FragmentCode::of(const Reflectance& reflectance, int number) {
   std::vector<std::uint32_t>& code = others_[number];
   if (code.empty()) {
     const NumberedReflectance entry{number, reflectance};
-    const std::string place = "#include \"brdf.glsl\"\n";
     std::string text = text_;
-    text.replace(text.find(place), place.size(), reflectances_glsl({&entry, 1}));
+    const auto put = [&](const std::string& place, const std::string& glsl) {
+      const std::size_t at = text.find(place);
+      if (at != std::string::npos) text.replace(at, place.size(), glsl);
+    };
+    put("#include \"brdf.glsl\"\n", reflectances_glsl({&entry, 1}));
+    put("#include \"samplers.glsl\"\n", samplers_glsl({&entry, 1}));
     code = compiled(text, Stage::fragment, reflectance.info().name);
   }
   return code;

@@ -30,12 +30,13 @@ struct GpuFrame {
   glm::mat4 view_projection;
   glm::vec4 camera, right, up, forward;
   glm::vec4 ambient, back_color, background, zenith;
+  glm::vec4 environment;
   glm::ivec4 counts;
   glm::mat4 shadow_projection;
   glm::vec4 shadow;
   GpuLight lights[kMostLights];
 };
-static_assert(sizeof(GpuFrame) == 64 + 8 * 16 + 16 + 64 + 16 + 32 * kMostLights);
+static_assert(sizeof(GpuFrame) == 64 + 9 * 16 + 16 + 64 + 16 + 32 * kMostLights);
 
 struct GpuItem {
   glm::mat4 model, normals;

@@ -37,6 +37,10 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   frame.back_color = glm::vec4(scene.back_color, 0);
   frame.background = glm::vec4(scene.background, 0);
   frame.zenith = glm::vec4(scene.sky_zenith.value_or(scene.backdrop_top.value_or(scene.background)), 0);
+  if (scene.environment) {
+    const float turn = glm::radians(scene.environment->rotation);
+    frame.environment = {std::cos(turn), std::sin(turn), scene.environment->intensity, 0};
+  }
   frame.counts = {int(scene.lights.size()),
                   scene.sky_zenith     ? kSky
                   : scene.backdrop_top ? kBackdrop

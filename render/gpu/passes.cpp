@@ -24,10 +24,6 @@ VkRenderingInfo rendering_info(VkExtent2D extent, std::span<const VkRenderingAtt
   return info;
 }
 
-void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set) {
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, first, 1, &set, 0, nullptr);
-}
-
 // The index of the one item of this form, -1 where there are several.
 int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& form) {
   int found = -1;
@@ -39,6 +35,12 @@ int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& 
   return found;
 }
 
+}  // namespace
+
+void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set) {
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, first, 1, &set, 0, nullptr);
+}
+
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer) {
   std::vector<Reflectance> forms;
   for (const Item& item : layer)
@@ -46,8 +48,6 @@ std::vector<Reflectance> forms_in(const std::vector<Item>& layer) {
       forms.push_back(*item.form);
   return forms;
 }
-
-}  // namespace
 
 VkFormat gbuffer_format(int bits) {
   return bits == 8    ? VK_FORMAT_R8G8B8A8_UNORM
@@ -81,6 +81,15 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
   info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   for (int c = 0; c < 4; ++c) info.clearValue.color.float32[c] = clear[c];
   return info;
+}
+
+void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images, VkAttachmentLoadOp load) {
+  std::vector<VkRenderingAttachmentInfo> colors;
+  for (const Image* image : images) colors.push_back(attachment(*image, kColorLayout, load, glm::vec4(0)));
+  const VkExtent2D extent = (*images.begin())->extent();
+  const VkRenderingInfo info = rendering_info(extent, colors, nullptr);
+  vkCmdBeginRendering(commands, &info);
+  set_viewport(commands, extent);
 }
 
 VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,

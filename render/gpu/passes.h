@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <tuple>
 
@@ -25,6 +26,12 @@ VkFormat gbuffer_format(int bits);
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
 VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load,
                                      const glm::vec4& clear);
+
+void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set);
+// Begins drawing into images of one size that are colour attachments; sets the viewport.
+void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images, VkAttachmentLoadOp load);
+// The reflectances of a layer, each once.
+std::vector<Reflectance> forms_in(const std::vector<Item>& layer);
 
 // Begins drawing meshes over what is in `color` (or over zeros), with a fresh depth buffer, and sets the viewport.
 void begin_forward(VkCommandBuffer commands, Image& color, Image& depth,
@@ -53,6 +60,9 @@ class DeferredPass {
   // its objects cover. Layers after the first are added.
   void record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                        std::size_t layer, Image& color);
+  // For other passes that read the targets.
+  VkDescriptorSetLayout targets_layout() const { return targets_layout_.get(); }
+  VkDescriptorSet targets_set() const { return targets_set_; }
 
  private:
   VkPipeline geometry_pipeline(bool textured);

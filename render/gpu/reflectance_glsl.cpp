@@ -26,6 +26,12 @@ std::string reflectances_glsl(std::span<const NumberedReflectance> list, const G
   return text + glsl_dispatch("brdf_eval_cos", list);
 }
 
+std::string samplers_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options) {
+  std::string text;
+  for (const NumberedReflectance& entry : list) text += entry.reflectance->glsl_sampler(options);
+  return text + glsl_sampler_dispatch(list);
+}
+
 std::string proof_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options) {
   return "#version 450\nlayout(local_size_x = " + std::to_string(kProofGroup) + R"glsl() in;
 layout(constant_id = 0) const int form = 0;

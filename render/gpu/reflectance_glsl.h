@@ -19,6 +19,8 @@ inline constexpr unsigned kProofGroup = 64;  // configurations per workgroup of 
 
 // Kernels, the functions of each, and brdf_eval_cos, which picks one by its number.
 std::string reflectances_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options = {});
+// After those: the sampler of each, and brdf_sample and brdf_pdf, which pick one by its number.
+std::string samplers_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options = {});
 // The compute shader of proof/shader_proof.h: one reflectance on many configurations.
 std::string proof_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options = {});
 

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "render/gpu/classic_pass.h"
+#include "render/gpu/environment_pass.h"
 #include "render/gpu/passes.h"
 #include "render/gpu/shadow_pass.h"
+#include "render/light/points.h"
 #include "render/vulkan/timestamps.h"
 
 namespace brdf::render {
@@ -18,6 +20,7 @@ struct RendererOptions {
   int gbuffer_bits = 16;  // 8, 16 or 32
   Path path = Path::deferred;
   LookupTexture lookup = {};  // of the shading mode "lookup"
+  std::uint32_t seed = 1;     // of the environment's random directions
 };
 
 class Renderer {
@@ -27,10 +30,19 @@ class Renderer {
   // Camera, lights and items changed; the picture's size, meshes and textures did not.
   // A change of the shading mode makes the images that it needs.
   void update(const PreparedScene& scene);
-  // Marks the passes "background", "shadow", "geometry", "lighting" or "forward" where times are wanted.
+  // Marks the passes "background", "shadow", "geometry", "lighting", "environment" or "forward" where times are wanted.
   void record(VkCommandBuffer commands, Timestamps* times = nullptr);
   // Records, runs and waits.
   void draw(Timestamps* times = nullptr);
+
+  // Light of an environment is added up: each draw brings kRun samples more per pixel, until update() forgets them.
+  int samples() const { return environment_ ? environment_->runs() * kRun : 0; }
+  // From here on with other random numbers; what was added up is forgotten.
+  void reseed(std::uint32_t seed);
+  // Draws until there are so many; once where there is no environment.
+  void draw_samples(int samples, Timestamps* times = nullptr);
+  // The standard error of each pixel's channels, RGBA as read_color; zeros without an environment.
+  std::vector<float> read_standard_error();
 
   Image& color() { return color_; }
   const Image& color() const { return color_; }
@@ -45,6 +57,7 @@ class Renderer {
 
  private:
   void make_passes();
+  void make_environment();
 
   Device* device_;
   PreparedScene scene_;
@@ -58,11 +71,14 @@ class Renderer {
   std::optional<ForwardPass> forward_;
   std::optional<ClassicPass> classic_;
   std::optional<ShadowPass> shadow_;
+  std::optional<LightImages> light_;
+  std::optional<EnvironmentPass> environment_;
 };
 
 // Whether the scene is drawn through the seven targets; otherwise forward.
 bool uses_gbuffer(const Scene& scene, const RendererOptions& options);
 // Bytes of device memory that pictures of this size take.
+// (without the environment's picture).
 std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options);
 
 }  // namespace brdf::render

@@ -42,19 +42,35 @@ constexpr std::uint32_t kShadow[] =
 constexpr std::uint32_t kCopy[] =
 #include "copy.frag.inc"
     ;
+constexpr std::uint32_t kEnvironment[] =
+#include "environment.frag.inc"
+    ;
+constexpr std::uint32_t kBackdropFragment[] =
+#include "backdrop.frag.inc"
+    ;
+constexpr std::uint32_t kAccumulate[] =
+#include "accumulate.frag.inc"
+    ;
+constexpr std::uint32_t kMean[] =
+#include "mean.frag.inc"
+    ;
 
 }  // namespace
 
 const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = kGBuffer,
             lighting = kLighting, forward = kForward, sky = kSky, classic_vertex = kClassicVertex,
             classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy,
-            shadow_vertex = kShadowVertex, shadow = kShadow;
+            shadow_vertex = kShadowVertex, shadow = kShadow, environment = kEnvironment,
+            backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean;
 
 const char* const lighting_text =
 #include "lighting.frag.text.inc"
     ;
 const char* const forward_text =
 #include "forward.frag.text.inc"
+    ;
+const char* const environment_text =
+#include "environment.frag.text.inc"
     ;
 
 }  // namespace brdf::render::shader_code

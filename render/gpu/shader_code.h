@@ -7,10 +7,11 @@
 namespace brdf::render::shader_code {
 
 extern const Spirv mesh_vertex, screen_vertex, gbuffer, lighting, forward, sky, classic_vertex, classic,
-    display, proof, copy, shadow_vertex, shadow;
+    display, proof, copy, shadow_vertex, shadow, environment, backdrop, accumulate, mean;
 
-// Without brdf.glsl (see FragmentCode).
+// Without brdf.glsl and samplers.glsl (see FragmentCode).
 extern const char* const lighting_text;
 extern const char* const forward_text;
+extern const char* const environment_text;
 
 }  // namespace brdf::render::shader_code

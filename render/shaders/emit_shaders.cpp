@@ -1,4 +1,5 @@
-// Build step: writes what the shaders include (brdf.glsl: every form of the catalogue, traced; layout.glsl: the
+// Build step: writes what the shaders include (brdf.glsl: every form of the catalogue, traced;
+// samplers.glsl: their samplers; layout.glsl: the
 // limits and enumerators that they share with C++; rules.glsl: the texture rule and the display's colours,
 // traced), the proof's compute shader (and its negative control, without `precise`), and the sources that are
 // compiled again at run time, into a folder.
@@ -12,6 +13,7 @@
 #include "render/compare/arrange.h"
 #include "render/gpu/gpu_layout.h"
 #include "render/gpu/reflectance_glsl.h"
+#include "render/light/points.h"
 #include "render/scene/display_rule.h"
 #include "render/scene/texture_rule.h"
 
@@ -83,6 +85,17 @@ std::string enumerators(const std::string& prefix) {
   return text;
 }
 
+std::string point_steps() {
+  const std::string array = "float[" + std::to_string(kPointDimensions) + "]";
+  std::string values;
+  for (const double step : kPointSteps) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", step);
+    values += (values.empty() ? "" : ", ") + std::string(text);
+  }
+  return "const " + array + " kPointSteps = " + array + "(" + values + ");\n";
+}
+
 std::string layout() {
   const auto constant = [](const char* name, std::size_t value) {
     return "const int " + std::string(name) + " = " + std::to_string(value) + ";\n";
@@ -91,14 +104,14 @@ std::string layout() {
          constant("kMostWeights", kMostWeights) + constant("kTargetCount", kTargetCount) +
          constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", io::kHatchPeriod) +
          constant("kHatchDark", io::kHatchDark) + constant("kHatchBright", io::kHatchBright) +
-         constant("kBackdrop", kBackdrop) +
+         constant("kBackdrop", kBackdrop) + constant("kPointDimensions", kPointDimensions) + point_steps() +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
-         "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" +
-         enumerators<Shading>("shading") + enumerators<ToneMap>("tone_map") +
-         enumerators<Display>("display") + enumerators<Target>("target") + enumerators<TextureSlot>("map");
+         "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" + enumerators<Shading>("shading") +
+         enumerators<ToneMap>("tone_map") + enumerators<Display>("display") + enumerators<Target>("target") +
+         enumerators<TextureSlot>("map");
 }
 
-// A shader with its includes in place of their lines; brdf.glsl is left to be put there.
+// A shader with its includes in place of their lines; brdf.glsl and samplers.glsl are left to be put there.
 std::string expanded(const std::vector<std::string>& folders, const std::string& name) {
   std::ifstream in;
   for (const std::string& folder : folders) {
@@ -108,7 +121,8 @@ std::string expanded(const std::vector<std::string>& folders, const std::string&
   }
   std::string text, line;
   while (std::getline(in, line)) {
-    const bool include = line.starts_with("#include \"") && line.find("brdf.glsl") == std::string::npos;
+    const bool include = line.starts_with("#include \"") && line.find("brdf.glsl") == std::string::npos &&
+                         line.find("samplers.glsl") == std::string::npos;
     text += include ? expanded(folders, line.substr(10, line.find('"', 10) - 10)) : line + "\n";
   }
   return text;
@@ -122,11 +136,12 @@ bool write(const std::string& path, const std::string& text) {
 bool write_all(const std::string& sources, const std::string& folder) {
   const std::vector<NumberedReflectance> list = numbered_catalogue();
   if (!write(folder + "/brdf.glsl", reflectances_glsl(list)) ||
+      !write(folder + "/samplers.glsl", samplers_glsl(list)) ||
       !write(folder + "/rules.glsl", traced_rules()) || !write(folder + "/layout.glsl", layout()) ||
       !write(folder + "/proof.comp", proof_glsl(list)) ||
       !write(folder + "/proof_unprecise.comp", proof_glsl(list, {.precise = false})))
     return false;
-  for (const char* shader : {"lighting.frag", "forward.frag"})
+  for (const char* shader : {"lighting.frag", "forward.frag", "environment.frag"})
     if (!write(folder + "/" + shader + ".text.inc",
                "R\"glsl(" + expanded({sources, folder}, shader) + ")glsl\"\n"))
       return false;

@@ -9,6 +9,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 camera;
   vec4 right, up, forward;  // of the picture plane: the ray through ndc (x, y) is forward + x right + y up
   vec4 ambient, back_color, background, zenith;
+  vec4 environment;         // cosine and sine of its rotation, its intensity
   ivec4 counts;  // x: lights, y: there is a sky, or a backdrop (kBackdrop), zw: the picture's width and height
   mat4 shadow_projection;
   vec4 shadow;   // x: number of the light that casts one, -1: none; y: texels of the map across; z: number of objects

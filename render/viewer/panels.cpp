@@ -175,6 +175,13 @@ void Panels::main_panel(ViewState& state, const PanelInfo& info, PanelRequests& 
     ImGui::SameLine();
     if (ImGui::Button("load state")) requests.load = true;
     for (const auto& [name, ms] : info.pictures->times()) ImGui::Text("%s %.2f ms", name.c_str(), ms);
+    if (info.pictures->samples_drawn() > 0) {
+      const std::string samples = std::to_string(info.pictures->samples_drawn()) + " samples per pixel";
+      if (info.pictures->noise() < 0)
+        ImGui::TextUnformatted(samples.c_str());
+      else
+        ImGui::Text("%s, noise at most %.2f %%", samples.c_str(), 100 * info.pictures->noise());
+    }
     if (info.probe) {
       for (const std::string& line : lines(*info.probe)) ImGui::TextUnformatted(line.c_str());
     }

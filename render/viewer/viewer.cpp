@@ -34,7 +34,7 @@ class Viewer {
                  .memory_limit = options.memory_limit,
                  .validation = options.validation}),
         swapchain_(device_, window_),
-        pictures_(device_, {.gbuffer_bits = options.gbuffer_bits}),
+        pictures_(device_, {.gbuffer_bits = options.gbuffer_bits}, options.samples, true),
         display_(device_, swapchain_.render_pass()) {
     glfwSetWindowUserPointer(window_.get(), this);
     glfwSetKeyCallback(window_.get(), [](GLFWwindow* w, int key, int, int action, int mods) {
@@ -55,7 +55,7 @@ class Viewer {
   unsigned run() {
     for (int drawn = 0; !glfwWindowShouldClose(window_.get()); ++drawn) {
       if (options_.frames > 0 && drawn >= options_.frames) break;
-      const bool busy = state_.turntable || awake_ > 0 || options_.frames > 0;
+      const bool busy = state_.turntable || awake_ > 0 || options_.frames > 0 || pictures_.unfinished();
       busy ? glfwPollEvents() : glfwWaitEvents();
       if (awake_ > 0) --awake_;
       step();

@@ -13,6 +13,7 @@ struct ViewerOptions {
   ViewState state;
   int width = 1280, height = 720;
   int gbuffer_bits = 16;
+  int samples = 1024;  // of an environment's light, brought in while the view stands still
   std::uint64_t memory_limit = 0;
   std::filesystem::path state_file = "brdf-view.json";  // what saving writes and loading reads
   std::filesystem::path screenshot = "brdf-view.png";

@@ -12,7 +12,8 @@ namespace brdf::render {
 using Spirv = std::span<const std::uint32_t>;
 
 enum class VertexInput { none, mesh, mesh_without_tangent, mesh_position };
-enum class Blend { replace, add };
+// add: to the colour, with an alpha of its own; add_color: the alpha stays.
+enum class Blend { replace, add, add_color };
 
 struct PipelineDescription {
   Spirv vertex, fragment;

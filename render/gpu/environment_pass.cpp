@@ -1,0 +1,176 @@
+#include "render/gpu/environment_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gpu/shader_code.h"
+#include "render/light/points.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr std::array<Binding, 3> kLightBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+                                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+                                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+constexpr std::array<Binding, 1> kImageBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+constexpr VkImageUsageFlags kUploaded = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+constexpr VkImageUsageFlags kSummed =
+    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+
+// As shaders/environment.frag has it.
+struct RunPush {
+  std::int32_t item;
+  std::uint32_t seed;
+  std::int32_t count;
+  float first[kPointDimensions];
+};
+
+template <class T>
+Image uploaded(Device& device, VkFormat format, VkExtent2D extent, std::span<const T> texels) {
+  Image image(device, format, extent, kUploaded);
+  upload(device, image, std::as_bytes(texels));
+  return image;
+}
+
+void draw_screen(VkCommandBuffer commands, VkPipeline pipeline) {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+  vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
+}  // namespace
+
+LightImages::LightImages(Device& device, const LightMap& map) {
+  const VkExtent2D size{std::uint32_t(map.width()), std::uint32_t(map.height())};
+  texels_ = uploaded(device, VK_FORMAT_R32G32B32A32_SFLOAT, size, map.texels());
+  columns_ = uploaded(device, VK_FORMAT_R32_SFLOAT, size, map.columns());
+  rows_ = uploaded(device, VK_FORMAT_R32_SFLOAT, {1, size.height}, map.rows());
+  sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
+  layout_ = make_set_layout(device, kLightBindings);
+  pool_ = make_descriptor_pool(device, kLightBindings, 1);
+  set_ = allocate_set(device, pool_.get(), layout_.get());
+  std::uint32_t binding = 0;
+  for (const Image* image : {&texels_, &columns_, &rows_})
+    write_image(device, set_, binding++, image->view(), sampler_.get());
+}
+
+std::uint64_t light_bytes(const LightMap& map) {
+  return map.texels().size_bytes() + map.columns().size_bytes() + map.rows().size_bytes();
+}
+std::uint64_t sums_bytes(std::uint64_t pixels) {
+  return 3 * pixels * std::uint64_t(texel_size(kColorFormat));
+}
+
+EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const LightImages& light,
+                                 const DeferredPass& deferred, VkExtent2D extent, int gbuffer_bits)
+    : device_(&device),
+      light_(&light),
+      deferred_(&deferred),
+      bits_(gbuffer_bits),
+      run_(device, kColorFormat, extent, kSummed),
+      sum_(device, kColorFormat, extent, kSummed),
+      squares_(device, kColorFormat, extent, kSummed),
+      code_(shader_code::environment, shader_code::environment_text) {
+  sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
+  image_layout_ = make_set_layout(device, kImageBindings);
+  image_pool_ = make_descriptor_pool(device, kImageBindings, 2);
+  run_set_ = allocate_set(device, image_pool_.get(), image_layout_.get());
+  sum_set_ = allocate_set(device, image_pool_.get(), image_layout_.get());
+  write_image(device, run_set_, 0, run_.view(), sampler_.get());
+  write_image(device, sum_set_, 0, sum_.view(), sampler_.get());
+  const std::array sets{gpu.frame_layout(), deferred.targets_layout(), light.layout()};
+  layout_ = make_pipeline_layout(device, sets, sizeof(RunPush));
+  const std::array images{image_layout_.get()};
+  image_pipeline_layout_ = make_pipeline_layout(device, images, sizeof(float));
+  backdrop_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
+                                     .fragment = shader_code::backdrop,
+                                     .colors = {kColorFormat},
+                                     .layout = layout_.get()});
+  accumulate_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
+                                       .fragment = shader_code::accumulate,
+                                       .colors = {kColorFormat, kColorFormat},
+                                       .blend = Blend::add,
+                                       .layout = image_pipeline_layout_.get()});
+  mean_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
+                                 .fragment = shader_code::mean,
+                                 .colors = {kColorFormat},
+                                 .blend = Blend::add_color,
+                                 .layout = image_pipeline_layout_.get()});
+}
+
+VkPipeline EnvironmentPass::pipeline(const Reflectance& form, int number) {
+  Owned<VkPipeline>& found = pipelines_[number];
+  if (!found)
+    found = make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
+                                     .fragment = code_.of(form, number),
+                                     .constants = {std::uint32_t(number), std::uint32_t(bits_)},
+                                     .colors = {kColorFormat},
+                                     .blend = Blend::add,
+                                     .layout = layout_.get()});
+  return found.get();
+}
+
+void EnvironmentPass::record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color) {
+  color.transition(commands, Use::color_attachment);
+  begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_DONT_CARE);
+  bind(commands, layout_.get(), 0, gpu.frame_set());
+  bind(commands, layout_.get(), 2, light_->set());
+  draw_screen(commands, backdrop_.get());
+  vkCmdEndRendering(commands);
+}
+
+void EnvironmentPass::begin_run(VkCommandBuffer commands) {
+  run_.transition(commands, Use::color_attachment, true);
+  begin_colors(commands, {&run_}, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  vkCmdEndRendering(commands);
+}
+
+void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
+                             std::size_t layer, std::uint32_t seed) {
+  run_.transition(commands, Use::color_attachment);
+  begin_colors(commands, {&run_}, VK_ATTACHMENT_LOAD_OP_LOAD);
+  bind(commands, layout_.get(), 0, gpu.frame_set());
+  bind(commands, layout_.get(), 1, deferred_->targets_set());
+  bind(commands, layout_.get(), 2, light_->set());
+  RunPush push{-1, seed, kRun, {}};
+  for (std::size_t d = 0; d < kPointDimensions; ++d)
+    push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(runs_) * kRun));
+  for (const Reflectance& form : forms_in(scene.layers[layer])) {
+    const VkRect2D scissor = covered_by_form(scene, layer, form, run_.extent());
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+    vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof push, &push);
+    draw_screen(commands, pipeline(form, gpu.number_of(form)));
+  }
+  vkCmdEndRendering(commands);
+}
+
+void EnvironmentPass::end_run(VkCommandBuffer commands, Image& color) {
+  run_.transition(commands, Use::sampled);
+  const bool first = runs_++ == 0;
+  for (Image* image : {&sum_, &squares_}) image->transition(commands, Use::color_attachment, first);
+  begin_colors(commands, {&sum_, &squares_},
+               first ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
+  bind(commands, image_pipeline_layout_.get(), 0, run_set_);
+  draw_screen(commands, accumulate_.get());
+  vkCmdEndRendering(commands);
+  sum_.transition(commands, Use::sampled);
+  color.transition(commands, Use::color_attachment);
+  begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
+  bind(commands, image_pipeline_layout_.get(), 0, sum_set_);
+  const float share = 1 / float(runs_);
+  vkCmdPushConstants(commands, image_pipeline_layout_.get(), kDrawingStages, 0, sizeof share, &share);
+  draw_screen(commands, mean_.get());
+  vkCmdEndRendering(commands);
+}
+
+std::vector<float> EnvironmentPass::standard_error() {
+  std::vector<float> sums = read_rgba(*device_, sum_);
+  const std::vector<float> squares = read_rgba(*device_, squares_);
+  const double n = runs_;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const double mean = double(sums[k]) / n, scatter = double(squares[k]) / n - mean * mean;
+    sums[k] = n > 1 ? float(std::sqrt(std::max(scatter, 0.0) / (n - 1))) : 0;
+  }
+  return sums;
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,140 @@
+// Scenes and measures that the quick and the slow tests of environment light share.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+
+#include "render/gpu/renderer.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/render/furnace.h"
+
+namespace brdf::render {
+
+inline FurnaceFindings deferred_furnace(Device& device, const PreparedScene& scene, int pictures,
+                                        int samples) {
+  Renderer renderer(device, scene, {.gbuffer_bits = 32});
+  const auto draw = [&](std::uint32_t seed) {
+    renderer.reseed(seed);
+    renderer.draw_samples(samples);
+    return picture_from(scene.scene.camera.width, scene.scene.camera.height, renderer.read_color());
+  };
+  return furnace_findings(replicates(pictures, draw), furnace_truth(scene));
+}
+
+// A picture that is black but for a texel; where that stands and the irradiance that it gives a surface facing it.
+struct OnePixelSun {
+  std::string file;
+  glm::vec3 toward;
+  double irradiance;
+};
+inline OnePixelSun write_one_pixel_sun(const std::filesystem::path& file, int width) {
+  const int height = width / 2, x = width * 3 / 10, y = height * 3 / 10;
+  Picture picture(width, height);
+  picture.at(x, y) = glm::vec4(glm::vec3(1e6f), 1);
+  write_exr(file, {{"", &picture}});
+  const double theta = kPi * (y + 0.5) / height, phi = 2 * kPi * ((x + 0.5) / width - 0.5);
+  const double angle = 2 * kPi / width * (std::cos(kPi * y / height) - std::cos(kPi * (y + 1) / height));
+  return {file.string(),
+          {float(std::sin(theta) * std::sin(phi)), float(std::cos(theta)),
+           float(-std::sin(theta) * std::cos(phi))},
+          1e6 * angle};
+}
+
+// The largest relative difference of the means of blocks of 8 x 8 pixels, where they are not dark.
+inline double worst_block(const Picture& a, const Picture& b) {
+  std::vector<std::pair<double, double>> means;
+  for (int y = 0; y + 8 <= a.height; y += 8) {
+    for (int x = 0; x + 8 <= a.width; x += 8) {
+      double sum_a = 0, sum_b = 0;
+      for (int k = 0; k < 64; ++k) {
+        sum_a += double(a.at(x + k % 8, y + k / 8).g);
+        sum_b += double(b.at(x + k % 8, y + k / 8).g);
+      }
+      means.emplace_back(sum_a, sum_b);
+    }
+  }
+  double brightest = 0, worst = 0;
+  for (const auto& [ma, mb] : means) brightest = std::max(brightest, mb);
+  for (const auto& [ma, mb] : means)
+    if (mb > 1e-3 * brightest) worst = std::max(worst, std::abs(ma / mb - 1));
+  return worst;
+}
+
+// The sky by formula with a sun of 0.7 degrees radius, 5000 times as bright as the zenith.
+inline std::string write_sky_with_sun(const std::filesystem::path& file, int width) {
+  const int height = width / 2;
+  const glm::vec3 sun = glm::normalize(glm::vec3(-0.6f, 0.7f, 0.5f));
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double theta = kPi * (y + 0.5) / height, phi = 2 * kPi * ((x + 0.5) / width - 0.5);
+      const glm::vec3 w(float(std::sin(theta) * std::sin(phi)), float(std::cos(theta)),
+                        float(-std::sin(theta) * std::cos(phi)));
+      const float near = glm::dot(w, sun) > std::cos(0.012f) ? 5000.0f : 0;
+      picture.at(x, y) = glm::vec4(radiance_of(Formula::sky, w) + near, 1);
+    }
+  }
+  write_exr(file, {{"", &picture}});
+  return file.string();
+}
+
+// What makes a lobe this wide, by the roles of the form's parameters; false where it has no such parameter.
+inline bool set_width(Term& term, double along, double across) {
+  bool set = false;
+  const std::span<const ParameterInfo> table = term.form.info().shape;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const ParameterInfo& p = table[k];
+    const bool second = p.role == Role::width_across || p.role == Role::exponent_across;
+    const double width = second ? across : along;
+    double value;
+    if (p.map == Map::roughness)
+      value = std::sqrt(width);
+    else if (p.role == Role::width || p.role == Role::width_across)
+      value = width;
+    else if (p.role == Role::exponent || p.role == Role::exponent_across)
+      value = 2 / (width * width) - 2;
+    else
+      continue;
+    term.shape[0][k] = std::clamp(value, p.min, p.max);
+    set = true;
+  }
+  return set;
+}
+
+// Ten materials: of the conserving forms those with widths, from .05 to .6, anisotropic where they can be, then from the
+// first on at other widths.
+inline std::vector<std::pair<std::string, Material>> compared_materials() {
+  constexpr std::array kWidths{0.05, 0.1, 0.2, 0.3, 0.45, 0.6};
+  std::vector<std::pair<std::string, Material>> materials;
+  for (std::size_t round = 0; materials.size() < 10; ++round) {
+    for (const Reflectance& form : conserving_forms()) {
+      Material material = make_material(form);
+      const double width = kWidths[(materials.size() + round) % kWidths.size()];
+      const bool across = form.info().anisotropic();
+      if (!set_width(material.terms[0], width, across ? std::min(3 * width, 0.6) : width)) continue;
+      char text[64];
+      std::snprintf(text, sizeof text, " %.2f%s", width, across ? " and thrice that across" : "");
+      materials.emplace_back(std::string(form.info().name) + text, material);
+      if (materials.size() == 10) break;
+    }
+  }
+  return materials;
+}
+
+// Of the last run: the passes, their sum, and the share of the least.
+inline std::string times_in_words(const Timestamps& times) {
+  double all = 0, least = 1e30;
+  std::string text;
+  for (const auto& [pass, ms] : times.read()) {
+    all += ms;
+    least = std::min(least, ms);
+    char part[64];
+    std::snprintf(part, sizeof part, ", %s %.2f ms", pass.c_str(), ms);
+    text += part;
+  }
+  char part[64];
+  std::snprintf(part, sizeof part, "; frame %.2f ms, least pass %.1f %%", all, 100 * least / all);
+  return text + part;
+}
+
+}  // namespace brdf::render
