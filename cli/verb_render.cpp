@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/environment_options.h"
 #include "cli/options.h"
 #include "cli/parameter_row.h"
 #include "cli/progress.h"
@@ -35,6 +36,13 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
     if (report.difference->not_measured > 0)
       std::cout << ", not measured " << io::short_number(100 * report.difference->not_measured, 3)
                 << " % of the surface";
+    std::cout << '\n';
+  }
+  if (report.samples > 0) {
+    std::cout << report.samples << " samples of the environment's light per pixel";
+    if (report.noise >= 0)
+      std::cout << ": standard error at most about " << io::short_number(100 * report.noise, 3)
+                << " % of the mean";
     std::cout << '\n';
   }
   for (const auto& [pass, ms] : report.passes) {
@@ -87,6 +95,8 @@ void print_json(const render::JobReport& report, const render::Job& job) {
     out["coverage_mismatch"] = report.difference->coverage_mismatch;
     out["not_measured"] = report.difference->not_measured;
   }
+  if (report.samples > 0) out["samples"] = report.samples;
+  if (report.noise >= 0) out["noise"] = report.noise;
   if (report.probe) out["probe"] = json_of(*report.probe, report);
   if (job.validation) out["validation_messages"] = report.validation_messages;
   std::cout << io::to_text(out);
@@ -142,6 +152,7 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_flag_callback(
       "--no-dither", [&job] { job.rounding = render::Rounding::nearest; },
       "PNG: round to the nearest byte instead of spreading the rounding as blue noise");
+  add_environment_options(verb, job, job.samples);
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
   add_memory_option(verb, job.memory_limit);
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
@@ -284,6 +295,7 @@ void add_render(CLI::App& app) {
       "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
       "         brdf render gold.json --shape shader_ball --turntable 60 -o gold.webp\n"
       "         brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
+      "         brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   on_run(*verb, [options] { return run(*options); });
 }

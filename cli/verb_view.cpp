@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/environment_options.h"
 #include "cli/options.h"
 #include "cli/verbs.h"
 #include "io/error.h"
@@ -29,6 +30,7 @@ render::ViewState initial_state(const render::Job& given, int width, int height)
   if (job.scene.empty() && job.materials.empty() && job.state.empty()) {
     render::ViewState state;
     state.scene = render::material_scene({render::any_material()});
+    render::apply_environment(job, state.scene);
     state.scene.camera.width = width;
     state.scene.camera.height = height;
     if (!job.measured.empty()) render::open_file(state, job.measured);
@@ -65,6 +67,7 @@ void add_view(CLI::App& app) {
   verb->add_option("--gbuffer-bits", viewer.gbuffer_bits, "8, 16 or 32")
       ->check(CLI::IsMember({8, 16, 32}))
       ->capture_default_str();
+  add_environment_options(*verb, options->job, viewer.samples);
   add_memory_option(*verb, viewer.memory_limit);
   verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::Range(0, 1000000000));
   verb->add_flag("--validation", viewer.validation,
@@ -78,6 +81,7 @@ void add_view(CLI::App& app) {
       "fit;\n"
       "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
       "Examples: brdf view fitted.json --measured samples.csv\n"
+      "          brdf view fitted.json --environment studio\n"
       "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
       "600\n"
       "          brdf view a.json b.json --gbuffer-bits 16 --memory-limit 1G --validation --frames 100");

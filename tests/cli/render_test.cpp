@@ -111,6 +111,30 @@ TEST_F(RenderCli, TrianglesWithoutAreaAreLeftOut) {
   for (const glm::vec4& p : picture.pixels) ASSERT_TRUE(std::isfinite(p.r + p.g + p.b));
 }
 
+TEST_F(RenderCli, AnEnvironmentLightsAMaterialAlone) {
+  const Outcome outcome =
+      run("render m.json --environment uniform --samples 100 --width 16 --height 16 --compare embree --json "
+          "-o x.exr");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const io::Json json = io::parse_json(outcome.out, "stdout");
+  EXPECT_EQ(json["samples"].get<int>(), 112);  // whole runs of 16
+  EXPECT_GT(json["noise"].get<double>(), 0);
+  EXPECT_LT(json["noise"].get<double>(), 0.05);
+  const render::Picture picture = render::read_exr(folder_.path() / "x.exr", "");
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(8, 8)[c], 0.6 - 0.2 * c, 0.02);
+  EXPECT_EQ(picture.at(0, 0), glm::vec4(1, 1, 1, 0));
+}
+
+TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
+  write("text.hdr", "text");
+  expect_refused("render m.json --environment text.hdr -o x.png", 2, "text.hdr: is no Radiance picture");
+  expect_refused("render m.json --environment none.exr -o x.png", 2, "none.exr: no such file");
+  expect_refused("render m.json --environment dusk -o x.png", 2, "dusk: no such file");
+  expect_refused("render m.json --rotate 30 -o x.png", 2, "--rotate turns an environment");
+  expect_refused("render m.json --environment studio --forward -o x.png", 2, "the deferred path");
+  expect_refused("render m.json --environment studio --shading phong -o x.png", 2, "needs the shading brdf");
+}
+
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
   expect_refused("render m.json --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
                  "a picture of 16384 x 16384 needs 19456 MiB of device memory, the limit is 1024 MiB");
