@@ -195,9 +195,12 @@ try:
     # The line of a split follows the mouse; the camera stands still.
     press("h", "s")
     before = saved_state()
-    x("mousemove", "--window", window, round(640 * before["split"]), 300, "mousedown", 1)
+    x("mousemove", "--window", window, round(640 * before["split"]), 300)
+    time.sleep(1)
+    x("mousedown", 1)
+    time.sleep(1)  # the window asks where the pointer is when it hears of the button
     x("mousemove", "--window", window, 480, 300)
-    time.sleep(0.5)
+    time.sleep(1)
     x("mouseup", 1)
     after = saved_state()
     assert abs(after["split"] - 480 / 640) < 0.01, (before["split"], after["split"])
