@@ -10,7 +10,7 @@ namespace brdf::render {
 namespace {
 
 constexpr int kPoints = 61;  // along each side
-constexpr float kSide = 4.2f, kBall = 0.75f, kFloor = -0.75f, kThickness = 0.012f;
+constexpr float kSide = 4.2f, kBall = 0.75f, kFloor = -0.75f, kThickness = 0.008f;
 constexpr float kClear = 0.01f;  // between the cloth's middle and what it lies on
 constexpr int kSteps = 420, kCorrections = 5;
 
@@ -153,12 +153,42 @@ Mesh side(const std::vector<glm::vec3>& control, float lift) {
   return mesh;
 }
 
+// The hem: from the upper side's border to the lower one's, which have the same points in the same order.
+Mesh hem(const Mesh& upper, const Mesh& lower) {
+  constexpr std::uint32_t kRow = 4 * (kPoints - 1) + 1;
+  std::vector<std::uint32_t> border;  // round the cloth
+  for (std::uint32_t i = 0; i + 1 < kRow; ++i) border.push_back(i);
+  for (std::uint32_t j = 0; j + 1 < kRow; ++j) border.push_back(j * kRow + kRow - 1);
+  for (std::uint32_t i = kRow - 1; i > 0; --i) border.push_back((kRow - 1) * kRow + i);
+  for (std::uint32_t j = kRow - 1; j > 0; --j) border.push_back(j * kRow);
+  Mesh mesh;
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    const Vertex &a = upper.vertices[border[k]], &b = upper.vertices[border[(k + 1) % border.size()]];
+    const glm::vec3 along = glm::normalize(b.position - a.position);
+    const glm::vec3 outwards = glm::normalize(glm::cross(a.normal, along));
+    const auto first = std::uint32_t(mesh.vertices.size());
+    for (const Mesh* side : {&upper, &lower}) {
+      for (const std::size_t at : {k, (k + 1) % border.size()}) {
+        Vertex vertex = side->vertices[border[at]];
+        vertex.normal = outwards;
+        vertex.tangent = glm::vec4(along, 1);
+        mesh.vertices.push_back(vertex);
+      }
+    }
+    mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2, first + 1, first + 3, first + 2});
+  }
+  return mesh;
+}
+
 }  // namespace
 
 Mesh make_cloth() {
   static const std::vector<glm::vec3> control = fallen();
-  Mesh mesh = side(control, kThickness / 2);
-  append(mesh, side(control, -kThickness / 2));
+  const Mesh upper = side(control, kThickness / 2), lower = side(control, -kThickness / 2);
+  Mesh mesh = upper;
+  append(mesh, lower);
+  append(mesh, hem(upper, lower));
+  mesh.closed = true;
   return mesh;
 }
 

@@ -44,8 +44,8 @@ Mesh make_car(std::string_view part = "");
 Mesh make_shader_ball(std::string_view part = "");
 // A vase off the lathe, 2.26 units high, standing on y = 0, hollow.
 Mesh make_vase();
-// A square cloth that has fallen over a ball of radius 0.75 round the origin, 3.4 units wide: the folds are those of a mass
-// and spring model at rest. Both sides, 0.012 apart.
+// A square cloth that has fallen over a ball of radius 0.75 round the origin, 4.2 units wide: the folds are those of a mass
+// and spring model at rest. Both sides, 0.008 apart.
 Mesh make_cloth();
 // A sedan with fenders, windows, lamps and spoked wheels, 4.4 units long, standing on y = 0, facing +x. A part alone, in its
 // place: "body", "windows", "trim" (what is dark: sills, arches, tyres), "metal" (rims), "lamps".

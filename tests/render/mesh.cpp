@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "brdf/scalar.h"
 #include "io/error.h"
@@ -152,6 +153,10 @@ TEST(Mesh, ShapesToShowMaterialsOnHaveSoundFramesAndFaceOutwards) {
   // A cloth keeps its size when it falls: both sides of 4.2 by 4.2.
   EXPECT_NEAR(measure(make_cloth()).area / 2, 4.2 * 4.2, 0.08 * 4.2 * 4.2);
   for (const Vertex& v : make_cloth().vertices) EXPECT_GT(v.position.y, -0.76f);
+  // Closed: its volume is its area times its thickness, wherever the origin is.
+  Mesh moved;
+  append(moved, make_cloth(), glm::translate(glm::mat4(1), glm::vec3(5, 3, -4)));
+  EXPECT_NEAR(measure(moved).volume, 0.008 * measure(moved).area / 2, 0.02 * 0.008 * 4.2 * 4.2);
 }
 
 TEST(Mesh, ASedansPartsMakeUpTheWhole) {
