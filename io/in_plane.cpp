@@ -5,11 +5,14 @@
 
 namespace brdf::io {
 
+bool is_in_plane(double theta_o, double turn) {
+  return std::abs(sin_degrees(theta_o) * sin_degrees(turn)) <= sin_degrees(kInPlane);
+}
+
 double in_plane_angle(const SampleTable& t, std::size_t row) {
-  const double turn = std::remainder(t.phi_o[row] - t.phi_i[row], 360.0);
-  if (t.theta_o[row] == 0 || std::abs(std::abs(turn) - 180) < 0.5) return t.theta_o[row];
-  if (std::abs(turn) < 0.5) return -t.theta_o[row];
-  return std::numeric_limits<double>::quiet_NaN();
+  const double turn = t.phi_o[row] - t.phi_i[row];
+  if (!is_in_plane(t.theta_o[row], turn)) return std::numeric_limits<double>::quiet_NaN();
+  return cos_degrees(turn) > 0 && t.theta_o[row] > 0 ? -t.theta_o[row] : t.theta_o[row];
 }
 
 }  // namespace brdf::io

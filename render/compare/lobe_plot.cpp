@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/in_plane.h"
 #include "io/numbers.h"
 #include "render/compare/lobe_points.h"
 
@@ -155,7 +156,7 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
   line += 2 * float(pixels);
   draw_dot(out, {left, line - 0.35f * float(pixels)}, dot_size, kWords);
   left += float(pixels);
-  word("measured, within " + io::short_number(kNearPlane, 3) + "° of the plane of incidence", kWords);
+  word("measured, within " + io::short_number(io::kInPlane, 3) + "° of the plane of incidence", kWords);
   return out;
 }
 

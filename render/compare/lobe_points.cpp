@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/in_plane.h"
+
 namespace brdf::render {
 namespace {
 
@@ -31,8 +33,7 @@ std::vector<LobePoint> points_of_light(const io::SampleTable& table, double thet
 std::vector<LobePoint> points_in_plane(const io::SampleTable& table, double theta_i) {
   std::vector<LobePoint> out;
   for (LobePoint point : points_of_light(table, theta_i)) {
-    const double across = io::sin_degrees(point.theta) * io::sin_degrees(point.phi);
-    if (std::abs(across) > io::sin_degrees(kNearPlane)) continue;
+    if (!io::is_in_plane(point.theta, point.phi)) continue;
     if (io::cos_degrees(point.phi) < 0) point.theta = -point.theta;
     point.phi = 0;
     out.push_back(point);

@@ -7,9 +7,9 @@
 
 namespace brdf::render {
 
-// Degrees: rows whose light stands within kNearLight of the plot's, and for the plot of the plane of incidence whose
-// viewer is within kNearPlane of that plane, are drawn.
-inline constexpr double kNearLight = 1, kNearPlane = 2.5;
+// Degrees: rows whose light stands within this of the plot's are drawn, in the plot of the plane of incidence those of
+// io/in_plane.h.
+inline constexpr double kNearLight = 1;
 
 // A row's viewer as seen from the plane of incidence: the mirror direction is at theta_i, phi 0.
 struct LobePoint {

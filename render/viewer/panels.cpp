@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/in_plane.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
 #include "render/viewer/editors.h"
@@ -113,7 +114,7 @@ void Panels::plot(ViewState& state, const io::SampleTable* samples) {
     draw_lobes(lobe_plot(curves, double(state.plot_theta), state.plot_solo, dots),
                ImGui::GetContentRegionAvail().x);
     if (!dots.empty()) {
-      ImGui::Text("dots: measured, within %.1f deg of the plane", kNearPlane);
+      ImGui::Text("dots: measured, within %.1f deg of the plane", io::kInPlane);
     } else if (samples) {
       ImGui::Text("nothing measured within %.0f deg of this light", kNearLight);
       ImGui::SameLine();

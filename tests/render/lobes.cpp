@@ -34,7 +34,7 @@ TEST(Lobes, PointsAreTheRowsNearThePlaneAndTheLight) {
   const Material material = make_material(*find_form("cook_torrance"));
   const io::SampleTable table = table_of(material, {20, 40.8, 60}, {0, 3, 90, 180, 358});
   const std::vector<LobePoint> plane = points_in_plane(table, 40);
-  // Azimuth 3 leaves the plane by 2.5 degrees where the viewer stands at 56, azimuth 358 never.
+  // Azimuth 3 leaves the plane by half a degree where the viewer stands at 9.6, azimuth 358 at 14.5.
   std::size_t forward = 0, backward = 0;
   for (const LobePoint& p : plane) {
     EXPECT_EQ(table.theta_i[p.row], 40.8);
@@ -45,7 +45,7 @@ TEST(Lobes, PointsAreTheRowsNearThePlaneAndTheLight) {
     EXPECT_EQ(p.theta < 0, table.phi_o[p.row] == 180 && table.theta_o[p.row] > 0) << "towards the light";
   }
   EXPECT_EQ(backward, 8u);
-  EXPECT_EQ(forward, 9u + 9 + 6 + 1 + 1);
+  EXPECT_EQ(forward, 9u + 2 + 1 + 1 + 1);
   EXPECT_EQ(points_of_light(table, 40).size(), 45u);
   EXPECT_TRUE(points_in_plane(table, 30).empty());
   EXPECT_EQ(nearest_light(table, 45), 40.8);
