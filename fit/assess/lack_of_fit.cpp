@@ -63,14 +63,23 @@ LackOfFit of_cells(const SampleStream& stream, const std::vector<std::vector<dou
   for (auto& [at, c] : cells) {
     const double mean = c.loss / double(c.rows);
     if (c.rows < kFewestRows || c.excess.empty()) continue;
-    out.beyond_scatter = out.beyond_scatter || is_off(c.excess, noise);
-    if (!(mean > largest)) continue;
-    largest = mean;
-    out.worst = {{{kThetaH[at.first], kThetaD[at.second]}, {kThetaH[at.first + 1], kThetaD[at.second + 1]}},
-                 c.rows,
-                 std::exp(io::median(std::move(c.excess))),
-                 c.loss / all};
+    const bool off = is_off(c.excess, noise), is_worst = mean > largest;
+    out.beyond_scatter = out.beyond_scatter || off;
+    if (!off && !is_worst) continue;
+    const WorstRegion region{
+        {{kThetaH[at.first], kThetaD[at.second]}, {kThetaH[at.first + 1], kThetaD[at.second + 1]}},
+        c.rows,
+        std::exp(io::median(std::move(c.excess))),
+        c.loss / all};
+    if (is_worst) largest = mean, out.worst = region;
+    if (off) out.others.push_back(region);
   }
+  std::erase_if(out.others, [&](const WorstRegion& r) {
+    const HalfAngles &own = r.range.low, &of_worst = out.worst->range.low;
+    return own.theta_h == of_worst.theta_h && own.theta_d == of_worst.theta_d;
+  });
+  std::ranges::stable_sort(out.others, std::greater(), &WorstRegion::share);
+  if (out.others.size() > LackOfFit::kMostOthers) out.others.resize(LackOfFit::kMostOthers);
   return out;
 }
 

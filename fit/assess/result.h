@@ -81,7 +81,7 @@ struct LeftOut {
   std::vector<std::vector<double>> solutions;  // [fold] the solver's parameters, without that fold's rows
 };
 
-// Where the residual is largest: a cell of half angles.
+// A cell of half angles where the residual is large.
 struct WorstRegion {
   HalfAngleRange range;
   std::size_t rows = 0;
@@ -90,10 +90,12 @@ struct WorstRegion {
 };
 
 struct LackOfFit {
+  static constexpr std::size_t kMostOthers = 3;
   // Normalised median deviation of ln(measured/model) over the noise.
   std::optional<double> residual_over_scatter;
   std::optional<WorstRegion> worst;
-  bool beyond_scatter = false;  // the residual is 1.3 times the scatter, or some cell is off beyond it
+  std::vector<WorstRegion> others;  // that are off beyond the scatter too, by their share
+  bool beyond_scatter = false;      // the residual is 1.3 times the scatter, or some cell is off beyond it
 };
 
 struct MinimumReport {
@@ -161,6 +163,8 @@ struct Step {
   double p = 1;               // one-sided, of a fall like this by chance, for all that were tried together
   std::size_t tried = 1;
   bool kept = false;
+  bool mends_misfit =
+      false;  // what stood before is a misfit without a lobe, the one tried is none: kept, whatever p
 };
 
 struct FitResult {

@@ -93,6 +93,15 @@ std::string in_words(const LackOfFit& lack) {
   return text;
 }
 
+std::string others_in_words(const LackOfFit& lack) {
+  std::string text;
+  for (const WorstRegion& w : lack.others)
+    text += (text.empty() ? "also off at " : "; at ") + to_text(w.range) + " (" + std::to_string(w.rows) +
+            " rows, " + io::percent(w.share, 2) + " of what was minimised): " + io::short_number(w.ratio, 3) +
+            " times";
+  return text;
+}
+
 std::string in_words(const Step& step) {
   const std::string start =
       step.added + ": " + step.model + ", left out " + io::short_number(step.left_out, 3);
@@ -101,7 +110,8 @@ std::string in_words(const Step& step) {
          io::short_number(std::abs(step.difference), 3) + " +- " + io::short_number(step.standard_error, 2) +
          " (p " + io::short_number(step.p, 2) +
          (step.tried > 1 ? ", best of " + std::to_string(step.tried) : std::string()) +
-         "): " + (step.kept ? "kept" : "not kept");
+         "): " + (step.kept ? "kept" : "not kept") +
+         (step.mends_misfit ? ", as without a lobe it is a misfit" : "");
 }
 
 std::string recommendation(const FitResult& result) {
@@ -147,6 +157,8 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   for (const std::string& finding : best.findings) out << "  " << finding << '\n';
   if (const std::string weak = weakness_text(best); !weak.empty()) out << "  " << weak << '\n';
   if (best.solved()) out << "  " << in_words(best.lack_of_fit) << '\n';
+  if (const std::string others = others_in_words(best.lack_of_fit); !others.empty())
+    out << "  " << others << '\n';
   for (const Estimate& e : best.estimates)
     if (const NamedParameter parameter = named(best, e); !parameter.repeats)
       out << "  " << estimate_text(e, label(parameter.symbol, e.channel), best.lack_of_fit.beyond_scatter)

@@ -16,6 +16,9 @@ std::string times_text(double factor);
 // "residual 7.4 times the scatter; worst at theta_h 0 to 2, ...".
 std::string in_words(const LackOfFit& lack);
 
+// "also off at theta_h 0 to 2, ... (31 rows, 12 % of what was minimised): 0.91 times; ..."; empty where nothing else is.
+std::string others_in_words(const LackOfFit& lack);
+
 // "a second lobe: ward+ward, left out 2.1e-05, lower by 1.3e-05 +- 2.1e-06 (p 0.0002, best of 2): kept".
 std::string in_words(const Step& step);
 

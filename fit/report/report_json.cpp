@@ -79,16 +79,20 @@ Json left_out_json(const RowGroups& groups, const std::vector<double>& values) {
   return j;
 }
 
+Json region_json(const WorstRegion& w) {
+  return {{"theta_h", {w.range.low.theta_h, w.range.high.theta_h}},
+          {"theta_d", {w.range.low.theta_d, w.range.high.theta_d}},
+          {"rows", w.rows},
+          {"measured_over_model", number(w.ratio)},
+          {"share_of_residual", number(w.share)}};
+}
+
 Json lack_of_fit_json(const LackOfFit& lack) {
   Json j{{"residual_over_scatter", number(lack.residual_over_scatter.value_or(kUnknown))},
          {"beyond_scatter", lack.beyond_scatter}};
-  j["worst"] = nullptr;
-  if (const auto& w = lack.worst)
-    j["worst"] = {{"theta_h", {w->range.low.theta_h, w->range.high.theta_h}},
-                  {"theta_d", {w->range.low.theta_d, w->range.high.theta_d}},
-                  {"rows", w->rows},
-                  {"measured_over_model", number(w->ratio)},
-                  {"share_of_residual", number(w->share)}};
+  j["worst"] = lack.worst ? region_json(*lack.worst) : Json(nullptr);
+  j["others"] = Json::array();
+  for (const WorstRegion& w : lack.others) j["others"].push_back(region_json(w));
   return j;
 }
 
@@ -157,7 +161,8 @@ Json steps_json(const std::vector<Step>& steps) {
                  {"standard_error", number(s.standard_error)},
                  {"p", s.p},
                  {"tried", s.tried},
-                 {"kept", s.kept}});
+                 {"kept", s.kept},
+                 {"mends_misfit", s.mends_misfit}});
   return j;
 }
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -120,6 +121,31 @@ TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
   EXPECT_NE(text.str().find("worst at theta_h 5 to 10, theta_d 30 to 45 degrees"), std::string::npos)
       << text.str();
   EXPECT_NE(html_report(result, table, {}).find("Lack of fit: residual"), std::string::npos);
+}
+
+// As above, and two thirds as bright in a second cell, further from the normal.
+TEST(LackOfFit, NamesWhatElseIsOffAndItsSign) {
+  io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
+  EXPECT_TRUE(fit_one(table, {"lambert"}).lack_of_fit.others.empty());
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const Geometry<double> g = geometry(arrays.view().wi(k), arrays.view().wo(k));
+    const double theta_h = radians(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z)).degrees(),
+                 theta_d = radians(std::acos(std::min(g.cos_d, 1.0))).degrees();
+    if (theta_h > 5 && theta_h < 10 && theta_d > 30 && theta_d < 45) table.values[0][k] *= 3;
+    if (theta_h > 30 && theta_h < 45 && theta_d > 15 && theta_d < 30) table.values[0][k] /= 1.5;
+  }
+  const LackOfFit lack = fit_one(table, {"lambert"}).lack_of_fit;
+  ASSERT_TRUE(lack.worst);
+  EXPECT_GT(lack.worst->ratio, 1);
+  ASSERT_FALSE(lack.others.empty());
+  EXPECT_LE(lack.others.size(), LackOfFit::kMostOthers);
+  EXPECT_EQ(lack.others[0].range.low.theta_h, 30);
+  EXPECT_EQ(lack.others[0].range.low.theta_d, 15);
+  EXPECT_NEAR(lack.others[0].ratio, 1 / 1.5, 0.06);
+  EXPECT_LT(lack.others[0].share, lack.worst->share);
+  EXPECT_THAT(others_in_words(lack),
+              testing::HasSubstr("also off at theta_h 30 to 45, theta_d 15 to 30 degrees ("));
 }
 
 TEST(LackOfFit, OtherMetricsAreTheThreeOthers) {
