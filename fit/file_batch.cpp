@@ -213,7 +213,8 @@ bool usable(const BatchRow& row) {
 }
 
 void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
-  std::string csv = "file,form,verdict,median_relative_error,cross_validated_error,bic,recommended,finding\n";
+  std::string csv =
+      "file,form,verdict,left_out,median_relative_error,cross_validated_error,bic,recommended,finding\n";
   io::HtmlReport html("Fits of " + std::to_string(rows.size()) + " files");
   std::vector<std::vector<io::Cell>> cells;
   io::Series in_sample{"median relative error", {}, {}, io::Series::Style::points};
@@ -227,8 +228,9 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
     const std::string verdict = fitted ? row.best["verdict"].get<std::string>() : "error";
     const std::string error = fitted ? number(row.best, "median_relative_error") : "";
     const std::string cross = fitted ? number(row.best, "cross_validated_error") : "";
-    csv += quoted(row.file) + "," + form + "," + verdict + "," + error + "," + cross + "," +
-           (fitted ? number(row.best, "bic") : "") + "," + row.recommended + "," +
+    const std::string left_out_value = fitted ? number(row.best, "left_out") : "";
+    csv += quoted(row.file) + "," + form + "," + verdict + "," + left_out_value + "," + error + "," + cross +
+           "," + (fitted ? number(row.best, "bic") : "") + "," + row.recommended + "," +
            quoted(first_finding(row)) + "\n";
     const auto share = [&](const char* key) {
       const bool known = fitted && row.best.contains(key) && row.best[key].is_number();
