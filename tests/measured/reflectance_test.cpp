@@ -42,14 +42,19 @@ TEST(Measured, FillsMerlsCellsWhereItWasMeasured) {
       std::make_shared<const MeasuredReflectance>(scanned(truth, {10, 25, 40, 55, 70}, 0), &wrong));
   EXPECT_GT(cells.rows(), 400000u);
   EXPECT_LT(cells.rows(), 1000000u);  // of 1,458,000, a third of which lie below the horizon
-  double off = 0;
+  double largest = 0;
+  int checked = 0, off = 0;
   for (std::size_t k = 0; k < cells.rows(); k += 97) {
     EXPECT_LE(std::min(cells.theta_i[k], cells.theta_o[k]), 75) << k;
     const double f = value(truth, at(cells.theta_i[k], cells.phi_i[k]), at(cells.theta_o[k], cells.phi_o[k]));
-    off = std::max(off, std::abs(cells.values[0][k] / f - 1));
+    const double error = std::abs(cells.values[0][k] / f - 1);
+    ++checked;
+    off += error > 0.05;
+    largest = std::max(largest, error);
   }
-  EXPECT_GT(off, 1e-6);
-  EXPECT_LT(off, 0.1);
+  EXPECT_LT(off, 0.05 * checked);
+  EXPECT_GT(largest, 1e-6);
+  EXPECT_LT(largest, 0.3);
   const io::SampleTable turned =
       scanned(lobes({{0.1, 0.4, 0.1, 0.5}}), {10, 40, 60}, 0, {0, 45, 90, 135}, 10);
   const auto seen = std::make_shared<const MeasuredReflectance>(turned);
