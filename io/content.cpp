@@ -68,14 +68,41 @@ std::size_t line_of(const std::string& bytes, std::size_t place) {
                  std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
 }
 
+namespace {
+
+// UTF-16 as spreadsheets write it ("Unicode text"), with its byte order mark. Lone surrogates are no text.
+std::string from_utf16(Content& text) {
+  const bool is_big = text.bytes.starts_with("\xFE\xFF");
+  std::u16string units;
+  units.reserve(text.bytes.size() / 2);
+  for (std::size_t k = 2; k + 1 < text.bytes.size(); k += 2) {
+    const auto a = static_cast<unsigned char>(text.bytes[k]),
+               b = static_cast<unsigned char>(text.bytes[k + 1]);
+    units += static_cast<char16_t>(is_big ? a << 8 | b : b << 8 | a);
+  }
+  try {
+    if (text.bytes.size() % 2 != 0) throw utf8::invalid_utf16(0);
+    std::string bytes;
+    utf8::utf16to8(units.begin(), units.end(), std::back_inserter(bytes));
+    text.bytes = std::move(bytes);
+  } catch (const utf8::exception&) {
+    throw InputError(text.name + ": begins as UTF-16 text, but is not");
+  }
+  return "the text is UTF-16";
+}
+
+}  // namespace
+
 std::string make_utf8(Content& text) {
   const auto refuse = [&](std::size_t place, const std::string& what) {
     throw InputError(text.name + ", line " + std::to_string(line_of(text.bytes, place)) + ": " + what);
   };
+  std::string note;
+  if (text.bytes.starts_with("\xFF\xFE") || text.bytes.starts_with("\xFE\xFF")) note = from_utf16(text);
   if (const std::size_t nul = text.bytes.find('\0'); nul != std::string::npos)
     refuse(nul, "holds a NUL byte: neither text nor a binary format that is read");
   const auto invalid = utf8::find_invalid(text.bytes.begin(), text.bytes.end());
-  if (invalid == text.bytes.end()) return "";
+  if (invalid == text.bytes.end()) return note;
   std::string transcoded;
   transcoded.reserve(text.bytes.size());
   for (std::size_t k = 0; k < text.bytes.size(); ++k) {

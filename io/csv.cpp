@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <ostream>
-#include <unordered_map>
 #include <unordered_set>
 
+#include "io/column_names.h"
+#include "io/dialect.h"
 #include "io/error.h"
+#include "io/long_format.h"
 #include "io/output.h"
 #include "io/table_rules.h"
 #include "io/text.h"
@@ -16,23 +17,6 @@ namespace brdf::io {
 namespace {
 
 enum class Quantity { brdf, brdf_cos_i, brdf_cos_o };
-
-// What a column holds: an angle, a channel's value, or its standard deviation.
-struct Column {
-  enum class Kind { angle, value, sigma } kind;
-  std::size_t index;
-  std::string name;
-};
-
-// Whether a column holds wavelengths: `wavelength`, `lambda` or `wl`, with or without a unit.
-bool is_wavelength(std::string_view name) {
-  std::string word = lower_case(name);
-  const std::size_t end = word.find_first_of("_ ([/");
-  const std::string unit = end == word.npos ? "" : word.substr(end + 1);
-  word = word.substr(0, end);
-  const bool is_unit = unit.empty() || unit.starts_with("nm") || unit.starts_with("um");
-  return is_unit && (word == "wavelength" || word == "wavelengths" || word == "lambda" || word == "wl");
-}
 
 class CsvReader {
  public:
@@ -47,24 +31,27 @@ class CsvReader {
       if (line.empty()) continue;
       if (line.front() == '#')
         read_comment(line);
-      else if (columns_.empty())
+      else if (columns().empty() && dialect_.is_separator_line(line))
+        continue;
+      else if (columns().empty())
         read_header(line);
       else
         read_row(line);
     }
-    if (columns_.empty())
+    if (columns().empty())
       throw InputError(table_.source + ": no header row (theta_i,phi_i,theta_o,phi_o,<channel>...)");
     if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
     if (table_.skipped > 0)
       table_.warnings.push_back(std::to_string(table_.skipped) +
                                 " rows left out: f_r is undefined where the quantity's cosine is 0");
-    return std::move(table_);
+    note_dialect();
+    return header_.has_wavelength() ? widened(std::move(table_), wavelengths_) : std::move(table_);
   }
 
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   [[noreturn]] void fail(std::size_t column, std::string_view text, const std::string& rule) const {
-    fail("column " + std::to_string(column + 1) + " (" + columns_[column].name + "): " + shown(text) + " " +
+    fail("column " + std::to_string(column + 1) + " (" + columns()[column].name + "): " + shown(text) + " " +
          rule);
   }
 
@@ -77,7 +64,7 @@ class CsvReader {
   }
 
   void read_quantity(const std::string& value) {
-    if (!columns_.empty()) fail("the quantity must be stated before the header row");
+    if (!columns().empty()) fail("the quantity must be stated before the header row");
     std::string name;
     std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
     if (name == "f_r*cos_i")
@@ -89,33 +76,20 @@ class CsvReader {
   }
 
   void read_header(std::string_view line) {
-    split(line, ',', fields_);
+    if (!dialect_.split_header(line, fields_)) fail("a quotation does not end");
     std::unordered_set<std::string_view> seen;
-    for (const std::string_view name : fields_) {
-      if (name.empty()) fail("column " + std::to_string(columns_.size() + 1) + " has no name");
+    for (std::size_t k = 0; k < fields_.size(); ++k) {
+      const std::string at = "column " + std::to_string(k + 1);
       double number;
-      if (parse_number(name, number))
-        fail("the header row is missing: column " + std::to_string(columns_.size() + 1) + " is the number " +
-             shown(name) + ", not a name");
-      if (!seen.insert(name).second) fail("column " + shown(name) + " twice");
-      if (is_wavelength(name))
-        fail("column " + shown(name) +
-             ": the long format, one row for each wavelength, is not read; give each wavelength a column of "
-             "its "
-             "own, such as 465nm");
-      const auto angle = std::find(std::begin(kAngleNames), std::end(kAngleNames), name);
-      if (angle != std::end(kAngleNames)) {
-        columns_.push_back(
-            {Column::Kind::angle, static_cast<std::size_t>(angle - kAngleNames), std::string(name)});
-      } else if (name.starts_with(kSigmaPrefix)) {
-        columns_.push_back({Column::Kind::sigma, 0, std::string(name)});
-      } else {
-        columns_.push_back({Column::Kind::value, table_.channels.size(), std::string(name)});
-        table_.channels.emplace_back(name);
-      }
+      if (fields_[k].empty()) fail(at + " has no name");
+      if (dialect_.parse(fields_[k], number))
+        fail("the header row is missing: " + at + " is the number " + shown(fields_[k]) + ", not a name");
+      if (!seen.insert(fields_[k]).second) fail("column " + shown(fields_[k]) + " twice");
     }
-    check_channel_names(table_.channels, reader_.where());
+    header_ = understand_columns(fields_, reader_.where());
     check_header();
+    table_.channels = header_.channels;
+    check_channel_names(table_.channels, reader_.where());
     table_.values.resize(table_.channels.size());
     table_.sigma.resize(table_.channels.size());
     row_values_.resize(table_.channels.size());
@@ -123,65 +97,90 @@ class CsvReader {
   }
 
   void check_header() {
-    for (const std::string_view angle : kAngleNames) {
-      const auto same = [&](const Column& c) { return c.name == angle; };
-      if (std::none_of(columns_.begin(), columns_.end(), same))
-        fail("column '" + std::string(angle) + "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...)");
+    std::string found;
+    for (const Column& c : columns()) found += (found.empty() ? "" : ", ") + shown(c.name);
+    for (std::size_t angle = 0; angle < 4; ++angle) {
+      const bool is_replaced = angle % 2 == 1 && header_.only_azimuth;
+      if (!header_.has_angle(angle) && !is_replaced)
+        fail("column '" + std::string(kAngleNames[angle]) +
+             "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by " +
+             dialect_.separator_in_words() + ": " + found);
     }
-    if (need_values_ && table_.channels.empty()) fail("no value column beside the four angles");
-    std::unordered_map<std::string_view, std::size_t> channel;
-    for (std::size_t c = 0; c < table_.channels.size(); ++c) channel[table_.channels[c]] = c;
-    for (Column& c : columns_) {
-      if (c.kind != Column::Kind::sigma) continue;
-      const auto found = channel.find(std::string_view(c.name).substr(kSigmaPrefix.size()));
-      if (found == channel.end()) fail("column " + shown(c.name) + " has no column of values");
-      c.index = found->second;
-      has_sigma_ = true;
-    }
+    if (need_values_ && header_.channels.empty()) fail("no value column beside the four angles");
+    if (header_.has_wavelength() && need_values_ && header_.channels.size() != 1)
+      fail("a column of wavelengths needs one column of values, not " +
+           std::to_string(header_.channels.size()));
+    for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
+  }
+
+  // What differs from the plain format is announced.
+  void note_dialect() {
+    std::vector<std::string> notes = header_.notes;
+    if (const std::string differences = dialect_.differences(); !differences.empty())
+      notes.insert(notes.begin(), differences);
+    table_.warnings.insert(table_.warnings.begin(), notes.begin(), notes.end());
+  }
+
+  void split_row(std::string_view line) {
+    if (!dialect_.split_row(line, fields_)) fail("a quotation does not end");
   }
 
   void read_row(std::string_view line) {
-    split(line, ',', fields_);
-    if (fields_.size() != columns_.size())
+    split_row(line);
+    if (fields_.size() != columns().size())
       fail(std::to_string(fields_.size()) + " columns where the header has " +
-           std::to_string(columns_.size()));
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
+           std::to_string(columns().size()) + ", separated by " + dialect_.separator_in_words());
+    for (std::size_t k = 0; k < columns().size(); ++k) {
       double number;
-      if (!parse_number(fields_[k], number)) fail(k, fields_[k], "is not a number");
+      if (!dialect_.parse(fields_[k], number))
+        fail(k, fields_[k],
+             dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
+                                        : "is not a number");
       if (!std::isfinite(number)) fail(k, fields_[k], "is not finite");
-      switch (columns_[k].kind) {
-        case Column::Kind::angle:
-          largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(number));
-          if (columns_[k].index % 2 == 0 && std::abs(number) > 90.0) below_horizon(k);
-          angles_[columns_[k].index] = number;
-          break;
-        case Column::Kind::value:
-          row_values_[columns_[k].index] = number;
-          break;
-        case Column::Kind::sigma:
-          if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
-          row_sigma_[columns_[k].index] = number;
-      }
+      read_number(k, columns()[k].converted(number));
     }
     store_row();
+  }
+
+  void read_number(std::size_t k, double number) {
+    const Column& column = columns()[k];
+    switch (column.kind) {
+      case Column::Kind::angle:
+        largest_[column.index] = std::max(largest_[column.index], std::abs(number));
+        if (column.index % 2 == 0 && std::abs(number) > 90.0) below_horizon(k);
+        angles_[column.index] = number;
+        break;
+      case Column::Kind::value:
+        row_values_[column.index] = number;
+        break;
+      case Column::Kind::sigma:
+        if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
+        row_sigma_[column.index] = number;
+        break;
+      case Column::Kind::wavelength:
+        if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
+        wavelength_ = number;
+    }
   }
 
   // Azimuths in the polar angle's column are told apart from a wrong angle: there are many of them, and the
   // other column never exceeds 90 degrees. Reads the rest of the file for that.
   [[noreturn]] void below_horizon(std::size_t column) {
-    const std::size_t theta = columns_[column].index, phi = theta + 1;
+    const std::size_t theta = columns()[column].index, phi = theta + 1;
     const std::string at = reader_.where() + ": column " + std::to_string(column + 1) + " (" +
-                           columns_[column].name + "): " + shown(fields_[column]) + " ";
+                           columns()[column].name + "): " + shown(fields_[column]) + " ";
     std::size_t rows = table_.rows(), above = 0;
     bool first = true;
     for (std::string_view line; first || reader_.next(line); first = false) {
-      if (!first) split(trimmed(line), ',', fields_);
-      if (fields_.size() != columns_.size()) continue;
-      for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (!first) split_row(trimmed(line));
+      if (fields_.size() != columns().size()) continue;
+      for (std::size_t k = 0; k < columns().size(); ++k) {
+        const Column& c = columns()[k];
         double x;
-        if (columns_[k].kind != Column::Kind::angle || !parse_number(fields_[k], x)) continue;
-        largest_[columns_[k].index] = std::max(largest_[columns_[k].index], std::abs(x));
-        above += columns_[k].index == theta && std::abs(x) > 90.0;
+        if (c.kind != Column::Kind::angle || !dialect_.parse(fields_[k], x)) continue;
+        x = std::abs(c.converted(x));
+        largest_[c.index] = std::max(largest_[c.index], x);
+        above += c.index == theta && x > 90.0;
       }
       ++rows;
     }
@@ -221,21 +220,27 @@ class CsvReader {
     table_.add_directions(angles_[0], angles_[1], angles_[2], angles_[3]);
     for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
     if (has_sigma_) {
-      for (const Column& c : columns_)
+      for (const Column& c : columns())
         if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
+    if (header_.has_wavelength()) wavelengths_.push_back(wavelength_);
   }
 
   LineReader reader_;
   bool need_values_;
   SampleTable table_;
-  std::vector<Column> columns_;
+  const std::vector<Column>& columns() const { return header_.columns; }
+
+  Dialect dialect_;
+  Columns header_;
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
   std::vector<double> row_values_, row_sigma_;
   Quantity quantity_ = Quantity::brdf;
   bool has_sigma_ = false;
+  double wavelength_ = 0;  // of this row, nm
+  std::vector<double> wavelengths_;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ std::string broken_rule(std::string_view name) {
   if (!utf8::is_valid(name.begin(), name.end())) return "must be UTF-8";
   if (printable(name) != name) return "must not hold control characters";
   if (name.find(',') != name.npos) return "must not hold a comma";
+  if (name.front() == '"') return "must not begin with a quotation mark";
   if (trimmed(name) != name) return "must not begin or end with a blank";
   if (parse_number(name, number)) return "must not be a number";
   if (std::find(std::begin(kAngleNames), std::end(kAngleNames), name) != std::end(kAngleNames))

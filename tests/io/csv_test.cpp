@@ -111,7 +111,7 @@ TEST_F(Csv, NamesExchangedColumns) {
 
 TEST_F(Csv, NamesWhatIsWrongWithTheHeader) {
   EXPECT_THAT(message("0,0,0,0,1\n"), HasSubstr("line 1: the header row is missing"));
-  EXPECT_THAT(message("theta_i,phi_i,theta_o,fr\n"), HasSubstr("'phi_o' is missing"));
+  EXPECT_THAT(message("theta_i,theta_o,fr\n"), HasSubstr("'phi_i' is missing"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o\n"), HasSubstr("no value column"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,a\n"), HasSubstr("column 'a' twice"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_b\n"),

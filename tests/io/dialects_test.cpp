@@ -1,0 +1,174 @@
+// Tables as laboratories write them: the same samples in 24 dialects read to the same table, bit for bit; what is not
+// understood is refused with what was found.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/samples.h"
+#include "tests/io/reading.h"
+
+namespace brdf::io {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string utf16(std::string_view ascii, bool is_big) {
+  std::string bytes = is_big ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii) is_big ? (bytes += '\0') += c : (bytes += c) += '\0';
+  return bytes;
+}
+
+// Two rows, one channel of which has a standard deviation.
+constexpr const char* kPlain = "theta_i,phi_i,theta_o,phi_o,fr\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n";
+
+struct Dialect {
+  const char* name;
+  std::string text;
+  const char* note;  // of what is announced; empty where nothing is
+};
+
+std::ostream& operator<<(std::ostream& out, const Dialect& d) {
+  return out << d.name;
+}
+
+class SameTable : public testing::TestWithParam<Dialect> {};
+
+TEST_P(SameTable, BitForBit) {
+  const SampleTable expected = read(kPlain), got = read(GetParam().text);
+  EXPECT_EQ(got.channels, expected.channels);
+  EXPECT_EQ(got.theta_i, expected.theta_i);
+  EXPECT_EQ(got.phi_i, expected.phi_i);
+  EXPECT_EQ(got.theta_o, expected.theta_o);
+  EXPECT_EQ(got.phi_o, expected.phi_o);
+  EXPECT_EQ(got.values, expected.values);
+  std::string notes;
+  for (const std::string& warning : got.warnings) notes += warning + '\n';
+  EXPECT_EQ(notes.empty(), *GetParam().note == '\0') << notes;
+  EXPECT_THAT(notes, HasSubstr(GetParam().note));
+}
+
+const Dialect kDialects[] = {
+    {"semicolons", "theta_i;phi_i;theta_o;phi_o;fr\n30;0;40.5;180;1.25\n60;0;20;170;0.5\n",
+     "separated by ';'"},
+    {"decimal_commas", "theta_i;phi_i;theta_o;phi_o;fr\n30;0;40,5;180;1,25\n60;0;20;170;0,5\n",
+     "separated by ';', decimal commas"},
+    {"tabs", "theta_i\tphi_i\ttheta_o\tphi_o\tfr\n30\t0\t40.5\t180\t1.25\n60\t0\t20\t170\t.5\n",
+     "separated by a tab"},
+    {"tabs_decimal_commas",
+     "theta_i\tphi_i\ttheta_o\tphi_o\tfr\n30\t0\t40,5\t180\t1,25\n60\t0\t20\t170\t0,5\n", "decimal commas"},
+    {"blanks", "  theta_i  phi_i theta_o   phi_o fr\n  30   0 40.5 180 1.25\n 60 0  20 170  0.5\n",
+     "separated by blanks"},
+    {"blanks_and_tabs", "theta_i \tphi_i theta_o phi_o fr\n30 0\t40.5 180 1.25\n60 0 20 170 5e-1\n", "a tab"},
+    {"quoted_names",
+     "\"theta_i\",\"phi_i\",\"theta_o\",\"phi_o\",\"fr\"\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n", ""},
+    {"quoted_fields",
+     "theta_i,phi_i,theta_o,phi_o,fr\n\"30\",\"0\",\"40.5\",180,\"1.25\"\n60,0,20,170,\"0.5\"\n", ""},
+    {"quoted_decimal_commas",
+     "theta_i,phi_i,theta_o,phi_o,fr\n30,0,\"40,5\",180,\"1,25\"\n60,0,20,170,\"0,5\"\n", "decimal commas"},
+    {"utf16_little_endian", utf16(kPlain, false), "UTF-16"},
+    {"utf16_big_endian", utf16(kPlain, true), "UTF-16"},
+    {"sep_line", "sep=;\r\ntheta_i;phi_i;theta_o;phi_o;fr\r\n30;0;40,5;180;1,25\r\n60;0;20;170;0,5\r\n",
+     "';'"},
+    {"sep_line_of_bars", "sep=|\ntheta_i|phi_i|theta_o|phi_o|fr\n30|0|40.5|180|1.25\n60|0|20|170|0.5\n",
+     "'|'"},
+    {"units_in_brackets",
+     "theta_i (deg),phi_i [deg],theta_o (°),phi_o [degrees],fr (1/sr)\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n",
+     "'theta_i (deg)' theta_i"},
+    {"units_behind",
+     "theta_i_deg,phi_i/deg,theta_o deg,phi_o_degrees,fr [sr^-1]\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n",
+     "'fr [sr^-1]' fr"},
+    {"radians",
+     "theta_i (rad),phi_i (deg),theta_o (rad),phi_o (rad),fr\n0.5235987755982988,0,0.7068583470577035,"
+     "3.141592653589793,1.25\n1.0471975511965976,0,0.3490658503988659,2.9670597283903604,0.5\n",
+     "theta_o in radians"},
+    {"units_between_blanks",
+     "theta_i (deg) phi_i (deg) theta_o (deg) phi_o (deg) fr (1/sr)\n30 0 40.5 180 1.25\n"
+     "60 0 20 170 0.5\n",
+     "blanks"},
+    {"aliases_without_underscores", "thetai,phii,thetar,phir,fr\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n",
+     "'thetar' theta_o"},
+    {"aliases_in_words",
+     "Angle of Incidence,Incident Azimuth,Viewing Angle,View "
+     "Azimuth,fr\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n",
+     "'Angle of Incidence' theta_i"},
+    {"greek", "θ_i;φ_i;θ_r;φ_r;fr\n30;0;40,5;180;1,25\n60;0;20;170;0,5\n", "'θ_r' theta_o"},
+    {"scattered", "theta_i,phi_i,theta_s,phi_s,fr\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n",
+     "'theta_s' theta_o"},
+    {"source", "theta_s,phi_s,theta_r,phi_r,fr\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n", "'theta_s' theta_i"},
+    {"one_azimuth", "incidence,theta_r,azimuth,fr\n30,40.5,180,1.25\n60,20,170,0.5\n",
+     "one azimuth, 'azimuth': taken for phi_o with phi_i 0"},
+    {"elevation", "elevation_i,phi_i,elevation_o,phi_o,fr\n60,0,49.5,180,1.25\n30,0,70,170,0.5\n",
+     "90 - elevation"},
+    {"empty_last_column", "theta_i;phi_i;theta_o;phi_o;fr;\n30;0;40,5;180;1,25;\n60;0;20;170;0,5;\n", "';'"},
+    {"a_sheet_of_everything",
+     "\xFF\xFE" +
+         utf16(
+             "sep=;\r\n# sample: x\r\n\"Theta (incident), rad\";\"Viewing angle [deg]\";\"Relative azimuth\";"
+             "\"fr (1/sr)\"\r\n\"0,5235987755982988\";40,5;180;1,25\r\n\"1,0471975511965976\";20;170;0,5\r\n",
+             false)
+             .substr(2),
+     "UTF-16"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Dialects, SameTable, testing::ValuesIn(kDialects),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST(LongFormat, IsTheWideTable) {
+  const SampleTable wide = read(
+      "theta_i,phi_i,theta_o,phi_o,465nm,525nm,630nm,sigma_465nm,sigma_525nm,sigma_630nm\n"
+      "10,0,20,180,1,2,3,.1,.2,.3\n30,0,30,180,4,5,6,.4,.5,.6\n");
+  const SampleTable got = read(
+      "theta_i;phi_i;theta_o;phi_o;Wavelength (nm);BRDF;sigma\n10;0;20;180;630;3;,3\n10;0;20;180;465;1;,1\n"
+      "30;0;30;180;465;4;,4\n10;0;20;180;525;2;,2\n30;0;30;180;525;5;,5\n30;0;30;180;630;6;,6\n");
+  EXPECT_EQ(got.channels, wide.channels);
+  EXPECT_EQ(got.theta_i, wide.theta_i);
+  EXPECT_EQ(got.values, wide.values);
+  EXPECT_EQ(got.sigma, wide.sigma);
+  EXPECT_THAT(got.lines, ElementsAre(2u, 4u));
+  EXPECT_THAT(got.warnings.back(), HasSubstr("long format: 6 rows of 3 wavelengths, 465 to 630 nm"));
+}
+
+TEST(LongFormat, WavelengthsMayBeInMicrometres) {
+  const SampleTable got =
+      read("theta_i,phi_i,theta_o,phi_o,lambda (um),fr\n1,2,3,4,0.6328,1\n1,2,3,4,1.064,2\n");
+  EXPECT_THAT(got.channels, ElementsAre("632.8nm", "1064nm"));
+}
+
+TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
+  const std::string names = "theta_i;phi_i;theta_o;phi_o;fr\n",
+                    wave = "theta_i,phi_i,theta_o,phi_o,wavelength,fr\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {names + "30;0;40.5;180;1,25\n", "line 2: column 5 (fr): '1,25' has another decimal mark"},
+      {names + "30;0;40;180;1.234,5\n", "line 2: column 5 (fr): '1.234,5' is not a number"},
+      {names + "30,0,40,180,1.25\n", "line 2: 1 columns where the header has 5, separated by ';'"},
+      {"theta_i,phi_i,theta_o,phi_o,fr\n30,0,40,5,180,1,25\n", "line 2: 7 columns where the header has 5"},
+      {"theta_i,phi_i,theta_o,phi_o,fr\n30,0,\"40,180,1\n", "line 2: a quotation does not end"},
+      {"\"theta_i,phi_i,theta_o,phi_o,fr\n30,0,40,180,1\n", "line 1: a quotation does not end"},
+      {"theta_h,phi_h,theta_d,phi_d,fr\n1,2,3,4,5\n",
+       "line 1: column 'theta_i' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by "
+       "',': "
+       "'theta_h', 'phi_h', 'theta_d', 'phi_d', 'fr'"},
+      {"theta_s,phi_s,fr\n1,2,3\n", "'theta_s' may be the source's or the scattered direction"},
+      {"theta_i,thetain,theta_o,phi_o,fr\n1,2,3,4,5\n", "columns 'theta_i' and 'thetain' are both theta_i"},
+      {"theta_i,phi_i,azimuth,theta_o,fr\n1,2,3,4,5\n", "'azimuth' does not say whose azimuth it is"},
+      {"thetai,phii,thetao,phio,BRF (%)\n1,2,3,4,5\n", "'BRF (%)' is in percent"},
+      {wave + "1,2,3,4,500,1\n1,2,3,4,500,2\n", "line 3: these directions have the wavelength 500 nm twice"},
+      {wave + "1,2,3,4,500,1\n1,2,3,4,600,2\n5,6,7,8,500,2\n",
+       "line 4: these directions have no value at 600 nm"},
+      {"theta_i,phi_i,theta_o,phi_o,wavelength,r,g\n",
+       "a column of wavelengths needs one column of values, not 2"},
+      {std::string("\xFF\xFEt\0h\0\0\xD8", 8), "begins as UTF-16 text, but is not"},
+      {std::string("t\0h\0e\0", 6), "line 1: holds a NUL byte"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+}
+
+// What we write must be read back as it was, whatever other formats call their channels.
+TEST(PlainFormat, KeepsTheNamesOfItsChannels) {
+  const SampleTable t = read("theta_i,phi_i,theta_o,phi_o,azimuth,fr (1/sr),sigma,thetar\n1,2,3,4,5,6,7,8\n");
+  EXPECT_THAT(t.channels, ElementsAre("azimuth", "fr (1/sr)", "sigma", "thetar"));
+  EXPECT_TRUE(t.warnings.empty());
+}
+
+}  // namespace
+}  // namespace brdf::io
