@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "io/settings.h"
 #include "io/error.h"
 #include "io/numbers.h"
+#include "io/settings.h"
 #include "io/text.h"
 
 namespace brdf::cli {

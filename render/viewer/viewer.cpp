@@ -34,7 +34,7 @@ class Viewer {
                  .memory_limit = options.memory_limit,
                  .validation = options.validation}),
         swapchain_(device_, window_),
-        pictures_(device_, {.gbuffer_bits = options.gbuffer_bits}, options.samples, true),
+        pictures_(device_, {.gbuffer_bits = options.gbuffer_bits}, options.samples, {}, true),
         display_(device_, swapchain_.render_pass()) {
     glfwSetWindowUserPointer(window_.get(), this);
     glfwSetKeyCallback(window_.get(), [](GLFWwindow* w, int key, int, int action, int mods) {
