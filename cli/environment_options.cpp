@@ -13,6 +13,9 @@ void add_environment_options(CLI::App& verb, render::Job& job, int& samples) {
   verb.add_option("--environment", job.environment,
                   "Light from all around: a latitude-longitude picture (.hdr, .exr), or " +
                       known_names<render::Formula>() + ". Materials without a scene are lit by nothing else");
+  verb.add_flag("--hard-light", job.hard_light,
+                "Materials alone stand before one directional light (pictures of them: in the studio)")
+      ->excludes("--environment");
   verb.add_option("--rotate", job.rotation,
                   "Degrees by which the environment is turned about the vertical axis")
       ->check(CLI::Range(-360.0f, 360.0f));

@@ -293,7 +293,8 @@ void add_render(CLI::App& app) {
       "         brdf render --parity --form ward --validation\n"
       "         brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
       "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
-      "         brdf render gold.json --shape shader_ball --turntable 60 -o gold.webp\n"
+      "         brdf render gold.json --shape shader_ball --turntable 60 --fps 30 --quality 80 -o gold.webp\n"
+      "         brdf render gold.json --hard-light -o hard.png\n"
       "         brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
       "         brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");

@@ -81,7 +81,7 @@ void add_view(CLI::App& app) {
       "fit;\n"
       "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
       "Examples: brdf view fitted.json --measured samples.csv\n"
-      "          brdf view fitted.json --environment studio\n"
+      "          brdf view fitted.json --environment studio --rotate 30 --samples 256 --shape shader_ball\n"
       "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
       "600\n"
       "          brdf view a.json b.json --gbuffer-bits 16 --memory-limit 1G --validation --frames 100");

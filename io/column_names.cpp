@@ -98,12 +98,14 @@ constexpr std::string_view kMicrometres[] = {"um",      "µm",         "μm",   
 constexpr std::string_view kPerSteradian[] = {"1/sr",   "sr^-1", "sr^{-1}", "sr-1",       "sr⁻¹",
                                               "sr**-1", "/sr",   "per sr",  "1/steradian"};
 
-bool is_wavelength_key(std::string_view key) {
-  return key == "wavelength" || key == "wavelengths" || key == "lambda" || key == "wl";
-}
-
 bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
   return std::find(words.begin(), words.end(), lower_case(word)) != words.end();
+}
+
+bool is_wavelength(std::string_view bare, std::string_view unit) {
+  const std::string key = key_of(bare);
+  return (key == "wavelength" || key == "wavelengths" || key == "lambda" || key == "wl") &&
+         (unit.empty() || is_one_of(unit, kNanometres) || is_one_of(unit, kMicrometres));
 }
 
 // Turns a header's names into columns; remembers what has to be said.
@@ -114,9 +116,10 @@ class Reading {
 
   Columns result() {
     // A table in the plain format has channels of any name: what is written must be read back as it was.
-    is_plain_ = std::all_of(std::begin(kAngleNames), std::end(kAngleNames), [&](std::string_view angle) {
-      return std::find(names_.begin(), names_.end(), angle) != names_.end();
-    });
+    is_plain_ = std::none_of(names_.begin(), names_.end(), is_wavelength_name) &&
+                std::all_of(std::begin(kAngleNames), std::end(kAngleNames), [&](std::string_view angle) {
+                  return std::find(names_.begin(), names_.end(), angle) != names_.end();
+                });
     for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
     place_angles();
     place_values();
@@ -143,8 +146,7 @@ class Reading {
     for (const auto& [bare, unit] : ways_to_part(name)) {
       const std::string key = key_of(bare);
       if (is_plain_ &&
-          std::find(std::begin(kAngleNames), std::end(kAngleNames), name) == std::end(kAngleNames) &&
-          !is_wavelength_key(key))
+          std::find(std::begin(kAngleNames), std::end(kAngleNames), name) == std::end(kAngleNames))
         continue;
       if (const auto found = meanings.find(key); found != meanings.end()) {
         if (!unit.empty() && !is_one_of(unit, kDegrees) && !is_one_of(unit, kRadians)) continue;
@@ -157,8 +159,7 @@ class Reading {
           column.unit = Column::Unit::radians;
         break;
       }
-      if (is_wavelength_key(key)) {
-        if (!unit.empty() && !is_one_of(unit, kNanometres) && !is_one_of(unit, kMicrometres)) continue;
+      if (is_wavelength(bare, unit)) {
         column.kind = Column::Kind::wavelength;
         if (is_one_of(unit, kMicrometres)) column.unit = Column::Unit::micrometres;
         break;
@@ -322,6 +323,11 @@ double Column::converted(double value) const {
       return std::round(1e6 * value) / 1e3;  // to a picometre: .6328 is 632.8 nm
   }
   return value;
+}
+
+bool is_wavelength_name(std::string_view name) {
+  const std::vector<Parts> ways = ways_to_part(name);
+  return std::any_of(ways.begin(), ways.end(), [](const Parts& p) { return is_wavelength(p.name, p.unit); });
 }
 
 bool Columns::has_angle(std::size_t angle) const {

@@ -31,6 +31,9 @@ struct Columns {
   bool has_wavelength() const;
 };
 
+// Whether a column of this name holds wavelengths: `wavelength`, `lambda` or `wl` with or without a unit.
+bool is_wavelength_name(std::string_view name);
+
 // Understands a header row: the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL; their usual aliases in any
 // case and with blanks, hyphens or underscores (thetai, incidence, theta_r, view zenith, azimuth, ...; docs/formats.md
 // has the list); units in brackets or as a suffix. theta_s is the scattered direction beside an incident one, the

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "io/column_names.h"
 #include "io/comments.h"
 #include "io/error.h"
 #include "io/limits.h"
@@ -27,6 +28,7 @@ std::string broken_rule(std::string_view name) {
   if (parse_number(name, number)) return "must not be a number";
   if (std::find(std::begin(kAngleNames), std::end(kAngleNames), name) != std::end(kAngleNames))
     return "must not be an angle's name";
+  if (is_wavelength_name(name)) return "must not be the name of a column of wavelengths";
   if (name.starts_with(kSigmaPrefix)) return "must not begin with " + std::string(kSigmaPrefix);
   return "";
 }

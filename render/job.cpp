@@ -110,10 +110,20 @@ bool needs_other(Display display) {
   return display != Display::picture && display != Display::gbuffer;
 }
 
+// Materials to look at stand in the studio, unless something about them is measured, compared or taken apart.
+bool stands_in_the_studio(const Job& job) {
+  const bool alone = job.scene.empty() && job.state.empty() && !(job.materials.empty() && job.row.empty());
+  const bool is_looked_at = is_png(job.output) || job.turntable;
+  return alone && is_looked_at && !job.hard_light && !compared(job) && !job.show && !job.shading &&
+         !job.forward && !job.gbuffer && !job.probe;
+}
+
 }  // namespace
 
 // Spheres of materials alone are then lit by nothing else, and seen before it.
-void apply_environment(const Job& job, Scene& scene) {
+void apply_environment(const Job& given, Scene& scene) {
+  Job job = given;
+  if (!job.environment && stands_in_the_studio(job)) job.environment = name_of(Formula::studio);
   if (job.environment) {
     const bool spheres = job.scene.empty() && job.state.empty();
     Environment environment = scene.environment.value_or(Environment{});
@@ -274,6 +284,7 @@ JobReport run(const Job& given) {
   Device device({.memory_limit = job.memory_limit, .validation = job.validation});
   Finish finish{.rounding = job.rounding};
   if (job.supersample) finish.supersample = *job.supersample;
+  finish.probed = job.probe.has_value();
   Pictures pictures(device, options, job.samples, finish);
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
   if (job.exposure_from_picture) state.scene.exposure = exposure_from(pictures.a_picture());

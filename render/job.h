@@ -33,6 +33,7 @@ struct Job {
   std::optional<std::string> environment;  // a picture's file or a Formula's name, instead of the scene's
   std::optional<float> rotation;           // of the environment, degrees
   int samples = kDefaultSamples;           // of its light, per pixel
+  bool hard_light = false;                 // materials to look at do not stand in the studio
   bool per_vertex = false, as_coded = false;
   int gbuffer_bits = 16;
   std::uint64_t memory_limit = 0;  // bytes, 0: none

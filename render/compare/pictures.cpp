@@ -56,7 +56,13 @@ Picture Pictures::read(Renderer& renderer) {
 
 // Of an environment's samples, for each of the places in a pixel.
 int Pictures::samples_of_a_place() const {
-  return wanted_ / (finish_.supersample * finish_.supersample);
+  const int places = finish_.supersample * finish_.supersample;
+  return std::max((wanted_ + places - 1) / places, 1);
+}
+
+int Pictures::samples_drawn() const {
+  if (!a_ || a_->samples() == 0) return 0;
+  return fine_a_ ? samples_of_a_place() * finish_.supersample * finish_.supersample : a_->samples();
 }
 
 Picture Pictures::fine(Renderer& renderer) {
@@ -72,7 +78,7 @@ Picture Pictures::fine(Renderer& renderer) {
     return read(renderer);
   });
   seed = options_.seed;
-  draw(scene, refining_ ? 0 : wanted_);  // what the window shows stays
+  draw(scene, refining_ ? 0 : samples_of_a_place());  // what the window shows stays
   return picture;
 }
 
@@ -115,7 +121,9 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     a_.emplace(*device_, prepared_, options_);
   }
   images_changed_ = true;
-  a_->draw_samples(refining_ ? 0 : wanted_, &times_);
+  // Where only a picture of many places in each pixel is looked at, these share the samples out.
+  const bool is_looked_at = finish_.supersample <= 1 || finish_.probed || needs_b(state);
+  a_->draw_samples(refining_ ? 0 : is_looked_at ? wanted_ : samples_of_a_place(), &times_);
   a_picture_.reset();
   fine_a_.reset();
   noise_ = -1;
@@ -130,6 +138,7 @@ void Pictures::refine(const ViewState& state) {
   a_->draw(&times_);
   pass_times_ = times_.read();
   a_picture_.reset();
+  fine_a_.reset();
   if (b_ && b_->samples() > 0 && needs_b(state)) b_->draw();
   const int runs = a_->samples() / kRun;
   if ((runs & (runs - 1)) != 0 && unfinished()) return;

@@ -17,6 +17,7 @@ namespace brdf::render {
 // How what is shown becomes bytes.
 struct Finish {
   int supersample = 4;  // samples across a pixel
+  bool probed = false;  // the picture of one sample is asked for, too
   Rounding rounding = Rounding::dithered;
 };
 
@@ -42,7 +43,7 @@ class Pictures {
   bool unfinished() const { return drawn_a_ && prepared_.environment && a_->samples() < wanted_; }
   // Samples of an environment's light that A has, 0 without one, and what they leave open: the root mean square of the
   // surface's standard errors over its mean, told now and then while A is refined; negative: not yet.
-  int samples_drawn() const { return a_ ? a_->samples() : 0; }
+  int samples_drawn() const;
   double noise() const { return noise_; }
 
   // Records the barriers after which everything shown can be sampled.

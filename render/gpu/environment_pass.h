@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/gpu/passes.h"
+#include "render/light/points.h"
 
 namespace brdf::render {
 
@@ -32,7 +33,9 @@ class EnvironmentPass {
                   VkExtent2D extent, int gbuffer_bits);
   // What was added up is forgotten: the scene has changed.
   void reset() { runs_ = 0; }
-  int runs() const { return runs_; }
+  // The same, with runs of so many samples from here on, at most kRun.
+  void reset(int samples_of_a_run) { runs_ = 0, count_ = samples_of_a_run; }
+  int samples() const { return runs_ * count_; }
 
   // The light's picture behind the objects, over what is in `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
@@ -53,7 +56,7 @@ class EnvironmentPass {
   const LightImages* light_;
   const DeferredPass* deferred_;
   int bits_;
-  int runs_ = 0;
+  int runs_ = 0, count_ = kRun;
   Image run_, sum_, squares_;
   Owned<VkSampler> sampler_;
   Owned<VkDescriptorSetLayout> image_layout_;

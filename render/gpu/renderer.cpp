@@ -163,6 +163,7 @@ void Renderer::reseed(std::uint32_t seed) {
 }
 
 void Renderer::draw_samples(int samples, Timestamps* times) {
+  if (environment_) environment_->reset(samples > 0 ? std::min(samples, kRun) : kRun);
   do draw(times);
   while (environment_ && this->samples() < samples);
 }

@@ -35,11 +35,11 @@ class Renderer {
   // Records, runs and waits.
   void draw(Timestamps* times = nullptr);
 
-  // Light of an environment is added up: each draw brings kRun samples more per pixel, until update() forgets them.
-  int samples() const { return environment_ ? environment_->runs() * kRun : 0; }
+  // Light of an environment is added up: each draw brings a run of samples more per pixel, until update() forgets them.
+  int samples() const { return environment_ ? environment_->samples() : 0; }
   // From here on with other random numbers; what was added up is forgotten.
   void reseed(std::uint32_t seed);
-  // Draws until there are so many; once where there is no environment.
+  // Draws from the beginning until there are so many, in runs of at most kRun; once where there is no environment.
   void draw_samples(int samples, Timestamps* times = nullptr);
   // The standard error of each pixel's channels, RGBA as read_color; zeros without an environment.
   std::vector<float> read_standard_error();

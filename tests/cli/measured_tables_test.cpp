@@ -23,13 +23,19 @@ class MeasuredTables : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(MeasuredTables, AWavelengthColumnIsNamed) {
+TEST_F(MeasuredTables, ALongTableIsReadOrNamed) {
+  std::ofstream(folder_.path() / "good.csv")
+      << "theta_i,phi_i,theta_o,phi_o,Wavelength_nm,f\n30,180,30,0,550,0.3\n30,180,30,0,600,0.2\n";
+  const Outcome done = run("convert good.csv wide.csv");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("long format: 2 rows of 2 wavelengths, 550 to 600 nm"));
+  EXPECT_EQ(read("wide.csv").channels, (std::vector<std::string>{"550nm", "600nm"}));
   std::ofstream(folder_.path() / "long.csv")
-      << "theta_i,phi_i,theta_o,phi_o,Wavelength_nm,f\n30,180,30,0,550,0.3\n30,180,30,0,600,0.3\n";
+      << "theta_i,phi_i,theta_o,phi_o,Wavelength_nm,f\n30,180,30,0,550,0.3\n20,180,30,0,600,0.3\n";
   for (const char* verb : {"validate long.csv", "fit long.csv", "convert long.csv o.csv"}) {
     const Outcome refused = run(verb);
     EXPECT_EQ(refused.exit_code, 2) << verb;
-    EXPECT_THAT(refused.err, HasSubstr("line 1: column 'Wavelength_nm': the long format")) << verb;
+    EXPECT_THAT(refused.err, HasSubstr("line 2: these directions have no value at 600 nm")) << verb;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   }
 }

@@ -54,7 +54,8 @@ with tempfile.TemporaryDirectory() as folder:
     ledger = source / "data/ledger.json"
     check("trade", said("trade", "--compare", ledger, ledger, "--json"))
     size = ("--width", 32, "--height", 32, "-o", "p.png", "--json")
-    pictures = [said("render", "m.json", *size), said("render", "m.json", "--compare", "embree", "--probe", "16,16", *size)]
+    pictures = [said("render", "m.json", *size), said("render", "m.json", "--turntable", 2, "--width", 32, "--height", 32,
+                                                      "-o", "p.webp", "--json"), said("render", "m.json", "--compare", "embree", "--probe", "16,16", *size)]
     for picture in pictures:
         if picture:
             check("render", picture)

@@ -58,7 +58,8 @@ const Dialect kDialects[] = {
      "theta_i\tphi_i\ttheta_o\tphi_o\tfr\n30\t0\t40,5\t180\t1,25\n60\t0\t20\t170\t0,5\n", "decimal commas"},
     {"blanks", "  theta_i  phi_i theta_o   phi_o fr\n  30   0 40.5 180 1.25\n 60 0  20 170  0.5\n",
      "separated by blanks"},
-    {"blanks_and_tabs", "theta_i \tphi_i theta_o phi_o fr\n30 0\t40.5 180 1.25\n60 0 20 170 5e-1\n", "a tab"},
+    {"blanks_and_tabs", "theta_i \tphi_i theta_o phi_o fr\n30 0\t40.5 180 1.25\n60 0 20 170 5e-1\n",
+     "blanks"},
     {"quoted_names",
      "\"theta_i\",\"phi_i\",\"theta_o\",\"phi_o\",\"fr\"\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n", ""},
     {"quoted_fields",
@@ -103,7 +104,7 @@ const Dialect kDialects[] = {
     {"a_sheet_of_everything",
      "\xFF\xFE" +
          utf16(
-             "sep=;\r\n# sample: x\r\n\"Theta (incident), rad\";\"Viewing angle [deg]\";\"Relative azimuth\";"
+             "sep=;\r\n# sample: x\r\n\"Theta incident (rad)\";\"Viewing angle [deg]\";\"Relative azimuth\";"
              "\"fr (1/sr)\"\r\n\"0,5235987755982988\";40,5;180;1,25\r\n\"1,0471975511965976\";20;170;0,5\r\n",
              false)
              .substr(2),

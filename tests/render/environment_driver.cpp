@@ -109,6 +109,7 @@ TEST(Environment, ThePictureStandsBehindTheObjects) {
   }
   scene.environment->shown = false;
   scene.background = glm::vec3(0.25f);
+  scene.backdrop_top.reset();
   EXPECT_EQ(lit(device, prepare(scene), 16).at(0, 0), glm::vec4(0.25f, 0.25f, 0.25f, 0));
 }
 

@@ -72,7 +72,8 @@ Silhouette lit_silhouette(const Scene& scene, const Geometry& at, const Picture&
       if (!edge || beside.empty() || !(largest_cosine(scene, position, normal) > kLit)) continue;
       std::nth_element(beside.begin(), beside.begin() + std::ptrdiff_t(beside.size() / 2), beside.end());
       const float median = beside[beside.size() / 2];
-      const float ratio = median > 0 ? luminance(picture.at(x, y)) / median : 1;
+      constexpr float kVisible = 1.0f / 255;  // where all is black to the eye, no pixel stands out
+      const float ratio = median > kVisible ? luminance(picture.at(x, y)) / median : 1;
       ++out.pixels;
       out.darkest = std::min(out.darkest, ratio);
       if (ratio < 0.1f) ++out.below;
