@@ -67,18 +67,14 @@ int Pictures::samples_drawn() const {
 
 Picture Pictures::fine(Renderer& renderer) {
   const PreparedScene scene = renderer.scene();
-  std::uint32_t seed = options_.seed;
-  const auto draw = [&](const PreparedScene& moved, int samples) {
-    renderer.reseed(seed++);  // each place has random directions of its own
-    renderer.update(moved);
-    renderer.draw_samples(samples);
-  };
+  int first = 0;  // all places share one sequence of random directions
   Picture picture = supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
-    draw(moved, samples_of_a_place());
+    renderer.update(moved);
+    renderer.draw_samples(samples_of_a_place(), nullptr, std::exchange(first, first + samples_of_a_place()));
     return read(renderer);
   });
-  seed = options_.seed;
-  draw(scene, refining_ ? 0 : samples_of_a_place());  // what the window shows stays
+  renderer.update(scene);  // what the window shows stays
+  renderer.draw_samples(refining_ ? 0 : samples_of_a_place());
   return picture;
 }
 

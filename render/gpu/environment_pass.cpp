@@ -133,7 +133,7 @@ void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scen
   bind(commands, layout_.get(), 2, light_->set());
   RunPush push{-1, seed, count_, {}};
   for (std::size_t d = 0; d < kPointDimensions; ++d)
-    push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(samples())));
+    push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(first_ + samples())));
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
     const VkRect2D scissor = covered_by_form(scene, layer, form, run_.extent());
     vkCmdSetScissor(commands, 0, 1, &scissor);

@@ -33,8 +33,8 @@ class EnvironmentPass {
                   VkExtent2D extent, int gbuffer_bits);
   // What was added up is forgotten: the scene has changed.
   void reset() { runs_ = 0; }
-  // The same, with runs of so many samples from here on, at most kRun.
-  void reset(int samples_of_a_run) { runs_ = 0, count_ = samples_of_a_run; }
+  // The same, with runs of so many samples from here on, at most kRun, which begin at this one of the sequence.
+  void reset(int samples_of_a_run, int first) { runs_ = 0, count_ = samples_of_a_run, first_ = first; }
   int samples() const { return runs_ * count_; }
 
   // The light's picture behind the objects, over what is in `color`.
@@ -56,7 +56,7 @@ class EnvironmentPass {
   const LightImages* light_;
   const DeferredPass* deferred_;
   int bits_;
-  int runs_ = 0, count_ = kRun;
+  int runs_ = 0, count_ = kRun, first_ = 0;
   Image run_, sum_, squares_;
   Owned<VkSampler> sampler_;
   Owned<VkDescriptorSetLayout> image_layout_;

@@ -17,11 +17,11 @@ struct SoftBox {
   glm::vec3 radiance;
 };
 
-constexpr float kWallLow = 0.1f, kWallHigh = 0.35f;  // radiance of the wall at the floor and overhead
+constexpr float kWallLow = 0.12f, kWallHigh = 0.4f;  // radiance of the wall at the floor and overhead
 const SoftBox kBoxes[] = {
-    {{-0.75f, 0.8f, 0.75f}, {0.5f, 0.5f}, 0.12f, {8.0f, 7.8f, 7.5f}},   // the key, from the upper left front
-    {{1.0f, 0.15f, 0.45f}, {0.2f, 0.75f}, 0.15f, {2.6f, 2.75f, 3.0f}},  // a strip at the right
-    {{0.35f, 0.75f, -0.85f}, {0.75f, 0.22f}, 0.15f, {3.4f, 3.4f, 3.4f}}};  // from behind, above: the rim
+    {{-0.75f, 0.8f, 0.75f}, {0.5f, 0.5f}, 0.12f, {3.2f, 3.1f, 3.0f}},   // the key, from the upper left front
+    {{1.0f, 0.15f, 0.45f}, {0.2f, 0.75f}, 0.15f, {1.5f, 1.6f, 1.75f}},  // a strip at the right
+    {{0.35f, 0.75f, -0.85f}, {0.75f, 0.22f}, 0.15f, {2.0f, 2.0f, 2.0f}}};  // from behind, above: the rim
 
 constexpr glm::vec3 kZenith{0.55f, 0.85f, 1.6f}, kHorizon{1.0f, 1.0f, 1.0f};  // of mean 1: colour alone
 constexpr float kGround = 0.3f;

@@ -130,13 +130,13 @@ TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
   expect_refused("render m.json --environment text.hdr -o x.png", 2, "text.hdr: is no Radiance picture");
   expect_refused("render m.json --environment none.exr -o x.png", 2, "none.exr: no such file");
   expect_refused("render m.json --environment dusk -o x.png", 2, "dusk: no such file");
-  expect_refused("render m.json --rotate 30 -o x.png", 2, "--rotate turns an environment");
+  expect_refused("render m.json --hard-light --rotate 30 -o x.png", 2, "--rotate turns an environment");
   expect_refused("render m.json --environment studio --forward -o x.png", 2, "the deferred path");
   expect_refused("render m.json --environment studio --shading phong -o x.png", 2, "needs the shading brdf");
 }
 
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
-  expect_refused("render m.json --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
+  expect_refused("render m.json --hard-light --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
                  "a picture of 16384 x 16384 needs 19456 MiB of device memory, the limit is 1024 MiB");
   expect_refused("render m.json --memory-limit 1M -o x.png", 2, "the limit is 1 MiB");
 }
@@ -195,7 +195,7 @@ TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped)
 }
 
 TEST_F(RenderCli, PicturesAreFinishedUnlessAskedNotTo) {
-  const std::string size = "render m.json --width 64 --height 64 ";
+  const std::string size = "render m.json --hard-light --width 64 --height 64 ";
   const auto bytes = [&](const std::string& options) {
     const Outcome outcome = run(size + options + " -o out.png");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -219,6 +219,20 @@ TEST_F(RenderCli, PicturesAreFinishedUnlessAskedNotTo) {
   EXPECT_NE(run(size + "--exposure auto -o out.png").out.find("stops, from the picture"), std::string::npos);
 }
 
+TEST_F(RenderCli, MaterialsToLookAtStandInTheStudio) {
+  const auto bytes = [&](const std::string& options) {
+    const Outcome outcome = run("render m.json --width 32 --height 32 " + options + " -o out.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return render::load_texture(folder_.path() / "out.png").texels;
+  };
+  const auto usual = bytes("");
+  EXPECT_EQ(usual, bytes("--environment studio --samples 64"));
+  EXPECT_NE(usual, bytes("--hard-light"));
+  // What is measured or taken apart keeps the one light.
+  EXPECT_EQ(bytes("--forward"), bytes("--forward --hard-light"));
+  EXPECT_EQ(run("render m.json --hard-light --environment sky -o x.png").exit_code, 2);
+}
+
 TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {
   write("red.json", R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],)"
                     R"("weights":{"rho":[0.8,0.1,0.1]}})");
@@ -228,8 +242,8 @@ TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return render::load_texture(folder_.path() / "out.png");
   };
-  ASSERT_EQ(run("render m.json" + size + "-o a.png").exit_code, 0);
-  ASSERT_EQ(run("render red.json" + size + "-o b.png").exit_code, 0);
+  ASSERT_EQ(run("render m.json --hard-light" + size + "-o a.png").exit_code, 0);
+  ASSERT_EQ(run("render red.json --hard-light" + size + "-o b.png").exit_code, 0);
   const render::Texture a = render::load_texture(folder_.path() / "a.png"),
                         b = render::load_texture(folder_.path() / "b.png");
   const render::Texture split = picture("--split --no-labels"), flip = picture("--show flip --no-labels");

@@ -48,9 +48,23 @@ struct Silhouette {
   int below = 0;         // pixels with less than a tenth of it
 };
 
-// A map of metal and rust puts what is black under one light beside what is not, at a silhouette as anywhere.
-bool is_mixed(const Scene& scene, int object) {
-  return bool(scene.objects[std::size_t(object)].textures[std::size_t(TextureSlot::metallic)]);
+// The largest weight of this role in any channel of any term.
+double largest_weight(const Material& material, Role role) {
+  double largest = 0;
+  for (const Term& term : material.terms) {
+    const int k = info(term.form).weight_index(role);
+    for (std::size_t c = 0; k >= 0 && c < term.weights.size(); ++c)
+      largest = std::max(largest, term.weights[c][std::size_t(k)]);
+  }
+  return largest;
+}
+
+// Metal is black beside its highlight, at a silhouette as anywhere, and a map of metal and rust puts it beside what is
+// not.
+bool is_metal(const Scene& scene, int object) {
+  const Object& o = scene.objects[std::size_t(object)];
+  return o.textures[std::size_t(TextureSlot::metallic)] ||
+         largest_weight(o.material, Role::diffuse) < 0.1 * largest_weight(o.material, Role::specular);
 }
 
 // Of the pixels with a neighbour that shows the background.
@@ -59,7 +73,7 @@ Silhouette lit_silhouette(const Scene& scene, const Geometry& at, const Picture&
   for (int y = 1; y + 1 < picture.height; ++y) {
     for (int x = 1; x + 1 < picture.width; ++x) {
       const int object = at.object(x, y);
-      if (object < 0 || !is_surface(picture.at(x, y)) || is_mixed(scene, object)) continue;
+      if (object < 0 || !is_surface(picture.at(x, y)) || is_metal(scene, object)) continue;
       bool edge = false;
       std::vector<float> beside;
       for (int k = 0; k < 9; ++k) {
