@@ -188,13 +188,10 @@ class Stepwise {
       const double p = std::min(1.0, chance(chosen_, *next) * double(tried.size()));
       const double error =
           paired_test(groups(), chosen_.left_out->by_group, next->left_out->by_group).standard_error;
-      // A highlight of a few rows says little in a mean over incidences, and enough for the verdict.
-      const bool mends = !has_lobe(info(model_.back())) && chosen_.verdict == Verdict::misfit &&
-                         next->verdict != Verdict::misfit && next->verdict != Verdict::diverged;
-      const bool kept = value(*next) < value(chosen_) && (p < kSignificant || mends);
+      const bool kept = value(*next) < value(chosen_) && p < kSignificant;
       result_.steps.push_back({stage.adds, next->form, next->left_out->value,
-                               chosen_.left_out->value - next->left_out->value, error, p, tried.size(), kept,
-                               mends && p >= kSignificant});
+                               chosen_.left_out->value - next->left_out->value, error, p, tried.size(),
+                               kept});
       if (kept) {
         model_ = stage.candidates[std::size_t(next - tried.data())];
         std::swap(chosen_, *next);

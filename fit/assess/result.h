@@ -163,8 +163,6 @@ struct Step {
   double p = 1;               // one-sided, of a fall like this by chance, for all that were tried together
   std::size_t tried = 1;
   bool kept = false;
-  bool mends_misfit =
-      false;  // what stood before is a misfit without a lobe, the one tried is none: kept, whatever p
 };
 
 struct FitResult {

@@ -110,8 +110,7 @@ std::string in_words(const Step& step) {
          io::short_number(std::abs(step.difference), 3) + " +- " + io::short_number(step.standard_error, 2) +
          " (p " + io::short_number(step.p, 2) +
          (step.tried > 1 ? ", best of " + std::to_string(step.tried) : std::string()) +
-         "): " + (step.kept ? "kept" : "not kept") +
-         (step.mends_misfit ? ", as without a lobe it is a misfit" : "");
+         "): " + (step.kept ? "kept" : "not kept");
 }
 
 std::string recommendation(const FitResult& result) {

@@ -161,8 +161,7 @@ Json steps_json(const std::vector<Step>& steps) {
                  {"standard_error", number(s.standard_error)},
                  {"p", s.p},
                  {"tried", s.tried},
-                 {"kept", s.kept},
-                 {"mends_misfit", s.mends_misfit}});
+                 {"kept", s.kept}});
   return j;
 }
 
