@@ -9,7 +9,7 @@ uniform highp sampler3D ratio;  // measured over fitted, see io/sphere/table.h
 uniform vec4 counts;         // of the ratio's nodes: theta_h, theta_d, phi_d, phi_h
 uniform vec3 scale;          // the logarithms that bytes 0 and 255 stand for, and the floor
 uniform vec3 stations[5];    // colours of the difference
-uniform vec3 hatching;       // period in pixels, dark, bright
+uniform vec4 hatching;       // period in pixels, dark, bright; the panel's side
 out vec4 colour;
 const float kPi = 3.14159265, kRim = 0.9999;  // at the rim itself rounding would put the viewer below the horizon
 
@@ -56,7 +56,8 @@ vec3 difference(vec3 fitted, vec3 known) {
 
 // As io/hatching.h, whose rows count from the top.
 vec3 hatched() {
-  float stripe = mod(floor(gl_FragCoord.x) - floor(gl_FragCoord.y), hatching.x);
+  vec2 corner = middle + hatching.w * vec2(-0.5, 0.5);  // the upper left one
+  float stripe = mod(floor(gl_FragCoord.x - corner.x) + floor(corner.y - gl_FragCoord.y), hatching.x);
   return vec3(stripe < hatching.x / 2.0 ? hatching.y : hatching.z);
 }
 

@@ -120,7 +120,7 @@
       gl.uniform3fv(at("light"), light);
       gl.uniform1f(at("gain"), Math.PI * 2 ** this.exposure.value);
       gl.uniform3fv(at("stations"), this.data.stations.flat());
-      gl.uniform3fv(at("hatching"), this.data.hatching);
+      gl.uniform4fv(at("hatching"), [...this.data.hatching, side]);
       gl.uniform4fv(at("counts"), this.table ? this.data.table.counts : [0, 0, 0, 0]);
       gl.uniform3fv(at("scale"), this.table ? this.data.table.scale : [0, 0, 0]);
       gl.bindTexture(gl.TEXTURE_3D, this.table || null);
