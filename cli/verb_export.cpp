@@ -10,6 +10,7 @@
 #include "io/merl.h"
 #include "io/output.h"
 #include "measured/cells.h"
+#include "measured/on_sphere.h"
 
 namespace brdf::cli {
 namespace {
@@ -34,9 +35,8 @@ Exit export_measured(const Options& o) {
   io::check_targets({{"-o", o.output}}, {o.measured, o.material.material});
   std::optional<Material> fitted;
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
-  const auto seen = std::make_shared<const measured::MeasuredReflectance>(
-      io::read_samples(o.measured), fitted ? &*fitted : nullptr,
-      measured::MeasuredReflectance::Beside::likeliest);
+  const auto seen = measured::seen_in_colour(io::read_samples(o.measured), fitted ? &*fitted : nullptr,
+                                             measured::MeasuredReflectance::Beside::likeliest);
   const io::SampleTable cells = measured::at_merl_cells(seen);
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
   std::cerr << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output

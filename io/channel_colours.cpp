@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 #include "io/numbers.h"
 #include "io/text.h"
@@ -73,10 +74,14 @@ std::optional<ChannelColours> channel_colours(const std::vector<std::string>& ch
   if (const auto named = by_name(channels))
     out = {*named, By::name, ""};
   else if (const auto sorted = by_wavelength(channels))
-    out = {*sorted, By::wavelength, ""};
+    out = {*sorted, is_spectrum(channels) ? By::spectrum : By::wavelength, ""};
   else if (channels.size() != 3)
     return std::nullopt;
   if (out.by == By::name && channels.size() == 3) return out;
+  if (out.by == By::spectrum) {
+    out.note = std::to_string(channels.size()) + " bands are shown as they are seen (CIE 1931, D65)";
+    return out;
+  }
   std::vector<std::string> names;
   for (const std::size_t c : out.of) names.push_back(printable(channels[c]));
   out.note = "channels " + joined(names) + " are taken for red, green, blue";

@@ -12,16 +12,18 @@
 namespace brdf::io {
 
 struct ChannelColours {
-  enum class By { grey, name, wavelength, position };
-  std::array<std::size_t, 3> of;  // the channels that are red, green and blue; all the same for one channel
+  enum class By { grey, name, wavelength, spectrum, position };
+  // The channels that are red, green and blue; all the same for one channel. Of a spectrum those next to them: a picture
+  // of it adds up all bands (colour/in_colour.h).
+  std::array<std::size_t, 3> of;
   By by;
   // How that was decided where no name is a colour's, one clause for people; empty otherwise.
   std::string note;
 };
 
 // One channel is grey. Of several, those named r, g, b or red, green, blue in any order and case; else those
-// named by a wavelength: three by its order, of more those nearest to the dominant wavelengths of sRGB's
-// primaries under D65 (611, 549 and 464 nm; IEC 61966-2-1); else three by their position.
+// named by a wavelength: three by its order, of more (a spectrum where they are is_spectrum) those nearest to the dominant
+// wavelengths of sRGB's primaries under D65 (611, 549 and 464 nm; IEC 61966-2-1); else three by their position.
 // None where no three channels can be told.
 std::optional<ChannelColours> channel_colours(const std::vector<std::string>& channels);
 

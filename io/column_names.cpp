@@ -1,77 +1,18 @@
 #include "io/column_names.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <span>
 
 #include "brdf/angle.h"
+#include "io/angle_names.h"
 #include "io/error.h"
 #include "io/table_rules.h"
 #include "io/text.h"
 
 namespace brdf::io {
 namespace {
-
-enum class Side { light, viewer, scatter_or_source, none };
-enum class Word { polar, elevation, azimuth };
-
-// What an angle's name says.
-struct Meaning {
-  Word word;
-  Side side;
-};
-
-constexpr std::array kLight{"i", "in",    "inc",          "incident", "incidence", "incoming",
-                            "l", "light", "illumination", "sun",      "solar"};
-constexpr std::array kViewer{"o",          "out",      "outgoing", "r",           "refl",    "reflected",
-                             "reflection", "v",        "view",     "viewer",      "viewing", "det",
-                             "detector",   "receiver", "observer", "observation", "e",       "exitant",
-                             "emergence",  "scatter",  "scattered"};
-
-std::map<std::string, Meaning> make_meanings() {
-  std::map<std::string, Meaning> all;
-  const auto add = [&](const std::string& word, Word what) {
-    const auto both = [&](const std::string& side, Side of) {
-      all[word + side] = all[side + word] = all[side + word + "angle"] =
-          all[word + "angle" + side] = {what, of};
-    };
-    for (const char* side : kLight) both(side, Side::light);
-    for (const char* side : kViewer) both(side, Side::viewer);
-    both("s", Side::scatter_or_source);
-    both("source", Side::light);
-  };
-  for (const char* word : {"theta", "polar", "zenith"}) add(word, Word::polar);
-  for (const char* word : {"elevation", "altitude"}) add(word, Word::elevation);
-  for (const char* word : {"phi", "azimuth", "azim", "az"}) add(word, Word::azimuth);
-  for (const char* name :
-       {"incidence", "incident", "incidenceangle", "incidentangle", "angleofincidence", "aoi", "sza"})
-    all[name] = {Word::polar, Side::light};
-  for (const char* name :
-       {"emergence", "emergenceangle", "viewingangle", "viewangle", "observationangle", "scatterangle",
-        "scatteringangle", "detectorangle", "reflectionangle", "angleofreflection", "vza"})
-    all[name] = {Word::polar, Side::viewer};
-  for (const char* name :
-       {"phi", "azimuth", "azimuthangle", "dphi", "deltaphi", "relativephi", "relativeazimuth",
-        "relativeazimuthangle", "azimuthdifference", "deltaazimuth", "raa"})
-    all[name] = {Word::azimuth, Side::none};
-  all["saa"] = {Word::azimuth, Side::light};
-  all["vaa"] = {Word::azimuth, Side::viewer};
-  return all;
-}
-
-// Small letters, Greek ones by their names, without blanks, hyphens and underscores.
-std::string key_of(std::string_view name) {
-  std::string text = lower_case(name);
-  constexpr std::pair<std::string_view, std::string_view> kGreek[] = {
-      {"θ", "theta"}, {"ϑ", "theta"},  {"Θ", "theta"}, {"φ", "phi"},   {"ϕ", "phi"},
-      {"Φ", "phi"},   {"λ", "lambda"}, {"Δ", "delta"}, {"σ", "sigma"}, {"ᵢ", "i"}};
-  for (const auto& [letter, word] : kGreek)
-    for (std::size_t at; (at = text.find(letter)) != text.npos;) text.replace(at, letter.size(), word);
-  std::erase_if(text, [](char c) { return c == ' ' || c == '_' || c == '-' || c == '.'; });
-  return text;
-}
 
 struct Parts {
   std::string_view name, unit;
@@ -103,7 +44,7 @@ bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
 }
 
 bool is_wavelength(std::string_view bare, std::string_view unit) {
-  const std::string key = key_of(bare);
+  const std::string key = plain_spelling(bare);
   return (key == "wavelength" || key == "wavelengths" || key == "lambda" || key == "wl") &&
          (unit.empty() || is_one_of(unit, kNanometres) || is_one_of(unit, kMicrometres));
 }
@@ -116,10 +57,8 @@ class Reading {
 
   Columns result() {
     // A table in the plain format has channels of any name: what is written must be read back as it was.
-    is_plain_ = std::none_of(names_.begin(), names_.end(), is_wavelength_name) &&
-                std::all_of(std::begin(kAngleNames), std::end(kAngleNames), [&](std::string_view angle) {
-                  return std::find(names_.begin(), names_.end(), angle) != names_.end();
-                });
+    is_plain_ =
+        std::none_of(names_.begin(), names_.end(), is_wavelength_name) && has_plain_angle_names(names_);
     for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
     place_angles();
     place_values();
@@ -139,60 +78,66 @@ class Reading {
   }
 
   Column column_of(std::string_view name) {
-    static const std::map<std::string, Meaning> meanings = make_meanings();
     Column column;
     column.name = name;
-    std::optional<Meaning> meaning;
-    for (const auto& [bare, unit] : ways_to_part(name)) {
-      const std::string key = key_of(bare);
-      if (is_plain_ &&
-          std::find(std::begin(kAngleNames), std::end(kAngleNames), name) == std::end(kAngleNames))
-        continue;
-      if (const auto found = meanings.find(key); found != meanings.end()) {
-        if (!unit.empty() && !is_one_of(unit, kDegrees) && !is_one_of(unit, kRadians)) continue;
-        const bool is_radians = is_one_of(unit, kRadians);
-        meaning = found->second;
-        column.kind = Column::Kind::angle;
-        if (meaning->word == Word::elevation)
-          column.unit = is_radians ? Column::Unit::elevation_in_radians : Column::Unit::elevation;
-        else if (is_radians)
-          column.unit = Column::Unit::radians;
-        break;
-      }
-      if (is_wavelength(bare, unit)) {
-        column.kind = Column::Kind::wavelength;
-        if (is_one_of(unit, kMicrometres)) column.unit = Column::Unit::micrometres;
-        break;
-      }
-    }
-    meanings_.push_back(meaning);
+    angles_.emplace_back();
+    if (is_plain_ && !is_plain_angle_name(name)) return column;
+    for (const auto& [bare, unit] : ways_to_part(name))
+      if (read_as_angle(column, bare, unit) || read_as_wavelength(column, bare, unit)) break;
     return column;
   }
 
-  bool states(Word word, Side side) const {
-    return std::any_of(meanings_.begin(), meanings_.end(), [&](const auto& m) {
-      return m && (m->word == word || (word == Word::polar && m->word == Word::elevation)) && m->side == side;
+  // Whether the name is an angle's, which the column then holds.
+  bool read_as_angle(Column& column, std::string_view bare, std::string_view unit) {
+    const std::optional<AngleName> angle = angle_named(bare);
+    const bool is_radians = is_one_of(unit, kRadians);
+    if (!angle || !(unit.empty() || is_radians || is_one_of(unit, kDegrees))) return false;
+    angles_.back() = angle;
+    column.kind = Column::Kind::angle;
+    if (angle->quantity == AngleName::Quantity::elevation)
+      column.unit = is_radians ? Column::Unit::elevation_in_radians : Column::Unit::elevation;
+    else if (is_radians)
+      column.unit = Column::Unit::radians;
+    return true;
+  }
+
+  static bool read_as_wavelength(Column& column, std::string_view bare, std::string_view unit) {
+    if (!is_wavelength(bare, unit)) return false;
+    column.kind = Column::Kind::wavelength;
+    if (is_one_of(unit, kMicrometres)) column.unit = Column::Unit::micrometres;
+    return true;
+  }
+
+  // Whether a column is an azimuth, or else a polar angle or elevation, of this side.
+  bool states(bool azimuth, AngleName::Side side) const {
+    return std::any_of(angles_.begin(), angles_.end(), [&](const auto& angle) {
+      return angle && is_azimuth(*angle) == azimuth && angle->side == side;
     });
+  }
+
+  static bool is_azimuth(const AngleName& angle) { return angle.quantity == AngleName::Quantity::azimuth; }
+
+  // Whose angle it is; theta_s beside an incident direction is the scattered one's.
+  AngleName::Side side_of(std::size_t k) {
+    using Side = AngleName::Side;
+    const AngleName& angle = *angles_[k];
+    if (angle.side == Side::none) alone_ = k;
+    if (angle.side != Side::scatter_or_source) return angle.side == Side::light ? Side::light : Side::viewer;
+    const bool light = states(is_azimuth(angle), Side::light),
+               viewer = states(is_azimuth(angle), Side::viewer);
+    if (light == viewer)
+      refuse("column " + shown(names_[k]) + " may be the source's or the scattered direction: " +
+             (light ? "both are stated" : "neither is stated beside it"));
+    return light ? Side::viewer : Side::light;
   }
 
   // Gives each angle's column its index; what is ambiguous is decided by its neighbours.
   void place_angles() {
     std::map<std::size_t, std::string> taken;
     for (std::size_t k = 0; k < out_.columns.size(); ++k) {
-      if (!meanings_[k]) continue;
-      auto [word, side] = *meanings_[k];
-      const bool is_azimuth = word == Word::azimuth;
-      if (side == Side::scatter_or_source) {
-        const bool light = states(is_azimuth ? word : Word::polar, Side::light);
-        const bool viewer = states(is_azimuth ? word : Word::polar, Side::viewer);
-        if (light == viewer)
-          refuse("column " + shown(names_[k]) + " may be the source's or the scattered direction: " +
-                 (light ? "both are stated" : "neither is stated beside it"));
-        side = light ? Side::viewer : Side::light;
-      }
-      if (side == Side::none) side = Side::viewer, alone_ = k;
+      if (!angles_[k]) continue;
       Column& column = out_.columns[k];
-      column.index = (side == Side::light ? 0 : 2) + (is_azimuth ? 1 : 0);
+      column.index = (side_of(k) == AngleName::Side::light ? 0 : 2) + (is_azimuth(*angles_[k]) ? 1 : 0);
       const auto [first, is_new] = taken.emplace(column.index, std::string(names_[k]));
       const std::string ours(kAngleNames[column.index]);
       if (!is_new)
@@ -228,7 +173,7 @@ class Reading {
       if (name.starts_with(kSigmaPrefix)) {
         column.kind = Column::Kind::sigma;
         sigmas.push_back(&column);
-      } else if (!is_plain_ && !alone && is_a_sigma(key_of(name))) {
+      } else if (!is_plain_ && !alone && is_a_sigma(plain_spelling(name))) {
         alone = &column;
       } else {
         add_channel(column, name);
@@ -289,8 +234,8 @@ class Reading {
   const std::vector<std::string_view>& names_;
   const std::string& where_;
   Columns out_;
-  std::vector<std::optional<Meaning>> meanings_;
-  std::optional<std::size_t> alone_;  // the column of an azimuth that does not say whose it is
+  std::vector<std::optional<AngleName>> angles_;  // what each column's name says
+  std::optional<std::size_t> alone_;              // the column of an azimuth that does not say whose it is
   std::string read_as_;
   bool is_plain_ = false;
 };

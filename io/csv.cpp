@@ -16,6 +16,8 @@
 namespace brdf::io {
 namespace {
 
+constexpr const char* kBadQuotation = "a quotation mark is not closed, or text follows it";
+
 enum class Quantity { brdf, brdf_cos_i, brdf_cos_o };
 
 class CsvReader {
@@ -45,10 +47,12 @@ class CsvReader {
       table_.warnings.push_back(std::to_string(table_.skipped) +
                                 " rows left out: f_r is undefined where the quantity's cosine is 0");
     note_dialect();
-    return header_.has_wavelength() ? widened(std::move(table_), wavelengths_) : std::move(table_);
+    return is_long_ ? widened(table_, wavelengths_) : std::move(table_);
   }
 
  private:
+  const std::vector<Column>& columns() const { return header_.columns; }
+
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   [[noreturn]] void fail(std::size_t column, std::string_view text, const std::string& rule) const {
     fail("column " + std::to_string(column + 1) + " (" + columns()[column].name + "): " + shown(text) + " " +
@@ -76,7 +80,7 @@ class CsvReader {
   }
 
   void read_header(std::string_view line) {
-    if (!dialect_.split_header(line, fields_)) fail("a quotation does not end");
+    if (!dialect_.split_header(line, fields_)) fail(kBadQuotation);
     std::unordered_set<std::string_view> seen;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
       const std::string at = "column " + std::to_string(k + 1);
@@ -87,6 +91,7 @@ class CsvReader {
       if (!seen.insert(fields_[k]).second) fail("column " + shown(fields_[k]) + " twice");
     }
     header_ = understand_columns(fields_, reader_.where());
+    is_long_ = header_.has_wavelength();
     check_header();
     table_.channels = header_.channels;
     check_channel_names(table_.channels, reader_.where());
@@ -107,7 +112,7 @@ class CsvReader {
              dialect_.separator_in_words() + ": " + found);
     }
     if (need_values_ && header_.channels.empty()) fail("no value column beside the four angles");
-    if (header_.has_wavelength() && need_values_ && header_.channels.size() != 1)
+    if (is_long_ && need_values_ && header_.channels.size() != 1)
       fail("a column of wavelengths needs one column of values, not " +
            std::to_string(header_.channels.size()));
     for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
@@ -122,7 +127,7 @@ class CsvReader {
   }
 
   void split_row(std::string_view line) {
-    if (!dialect_.split_row(line, fields_)) fail("a quotation does not end");
+    if (!dialect_.split_row(line, fields_)) fail(kBadQuotation);
   }
 
   void read_row(std::string_view line) {
@@ -136,8 +141,9 @@ class CsvReader {
         fail(k, fields_[k],
              dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
                                         : "is not a number");
+      number = columns()[k].converted(number);
       if (!std::isfinite(number)) fail(k, fields_[k], "is not finite");
-      read_number(k, columns()[k].converted(number));
+      read_number(k, number);
     }
     store_row();
   }
@@ -224,21 +230,19 @@ class CsvReader {
         if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
-    if (header_.has_wavelength()) wavelengths_.push_back(wavelength_);
+    if (is_long_) wavelengths_.push_back(wavelength_);
   }
 
   LineReader reader_;
   bool need_values_;
   SampleTable table_;
-  const std::vector<Column>& columns() const { return header_.columns; }
-
   Dialect dialect_;
   Columns header_;
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
   std::vector<double> row_values_, row_sigma_;
   Quantity quantity_ = Quantity::brdf;
-  bool has_sigma_ = false;
+  bool has_sigma_ = false, is_long_ = false;
   double wavelength_ = 0;  // of this row, nm
   std::vector<double> wavelengths_;
 };

@@ -61,11 +61,7 @@ char Dialect::separator_of(std::string_view line) {
   // The plain format, whose channels' names may hold semicolons and brackets.
   std::vector<std::string_view> names;
   separator_ = ',';
-  if (split(line, names) &&
-      std::all_of(std::begin(kAngleNames), std::end(kAngleNames), [&](std::string_view angle) {
-        return std::find(names.begin(), names.end(), angle) != names.end();
-      }))
-    return ',';
+  if (split(line, names) && has_plain_angle_names(names)) return ',';
   constexpr int kFewest = 2;  // no table has fewer than three columns
   const std::string bare = bare_text(line);
   for (const char c : {'\t', ';', ','})
@@ -89,36 +85,46 @@ bool Dialect::split(std::string_view line, std::vector<std::string_view>& fields
 }
 
 bool Dialect::split_quoted(std::string_view line, std::vector<std::string_view>& fields) {
-  const auto is_separator = [&](char c) { return c == separator_ || (separator_ == ' ' && c == '\t'); };
   has_quotes_ = true;
   unquoted_.clear();
   fields.clear();
   for (;;) {
-    line = separator_ == '\t' ? line : trimmed(line);
-    if (!line.starts_with('"')) {
-      const auto stop =
-          static_cast<std::size_t>(std::find_if(line.begin(), line.end(), is_separator) - line.begin());
-      fields.push_back(trimmed(line.substr(0, stop)));
-      line.remove_prefix(stop);
+    skip_blanks(line);
+    if (line.starts_with('"')) {
+      if (!take_quotation(line, fields)) return false;
     } else {
-      std::string& text = unquoted_.emplace_back();
-      for (line.remove_prefix(1);; line.remove_prefix(1)) {
-        if (line.empty()) return false;
-        if (line.front() == '"') {
-          line.remove_prefix(1);
-          if (!line.starts_with('"')) break;  // a doubled quote is one
-        }
-        text += line.front();
-      }
-      fields.push_back(trimmed(text));
-      const std::string_view rest = trimmed(line);
-      if (!rest.empty() && !is_separator(line.front()) && !is_separator(rest.front())) return false;
-      if (separator_ != ' ' && separator_ != '\t') line = rest;
+      const auto end = std::find_if(line.begin(), line.end(), [&](char c) { return separates(c); });
+      const auto size = static_cast<std::size_t>(end - line.begin());
+      fields.push_back(trimmed(line.substr(0, size)));
+      line.remove_prefix(size);
     }
     if (line.empty()) return true;
     line.remove_prefix(1);
-    if (line.empty() && separator_ == ' ') return true;
   }
+}
+
+bool Dialect::take_quotation(std::string_view& line, std::vector<std::string_view>& fields) {
+  std::string& text = unquoted_.emplace_back();
+  for (line.remove_prefix(1);; line.remove_prefix(1)) {
+    if (line.empty()) return false;
+    if (line.front() == '"') {
+      line.remove_prefix(1);
+      if (!line.starts_with('"')) break;  // a doubled mark is one
+    }
+    text += line.front();
+  }
+  fields.push_back(trimmed(text));
+  if (separator_ != ' ') skip_blanks(line);
+  return line.empty() || separates(line.front());
+}
+
+bool Dialect::separates(char c) const {
+  return c == separator_ || (separator_ == ' ' && c == '\t');
+}
+
+// A tab that separates is no blank.
+void Dialect::skip_blanks(std::string_view& line) const {
+  line.remove_prefix(std::min(line.size(), line.find_first_not_of(separator_ == '\t' ? " " : " \t")));
 }
 
 bool Dialect::parse(std::string_view field, double& value) {

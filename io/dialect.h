@@ -15,10 +15,11 @@ class Dialect {
  public:
   // Whether the line is spreadsheets' `sep=;`, which is then obeyed.
   bool is_separator_line(std::string_view line);
-  // Splits the header row, whose separator this finds: a comma where that gives the four plain names, else the first of
-  // tab, semicolon, comma that stands outside quotes and brackets at least twice, else blanks. Empty names at its end are left out, as fields under them are.
+  // Splits the header row, a line without blanks at its ends, whose separator this finds: a comma where that gives the
+  // four plain names, else the first of tab, semicolon, comma that stands outside quotes and brackets at least twice,
+  // else blanks. Empty names at its end are left out, as fields under them are. False as in split_row.
   bool split_header(std::string_view line, std::vector<std::string_view>& names);
-  // Splits a row; false where a quotation does not end. The fields stay valid until the next line is split.
+  // Splits a row; false where a quotation mark is not closed, or text follows a closed one. The fields stay valid until the next line is split.
   bool split_row(std::string_view line, std::vector<std::string_view>& fields);
   // A field as a number. False where it is none, or has the other decimal mark than those before.
   bool parse(std::string_view field, double& value);
@@ -34,6 +35,10 @@ class Dialect {
   char separator_of(std::string_view line);
   bool split(std::string_view line, std::vector<std::string_view>& fields);
   bool split_quoted(std::string_view line, std::vector<std::string_view>& fields);
+  // Adds the field whose quotation mark `line` begins with, and leaves what follows it.
+  bool take_quotation(std::string_view& line, std::vector<std::string_view>& fields);
+  bool separates(char c) const;
+  void skip_blanks(std::string_view& line) const;
 
   char separator_ = 0;  // ' ': runs of blanks
   bool is_stated_ = false, has_quotes_ = false, is_mixed_ = false;

@@ -6,6 +6,7 @@
 
 #include "brdf/trace.h"
 #include "io/channel_colours.h"
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 #include "io/provenance.h"
 #include "io/text.h"
@@ -47,7 +48,8 @@ std::string value(const Term& term, const ChannelColours& colours, const std::st
 }
 
 // vec3 brdf_material(wi, wo): the sum of the terms with their parameters as constants.
-std::string material_function(const Material& material) {
+std::string material_function(const Material& given) {
+  const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
   if (!colours)
     throw InputError("--to glsl needs 1 or 3 channels, the material has " +

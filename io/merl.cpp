@@ -8,6 +8,7 @@
 
 #include "brdf/vec3.h"
 #include "io/channel_colours.h"
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 #include "io/output.h"
 #include "io/text.h"
@@ -137,7 +138,8 @@ bool recognises(const Content& content) {
   return std::all_of(header.begin(), header.end(), [](std::int32_t n) { return n > 0 && n < (1 << 16); });
 }
 
-std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table) {
+std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& given) {
+  const SampleTable table = in_colour(given);
   const std::size_t channels = table.channels.size();
   const std::optional<ChannelColours> colours = channel_colours(table.channels);
   if (!colours)
@@ -183,6 +185,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   if (negative > 0) lost.push_back(std::to_string(negative) + " negative means set to 0");
   if (channels == 1) lost.push_back("one channel written as three equal ones");
   if (!colours->note.empty()) lost.push_back("the channels' names: " + colours->note);
+  if (is_spectrum(given.channels)) lost.push_back("the spectrum: " + channel_colours(given.channels)->note);
   if (!table.metadata.empty()) lost.push_back("the header's comments");
   for (std::size_t c = 0; c < channels; ++c)
     if (table.has_sigma(c)) {

@@ -26,8 +26,7 @@ std::string broken_rule(std::string_view name) {
   if (name.front() == '"') return "must not begin with a quotation mark";
   if (trimmed(name) != name) return "must not begin or end with a blank";
   if (parse_number(name, number)) return "must not be a number";
-  if (std::find(std::begin(kAngleNames), std::end(kAngleNames), name) != std::end(kAngleNames))
-    return "must not be an angle's name";
+  if (is_plain_angle_name(name)) return "must not be an angle's name";
   if (is_wavelength_name(name)) return "must not be the name of a column of wavelengths";
   if (name.starts_with(kSigmaPrefix)) return "must not begin with " + std::string(kSigmaPrefix);
   return "";
@@ -41,6 +40,16 @@ void check_comments(const SampleTable& table) {
 }
 
 }  // namespace
+
+bool is_plain_angle_name(std::string_view name) {
+  return std::find(std::begin(kAngleNames), std::end(kAngleNames), name) != std::end(kAngleNames);
+}
+
+bool has_plain_angle_names(const std::vector<std::string_view>& names) {
+  return std::all_of(std::begin(kAngleNames), std::end(kAngleNames), [&](std::string_view angle) {
+    return std::find(names.begin(), names.end(), angle) != names.end();
+  });
+}
 
 void check_channel_names(const std::vector<std::string>& names, const std::string& where) {
   if (names.size() > kMostChannels)

@@ -8,6 +8,10 @@ namespace brdf::io {
 inline constexpr std::string_view kAngleNames[] = {"theta_i", "phi_i", "theta_o", "phi_o"};
 inline constexpr std::string_view kSigmaPrefix = "sigma_";
 
+bool is_plain_angle_name(std::string_view name);
+// Whether a header row names the four angles as the plain format does.
+bool has_plain_angle_names(const std::vector<std::string_view>& names);
+
 // Refuses names that a table's header cannot hold, repeated ones and too many. `where` opens the message.
 void check_channel_names(const std::vector<std::string>& names, const std::string& where);
 

@@ -1,9 +1,19 @@
 #include "measured/on_sphere.h"
 
 #include "io/channel_colours.h"
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 
 namespace brdf::measured {
+
+std::shared_ptr<const MeasuredReflectance> seen_in_colour(const io::SampleTable& table,
+                                                          const Material* fitted,
+                                                          MeasuredReflectance::Beside beside) {
+  const io::SampleTable seen = io::in_colour(table);
+  if (!fitted) return std::make_shared<const MeasuredReflectance>(seen, nullptr, beside);
+  const Material material = io::in_colour(*fitted);
+  return std::make_shared<const MeasuredReflectance>(seen, &material, beside);
+}
 
 io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> measured) {
   const auto colours = io::channel_colours(measured->channels());

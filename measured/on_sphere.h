@@ -8,6 +8,12 @@
 
 namespace brdf::measured {
 
+// The samples as a picture shows them, beside a fitted material shown in the same way: a spectrum in colour
+// (io/colour/in_colour.h).
+std::shared_ptr<const MeasuredReflectance> seen_in_colour(
+    const io::SampleTable& table, const Material* fitted,
+    MeasuredReflectance::Beside beside = MeasuredReflectance::Beside::fit);
+
 // What io::sphere::add asks of a measurement, for as long as the result lives; none where `measured` is false:
 //   io::sphere::add(report, {.title = "copper", .fitted = material, .measured = on_sphere(seen),
 //                            .table = table_size(*seen)});

@@ -13,7 +13,7 @@ constexpr int kPixels = 360, kSmallPixels = 120;  // of a side
 Spheres draw(const io::SampleTable& samples, const Material& fitted) {
   if (!io::channel_colours(fitted.channels)) return {.missing = "the channels are no colours"};
   Spheres spheres;
-  spheres.seen = std::make_shared<const measured::MeasuredReflectance>(samples, &fitted);
+  spheres.seen = measured::seen_in_colour(samples, &fitted);
   const auto of_fitted = io::sphere::fitted_pairs(fitted);
   const auto of_samples = measured::on_sphere(spheres.seen);
   const double exposure = io::sphere::exposure_of(of_fitted);

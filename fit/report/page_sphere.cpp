@@ -6,8 +6,7 @@ namespace brdf::fit {
 
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table) {
   if (!io::sphere::obstacle(fit.material).empty()) return;
-  add_sphere(report, fit, io::file_name(table.name()),
-             std::make_shared<const measured::MeasuredReflectance>(table, &fit.material));
+  add_sphere(report, fit, io::file_name(table.name()), measured::seen_in_colour(table, &fit.material));
 }
 
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,

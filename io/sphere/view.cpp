@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/channel_colours.h"
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 
 namespace brdf::io::sphere {
@@ -15,7 +16,8 @@ Vec3<double> towards(Angle turn, Angle tilt) {
 
 }  // namespace
 
-FittedPairs fitted_pairs(const Material& material) {
+FittedPairs fitted_pairs(const Material& given) {
+  const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
   if (!colours) throw InputError("the channels of the material say nothing of colour");
   return [material, of = colours->of, f = std::vector<double>(material.channels.size())](

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/channel_colours.h"
+#include "io/colour/in_colour.h"
 #include "io/numbers.h"
 #include "render/compare/lobe_points.h"
 #include "render/picture/canvas.h"
@@ -41,8 +42,8 @@ glm::vec3 towards(double theta, double phi) {
 class Lobe {
  public:
   Lobe(const Material& material, double theta_i)
-      : material_(material), wi_(direction(degrees(theta_i), 180_deg)) {
-    const auto colours = io::channel_colours(material.channels);
+      : material_(io::in_colour(material)), wi_(direction(degrees(theta_i), 180_deg)) {
+    const auto colours = io::channel_colours(material_.channels);
     if (colours) of_ = colours->of;
   }
   glm::vec3 at(double theta, double phi) const {
@@ -52,7 +53,7 @@ class Lobe {
   }
 
  private:
-  const Material& material_;
+  Material material_;
   Vec3<double> wi_;
   std::array<std::size_t, 3> of_{0, 0, 0};
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/colour/in_colour.h"
 #include "io/in_plane.h"
 #include "io/numbers.h"
 #include "render/compare/lobe_points.h"
@@ -40,8 +41,9 @@ bool shown(int solo, std::size_t curve) {
 
 }  // namespace
 
-std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& name, double theta_i_degrees,
+std::vector<LobeCurve> lobe_curves(const Material& given, const std::string& name, double theta_i_degrees,
                                    bool second) {
+  const Material material = io::in_colour(given);
   const std::size_t channels = material.channels.size();
   std::vector<LobeCurve> curves(channels);
   std::vector<double> f(channels);
@@ -68,7 +70,8 @@ std::vector<LobeCurve> lobe_curves(const ViewState& state) {
   return curves;
 }
 
-std::vector<LobeDot> lobe_dots(const io::SampleTable& table, double theta_i_degrees) {
+std::vector<LobeDot> lobe_dots(const io::SampleTable& given, double theta_i_degrees) {
+  const io::SampleTable table = io::in_colour(given);
   const std::vector<ByteColor> colors = channel_colors(table.channels, false);
   std::vector<LobeDot> dots;
   for (const LobePoint& point : points_in_plane(table, theta_i_degrees))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 
 namespace brdf::render {
@@ -47,9 +48,9 @@ Item make_item(const Term& term, const io::ChannelColours& colours, std::optiona
 
 std::vector<Item> items_of(const Object& object, const TextureSet& textures) {
   std::vector<Item> items;
-  const io::ChannelColours colours =
-      require_colours(object.material.channels, "material " + object.material_name);
-  for (const Term& term : object.material.terms) {
+  const Material material = io::in_colour(object.material);
+  const io::ChannelColours colours = require_colours(material.channels, "material " + object.material_name);
+  for (const Term& term : material.terms) {
     io::require_red_first(term, colours);
     if (term.shape.size() <= 1) {
       items.push_back(make_item(term, colours, std::nullopt, textures));

@@ -46,7 +46,7 @@ TEST(ChannelColours, OfASpectrumTheNearestToThePrimariesAreTaken) {
   EXPECT_EQ(names[colours->of[0]], "610nm");
   EXPECT_EQ(names[colours->of[1]], "550nm");
   EXPECT_EQ(names[colours->of[2]], "460nm");
-  EXPECT_NE(colours->note.find("28 are left out"), std::string::npos) << colours->note;
+  EXPECT_NE(colours->note.find("31 bands are shown as they are seen"), std::string::npos) << colours->note;
   // A spectrum that lies on one side of them has no three colours.
   EXPECT_FALSE(channel_colours({"900nm", "1000nm", "1100nm", "1200nm"}));
 }

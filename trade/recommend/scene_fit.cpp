@@ -5,6 +5,7 @@
 
 #include "brdf/geometry.h"
 #include "fit/fit.h"
+#include "io/colour/in_colour.h"
 #include "io/error.h"
 #include "render/compare/measured.h"
 #include "trade/measure/domain.h"
@@ -54,7 +55,8 @@ Azimuths azimuths_of(const std::vector<double>& phi) {
 
 }  // namespace
 
-RgbFunction rgb_function(const Material& material) {
+RgbFunction rgb_function(const Material& given) {
+  const Material material = io::in_colour(given);
   const std::array<std::size_t, 3> colours = render::require_colours(material.channels, "the material").of;
   return [material, colours](const Vec3<double>& wi, const Vec3<double>& wo) {
     std::vector<double> f(material.channels.size());
