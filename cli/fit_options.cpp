@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "cli/options.h"
+#include "io/parallel.h"
 
 namespace brdf::cli {
 namespace {
@@ -48,9 +49,10 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
       ->check(CLI::Range(0.0, 90.0));
 }
 
-fit::FitOptions fit_options(const fit::FitChoice& choice) {
+fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs) {
   fit::FitOptions options = fit::options_of(choice);
   options.interrupted = &interrupted;
+  options.threads = jobs > 1 ? 1 : io::all_processors();
   return options;
 }
 

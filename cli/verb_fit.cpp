@@ -98,7 +98,7 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
 }
 
 Exit run(Options& o) {
-  const fit::FitOptions options = fit_options(o.choice);
+  const fit::FitOptions options = fit_options(o.choice, o.jobs);
   const bool folder =
       o.samples.size() > 1 || o.output.ends_with('/') || std::filesystem::is_directory(o.output);
   return folder ? run_many(o, options) : run_one(o, options);

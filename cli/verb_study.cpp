@@ -62,7 +62,7 @@ Exit run(const Options& o) {
   study::StudyOptions options;
   options.folder = o.output;
   options.sample.models = fit::models_of(o.choice.form);
-  options.sample.fit = fit_options(o.choice);
+  options.sample.fit = fit_options(o.choice, o.jobs);
   options.sample.fit_words = fit::words_of(o.choice);
   options.settings = io::provenance().version + options.sample.fit_words;
   options.sample.pictures = !o.no_pictures;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "fit/assess/assess.h"
 #include "fit/assess/errors.h"
@@ -16,6 +17,7 @@
 #include "io/cosine_factor.h"
 #include "io/noise.h"
 #include "io/numbers.h"
+#include "io/parallel.h"
 
 namespace brdf::fit {
 namespace {
@@ -145,14 +147,16 @@ void leave_out_all(const FitData& data, const FitOptions& options, std::vector<S
     if (s.fit.solved() && s.residual.loss.scale < scale) scale = (tightest = &s)->residual.loss.scale;
   if (!tightest) return;
   result.left_out_rounding = kRounding * black_loss(data, tightest->model, tightest->residual);
-  for (Solved& s : all) {
-    if (!s.fit.solved()) continue;
+  const auto leave_out_of = [&](std::size_t k) {
+    Solved& s = all[k];
+    if (!s.fit.solved()) return;
     const SampleStream stream(data, s.model, s.residual, options.aperture);
     s.fit.left_out = leave_out(stream, s.p, scale, options);
     if (s.fit.left_out)
       add_movement(s.model, s.p, s.fit.left_out->solutions, under_other_metrics(stream, s.p, options),
                    s.fit.estimates);
-  }
+  };
+  io::parallel_for(all.size(), leave_out_of, options.threads);
 }
 
 // The weights of a dielectric where the samples do not speak against them, else those whose sum is bounded.
@@ -180,6 +184,28 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
   return chosen;
 }
 
+// In the models' order; the first and those that were begun where the run is interrupted.
+std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vector<Reflectance>>& models,
+                               const FitOptions& options, std::optional<double> noise,
+                               const Progress& progress) {
+  const auto fitted = options.physical == Physical::either ? fit_physical : fit_model;
+  std::vector<std::optional<Solved>> found(models.size());
+  std::mutex speaking;
+  const auto fit_one = [&](std::size_t k) {
+    if (options.stop() && k > 0) return;
+    if (progress) {
+      const std::lock_guard lock(speaking);
+      progress(name_of_sum(models[k]));
+    }
+    found[k] = fitted(data, models[k], options, noise);
+  };
+  io::parallel_for(models.size(), fit_one, options.threads);
+  std::vector<Solved> all;
+  for (std::optional<Solved>& s : found)
+    if (s) all.push_back(std::move(*s));
+  return all;
+}
+
 }  // namespace
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
@@ -203,13 +229,7 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   if (const io::CosineFactor cosine = io::cosine_factor(table); cosine.found != io::Cosine::none)
     result.input_fault = cosine.statement;
   result.groups = data.groups;
-  std::vector<Solved> all;
-  for (const auto& forms : models) {
-    if (options.stop() && !all.empty()) break;
-    if (progress) progress(name_of_sum(forms));
-    const auto fitted = options.physical == Physical::either ? fit_physical : fit_model;
-    all.push_back(fitted(data, forms, options, result.noise_floor));
-  }
+  std::vector<Solved> all = fit_models(data, models, options, result.noise_floor, progress);
   if (options.cross_validation) leave_out_all(data, options, all, result);
   for (Solved& s : all) result.ranking.push_back(std::move(s.fit));
   result.interrupted = options.stop();

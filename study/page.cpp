@@ -108,6 +108,7 @@ std::string sample_page(const Findings& found, const SampleOptions& options) {
     fit::add_slices(report, best, found.table, options.fit.aperture);
     add_lobes(report, found.spheres);
     fit::add_deviation(report, best, found.table, options.fit.aperture);
+    fit::add_spectra(report, best);
     fit::add_parameters(report, best);
     add_properties(report, found);
   }

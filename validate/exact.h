@@ -1,7 +1,7 @@
 // The forms in 50 digits: the truth that float and double are measured against.
 //
 // The same templates run, so this measures rounding; that the templates are the published equations is tested
-// against plain transcriptions (tests/libbrdf/textbook_test.cpp).
+// against plain transcriptions (tests/libbrdf/exact/textbook_test.cpp).
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -84,6 +84,7 @@ struct FitOptions {
   std::uint64_t seed = 1;
   double aperture = 0;  // full width of the detector's field, degrees; 0: none
   bool cross_validation = true;
+  unsigned threads = 1;  // models that are fitted side by side; no result depends on it
   const std::atomic<bool>* interrupted = nullptr;  // set from outside: return the best so far
 
   bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }

@@ -13,6 +13,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
     add_sphere(report, best, table);
     add_slices(report, best, table, options.aperture);
     add_deviation(report, best, table, options.aperture);
+    add_spectra(report, best);
     add_parameters(report, best);
   }
   add_ranking(report, result);

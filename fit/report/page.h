@@ -30,6 +30,9 @@ void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
 // Mean of ln(fitted/measured) over the half angles.
 void add_deviation(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture);
 
+// Of a spectrum: each band's weights over wavelength, with their intervals.
+void add_spectra(io::HtmlReport& report, const FormFit& fit);
+
 // Parameters by their plain names, a column for each channel; every interval folded beneath.
 void add_parameters(io::HtmlReport& report, const FormFit& fit);
 

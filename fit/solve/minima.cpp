@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fit/solve/equivalence.h"
+#include "fit/solve/few_channels.h"
 #include "fit/solve/starts.h"
 #include "fit/solve/varpro.h"
 #include "io/error.h"
@@ -51,13 +52,7 @@ class Search {
     const FitData& first = coarse ? few : data_;
     estimate_loss_scale(first, starts);
     std::vector<Minimum> minima = solve_all(first, starts, coarse ? 1e-8 : 1e-12);
-    if (estimated_scale_ && !minima.empty()) {
-      // The scale came from crude weights: take it again from the best fit, and solve again from there.
-      const SampleStream stream(first, model_, residual_, options_.aperture);
-      residual_.loss.scale =
-          std::max(robust_scale(stream, residual_.loss, minima[0].p), 1e-3 * residual_.loss.scale);
-      minima = polish(first, minima, 1e-12);
-    }
+    minima = with_scale_of_best(first, std::move(minima));
     if (coarse) {
       if (data_.rows() > kMiddleShare * kCoarseRows) {
         const FitData middle = thinned(data_, data_.rows() / kMiddleShare);
@@ -65,12 +60,42 @@ class Search {
       }
       minima = polish(data_, minima, 1e-10);
     }
+    return finished(std::move(minima));
+  }
+
+  // From the minima of a few channels (few_channels.h), whose shapes are kept as starts.
+  SearchResult run_from(SearchResult few, std::size_t shapes) {
+    estimated_scale_ = residual_.loss.kind != LossFunction::Kind::none && residual_.loss.scale <= 0;
+    if (estimated_scale_) residual_.loss.scale = few.loss_scale;
+    std::vector<Minimum> starts = std::move(few.minima);
+    result_ = std::move(few);
+    result_.minima.clear();
+    const SampleStream stream(data_, model_, residual_, options_.aperture);
+    for (Minimum& m : starts) {
+      std::vector<double> p = model_.initial();
+      std::copy_n(m.p.begin(), shapes, p.begin());
+      start_weights(stream, p);
+      m.p = std::move(p);
+    }
+    return finished(with_scale_of_best(data_, polish(data_, starts, 1e-12)));
+  }
+
+ private:
+  SearchResult finished(std::vector<Minimum> minima) {
     result_.minima = std::move(minima);
     result_.loss_scale = residual_.loss.scale;
     return std::move(result_);
   }
 
- private:
+  // The scale came from crude weights: take it again from the best fit, and solve again from there.
+  std::vector<Minimum> with_scale_of_best(const FitData& data, std::vector<Minimum> minima) {
+    if (!estimated_scale_ || minima.empty()) return minima;
+    const SampleStream stream(data, model_, residual_, options_.aperture);
+    residual_.loss.scale =
+        std::max(robust_scale(stream, residual_.loss, minima[0].p), 1e-3 * residual_.loss.scale);
+    return polish(data, minima, 1e-12);
+  }
+
   std::vector<std::vector<double>> all_starts() {
     std::vector<std::vector<double>> starts;
     if (!options_.start.empty()) {
@@ -244,7 +269,10 @@ Solution refine(const SampleStream& stream, std::span<const double> start, const
 
 SearchResult find_minima(const FitData& data, const Model& model, const Residual& residual,
                          const FitOptions& options) {
-  return Search(data, model, residual, options).run();
+  Search all(data, model, residual, options);
+  const std::optional<FewChannels> few = few_channels(data, model, options);
+  if (!few) return all.run();
+  return all.run_from(Search(few->data, few->model, residual, options).run(), model.shape_slots());
 }
 
 }  // namespace brdf::fit

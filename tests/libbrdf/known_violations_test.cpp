@@ -8,7 +8,7 @@
 #include "brdf/forms.h"
 #include "brdf/integrals.h"
 #include "brdf/material.h"
-#include "half_vector_quadrature.h"
+#include "tests/libbrdf/half_vector_quadrature.h"
 
 namespace brdf {
 namespace {

@@ -7,7 +7,7 @@
 #include "brdf/fresnel.h"
 #include "brdf/integrals.h"
 #include "brdf/material.h"
-#include "half_vector_quadrature.h"
+#include "tests/libbrdf/half_vector_quadrature.h"
 #include "validate/exact.h"
 
 namespace brdf {
