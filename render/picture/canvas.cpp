@@ -25,7 +25,8 @@ std::vector<char32_t> shown_characters(const std::string& text) {
 // Calls visit(glyph slot, pen) for every letter and returns the width.
 template <class Visit>
 float for_each_glyph(const std::string& text, int pixels, Visit visit) {
-  static const Font font(Font::kPlain);
+  // Each thread its own: FreeType's faces are changed by what is drawn with them.
+  thread_local const Font font(Font::kPlain);
   FT_Set_Pixel_Sizes(font.face(), 0, FT_UInt(pixels));
   float pen = 0;
   for (const char32_t code : shown_characters(text)) {

@@ -18,8 +18,8 @@ void draw_path(BytePicture& picture, const std::vector<glm::vec2>& points, float
 // A disc with a dark rim; `size` across.
 void draw_dot(BytePicture& picture, glm::vec2 at, float size, ByteColor color, float share = 1);
 
-// Text in one line; bytes that are no UTF-8 show as a question mark. Throws EnvironmentError without the
-// font (fonts-dejavu-core).
+// Text in one line; bytes that are no UTF-8 show as a question mark. Threads may draw at the same time, into pictures of
+// their own. Throws EnvironmentError without the font (fonts-dejavu-core).
 float text_width(const std::string& text, int pixels);
 void draw_text(BytePicture& picture, glm::vec2 baseline, const std::string& text, int pixels,
                ByteColor color = {255, 255, 255});

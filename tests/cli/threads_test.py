@@ -15,6 +15,7 @@ COMMANDS = [
     "synth --form ward --grid in_plane --noise 0.02 -o b.csv",
     "synth --form lambert --grid in_plane --noise 0.02 -o c.csv",
     "fit a.csv b.csv c.csv --form lambert+cook_torrance --jobs 3 -o batch",
+    "study a.csv b.csv c.csv --form ward --jobs 3 -o studied",
     "fit a.csv --form all -o a.json",
     "synth --microsurface gaussian --set alpha=0.3 --theta-i 30 --surfaces 8 --rays 256 --size 64 --threads 3 -o g.csv",
     "synth --microsurface mirror_grooves --set alpha=0.3 --theta-i 30 --surfaces 8 --rays 256 --threads 3 -o m.csv",

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "io/parallel.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
 #include "render/job.h"
@@ -124,6 +125,26 @@ TEST(Picture, LabelsKeepTheirPlace) {
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 60; ++x)
       EXPECT_EQ(both.pixels[std::size_t(y * 200 + x)], other.pixels[std::size_t(y * 200 + x)]);
+}
+
+TEST(Picture, ThreadsWriteTextAtTheSameTime) {
+  const auto written = [](int pixels) {
+    BytePicture picture(160, 48);
+    draw_text(picture, {4, 40}, "Light at 30\u00b0", pixels);
+    return picture.pixels;
+  };
+  constexpr int kFirst = 9, kSizes = 8;
+  std::vector<decltype(written(0))> alone;
+  for (int k = 0; k < kSizes; ++k) alone.push_back(written(kFirst + k));
+  std::vector<char> same(2000);
+  io::parallel_for(
+      same.size(),
+      [&](std::size_t k) {
+        const int size = int(k) % kSizes;
+        same[k] = written(kFirst + size) == alone[std::size_t(size)];
+      },
+      4);
+  EXPECT_EQ(std::count(same.begin(), same.end(), 0), 0);
 }
 
 TEST(Picture, RustyMetalIsSeededTileableAndPartlyRusty) {
