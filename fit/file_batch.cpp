@@ -67,6 +67,11 @@ std::string recommended_in(const Json& report) {
   return form.is_null() ? "" : form.get<std::string>();
 }
 
+// What readers say of a file names it, and mostly the line.
+bool begins_with_name(const std::string& message, const std::string& file) {
+  return message.starts_with(file + ": ") || message.starts_with(file + ", ");
+}
+
 class Batch {
  public:
   Batch(const std::vector<std::string>& files, const std::vector<std::vector<Reflectance>>& models,
@@ -151,12 +156,12 @@ class Batch {
   void say(const BatchRow& row) {
     if (!batch_.progress) return;
     const std::lock_guard lock(mutex_);
-    const std::string result = !row.error.empty() ? row.error
-                                                  : row.best["form"].get<std::string>() + ", " +
-                                                        row.best["verdict"].get<std::string>() +
-                                                        (row.reused ? " (kept)" : "");
-    batch_.progress("[" + std::to_string(++done_) + "/" + std::to_string(files_.size()) + "] " + row.file +
-                    ": " + result);
+    const std::string number = "[" + std::to_string(++done_) + "/" + std::to_string(files_.size()) + "] ";
+    if (!row.error.empty())
+      return batch_.progress(number + (begins_with_name(row.error, row.file) ? "" : row.file + ": ") +
+                             row.error);
+    batch_.progress(number + row.file + ": " + row.best["form"].get<std::string>() + ", " +
+                    row.best["verdict"].get<std::string>() + (row.reused ? " (kept)" : ""));
   }
 
   const std::vector<std::string>& files_;

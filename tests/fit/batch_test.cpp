@@ -64,9 +64,14 @@ TEST_F(BatchOfFiles, RedoesFilesAndSettingsThatChanged) {
 TEST_F(BatchOfFiles, OneBadFileDoesNotStopTheOthers) {
   options_.cross_validation = true;
   std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,x,0.1\n";
+  std::vector<std::string> said;
+  batch_.progress = [&](const std::string& line) { said.push_back(line); };
   const auto rows = run();
   EXPECT_TRUE(usable(rows[0]));
   EXPECT_FALSE(usable(rows[1]));
+  for (const std::string& line : said)  // each names its file, once
+    EXPECT_EQ(line.find(".csv"), line.rfind(".csv")) << line;
+  EXPECT_EQ(said.size(), 3u);
   EXPECT_NE(rows[1].error.find("line 2"), std::string::npos) << rows[1].error;
   EXPECT_TRUE(usable(rows[2]));
   write_summary(rows, batch_.folder);
