@@ -2,18 +2,18 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
-#include <stb_image.h>
 
 #include <cmath>
-#include <memory>
 
+#include "io/content.h"
 #include "io/error.h"
+#include "render/decode/picture_bytes.h"
 #include "render/light/light_map.h"
 
 namespace brdf::render {
 namespace {
 
-struct Pixels {
+struct Radiances {
   int width = 0, height = 0;
   std::vector<glm::vec3> values;
 };
@@ -24,11 +24,13 @@ void require_size(std::int64_t width, std::int64_t height, const std::string& fi
                      "; an environment has at most " + std::to_string(kMostLightTexels) + " pixels");
 }
 
-Pixels read_exr_pixels(const std::string& file) {
+Radiances read_exr_pixels(const io::Content& content) {
+  const std::string& file = content.name;
   try {
-    Imf::InputFile in(file.c_str());
+    ExrBytes bytes(content);
+    Imf::InputFile in(bytes);
     const Imath::Box2i window = in.header().dataWindow();
-    Pixels out{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}};
+    Radiances out{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}};
     require_size(out.width, out.height, file);
     out.values.resize(std::size_t(out.width) * std::size_t(out.height));
     const bool grey = in.header().channels().findChannel("Y") && !in.header().channels().findChannel("R");
@@ -53,17 +55,15 @@ Pixels read_exr_pixels(const std::string& file) {
   }
 }
 
-Pixels read_hdr_pixels(const std::string& file) {
-  int width = 0, height = 0, channels = 0;
-  if (!stbi_is_hdr(file.c_str()) || !stbi_info(file.c_str(), &width, &height, &channels))
-    throw InputError(file + ": is no Radiance picture (.hdr)");
-  require_size(width, height, file);
-  const std::unique_ptr<float, decltype(&stbi_image_free)> data(
-      stbi_loadf(file.c_str(), &width, &height, &channels, 3), stbi_image_free);
-  if (!data) throw InputError(file + ": is no Radiance picture that can be read: " + stbi_failure_reason());
-  Pixels out{width, height, {}};
-  for (std::size_t k = 0; k < std::size_t(width) * std::size_t(height); ++k)
-    out.values.emplace_back(data.get()[3 * k], data.get()[3 * k + 1], data.get()[3 * k + 2]);
+Radiances read_hdr_pixels(const io::Content& content) {
+  const auto size = picture_size(content);
+  if (!is_radiance(content) || !size) throw InputError(content.name + ": is no Radiance picture (.hdr)");
+  require_size(size->width, size->height, content.name);
+  const Pixels<float> pixels = decoded_radiance(content, 3, "is no Radiance picture that can be read");
+  Radiances out{pixels.size.width, pixels.size.height, {}};
+  const float* value = pixels.values.get();
+  for (std::size_t k = 0; k < std::size_t(out.width) * std::size_t(out.height); ++k, value += 3)
+    out.values.emplace_back(value[0], value[1], value[2]);
   return out;
 }
 
@@ -76,7 +76,8 @@ LightMap load_light_map(const std::filesystem::path& file) {
   const std::string suffix = file.extension().string();
   if (suffix != ".hdr" && suffix != ".exr")
     throw InputError(file.string() + ": is neither a .hdr nor an .exr picture");
-  const Pixels pixels = suffix == ".exr" ? read_exr_pixels(file.string()) : read_hdr_pixels(file.string());
+  const io::Content content = io::read_content(file);
+  const Radiances pixels = suffix == ".exr" ? read_exr_pixels(content) : read_hdr_pixels(content);
   for (std::size_t k = 0; k < pixels.values.size(); ++k) {
     for (int c = 0; c < 3; ++c) {
       const float value = pixels.values[k][c];

@@ -1,11 +1,15 @@
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
-#include <fstream>
+#include <exception>
 #include <glm/gtc/type_ptr.hpp>
+#include <sstream>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "render/mesh/mesh.h"
 
@@ -56,27 +60,55 @@ void collect(const aiScene& scene, const aiNode& node, const glm::mat4& parent, 
 }
 
 // Assimp reads on for ever where a PLY's header has no end.
-void require_whole_header(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
+void require_whole_header(const io::Content& content) {
+  std::istringstream in(content.bytes);
   std::string line;
   std::getline(in, line);
   if (!line.starts_with("ply") && !line.starts_with("PLY")) return;
   while (std::getline(in, line))
     if (line == "end_header" || line == "end_header\r") return;
-  throw InputError(file.string() + ": the PLY's header has no line end_header");
+  throw InputError(content.name + ": the PLY's header has no line end_header");
 }
+
+// The model's files, each read at once: Assimp takes what the machine fails to read for a file that is not there or ends.
+class ModelFiles : public Assimp::DefaultIOSystem {
+ public:
+  explicit ModelFiles(std::exception_ptr& failure) : failure_(failure) {}
+
+  Assimp::IOStream* Open(const char* file, const char*) override {
+    try {
+      const std::string bytes = io::read_content(file).bytes;
+      auto copy = std::make_unique<std::uint8_t[]>(bytes.size());
+      std::copy(bytes.begin(), bytes.end(), copy.get());
+      auto stream = std::make_unique<Assimp::MemoryIOStream>(copy.get(), bytes.size(), true);
+      copy.release();  // the stream's own now
+      return stream.release();
+    } catch (const InputError&) {  // a library of materials that is missing, say
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+    return nullptr;
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+ private:
+  std::exception_ptr& failure_;
+};
 
 }  // namespace
 
 Mesh load_model(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such model file");
-  require_whole_header(file);
+  require_whole_header(io::read_content(file));
+  std::exception_ptr failure;
   Assimp::Importer importer;
+  importer.SetIOHandler(new ModelFiles(failure));  // the importer deletes it
   // Where a file has no normals: smooth, but for edges sharper than this.
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 40.0f);
   const aiScene* scene = importer.ReadFile(
       file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
                          aiProcess_GenSmoothNormals | aiProcess_CalcTangentSpace);
+  if (failure) std::rethrow_exception(failure);
   if (!scene || !scene->mRootNode) {
     throw InputError(file.string() + ": cannot be read as a model: " + importer.GetErrorString());
   }

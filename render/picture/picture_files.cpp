@@ -6,10 +6,12 @@
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "io/output.h"
 #include "io/png.h"
 #include "io/provenance.h"
+#include "render/decode/picture_bytes.h"
 #include "render/picture/picture.h"
 #include "render/scene/texture.h"
 
@@ -63,8 +65,10 @@ void write_exr(const std::filesystem::path& file, const std::vector<Layer>& laye
 }
 
 Picture read_exr(const std::filesystem::path& file, const std::string& layer) {
+  const io::Content content = io::read_content(file);
   try {
-    Imf::InputFile in(file.c_str());
+    ExrBytes bytes(content);
+    Imf::InputFile in(bytes);
     const Imath::Box2i window = in.header().dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1,
                        height = std::int64_t(window.max.y) - window.min.y + 1;

@@ -1,14 +1,13 @@
 #include "render/scene/texture.h"
 
-#include <stb_image.h>
-
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <random>
 
 #include "brdf/random.h"
+#include "io/content.h"
 #include "io/error.h"
+#include "render/decode/picture_bytes.h"
 #include "render/scene/display_rule.h"
 
 namespace brdf::render {
@@ -92,23 +91,19 @@ glm::vec3 Texture::sample_srgb(glm::vec2 uv) const {
 
 Texture load_texture(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such texture file");
-  Texture texture;
-  int channels = 0;
-  // A BMP's height is negative where its first row is on top.
-  if (stbi_info(file.c_str(), &texture.width, &texture.height, &channels) &&
-      std::int64_t(texture.width) * std::abs(std::int64_t(texture.height)) > kMostTexels)
-    throw InputError(file.string() + ": has " + std::to_string(texture.width) + " x " +
-                     std::to_string(texture.height) + " pixels; at most " + std::to_string(kMostTexels) +
+  const io::Content content = io::read_content(file);
+  if (const auto size = picture_size(content);
+      size && std::int64_t(size->width) * std::abs(std::int64_t(size->height)) > kMostTexels)
+    throw InputError(file.string() + ": has " + std::to_string(size->width) + " x " +
+                     std::to_string(size->height) + " pixels; at most " + std::to_string(kMostTexels) +
                      " (4096 x 4096) are read");
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load(file.c_str(), &texture.width, &texture.height, &channels, 4), stbi_image_free);
-  if (pixels && texture.width * texture.height == 0) throw InputError(file.string() + ": has no pixels");
-  if (!pixels) {
-    throw InputError(file.string() + ": cannot be read as PNG, JPEG, BMP or TGA (" + stbi_failure_reason() +
-                     ")");
-  }
+  const Pixels<unsigned char> pixels = decoded_bytes(content, 4, "cannot be read as PNG, JPEG, BMP or TGA");
+  Texture texture;
+  texture.width = pixels.size.width;
+  texture.height = pixels.size.height;
+  if (texture.width * texture.height == 0) throw InputError(file.string() + ": has no pixels");
   texture.texels.resize(std::size_t(texture.width) * std::size_t(texture.height));
-  std::memcpy(texture.texels.data(), pixels.get(), 4 * texture.texels.size());
+  std::memcpy(texture.texels.data(), pixels.values.get(), 4 * texture.texels.size());
   return texture;
 }
 

@@ -164,6 +164,9 @@ TEST(LightMap, RefusesWhatIsNoPicture) {
   EXPECT_NE(refusal(other).find("neither a .hdr nor"), std::string::npos) << refusal(other);
   std::ofstream(folder.path() / "a.hdr") << "text";
   EXPECT_NE(refusal(folder.path() / "a.hdr").find("no Radiance picture"), std::string::npos);
+  std::ofstream(folder.path() / "cut.hdr", std::ios::binary)
+      << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x80\x80\x80";
+  EXPECT_NE(refusal(folder.path() / "cut.hdr").find("ends too soon"), std::string::npos);
 }
 
 TEST(Points, FillTheirDimensionsEvenly) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "io/parallel.h"
 #include "render/compare/arrange.h"
@@ -163,13 +164,14 @@ TEST(Picture, RustyMetalIsSeededTileableAndPartlyRusty) {
   EXPECT_LT(across, 3 * inside + 64 * 4);  // no seam
 }
 
-// An uncompressed TGA that ends after its header: the rest is read as black.
+// An uncompressed TGA; its rows are a hole in the file.
 std::filesystem::path black_tga(int width, int height) {
   const auto file = temporary("black.tga");
   const char header[18] = {
       0,  0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, char(width), char(width >> 8), char(height), char(height >> 8),
       24, 0};
   std::ofstream(file, std::ios::binary).write(header, sizeof header);
+  std::filesystem::resize_file(file, sizeof header + 3 * std::size_t(width) * std::size_t(height));
   return file;
 }
 
@@ -194,10 +196,31 @@ TEST(Picture, ABmpWithItsFirstRowOnTopIsLimitedToo) {
   header += std::string("\1\0\x18\0", 4) + std::string(24, '\0');
   std::ofstream(file, std::ios::binary) << header;
   EXPECT_THROW(load_texture(file), InputError);
-  header[18] = 1;  // 1 by 4096: what is left out is black
+  header[18] = 1;  // 1 by 4096
   header[19] = 0;
-  std::ofstream(file, std::ios::binary) << header;
+  std::ofstream(file, std::ios::binary) << header << std::string(4 * 4096, '\0');
   EXPECT_EQ(load_texture(file).texels.size(), 4096u);
+}
+
+TEST(Picture, MapsThatEndTooSoonAreRefused) {
+  const auto bytes_of = [](const std::filesystem::path& file) { return io::read_content(file).bytes; };
+  std::string bmp("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x04\0\0\0\x03\0\0\0\1\0\x18\0", 30);
+  bmp += std::string(24, '\0') + std::string(3 * 4 * 3, '\x7f');
+  std::string runs = bytes_of(black_tga(4, 3)).substr(0, 18);  // as runs: one of twelve pixels
+  runs[2] = 10;
+  runs += "\x8b\1\2\3";
+  for (const auto& [name, whole] : {std::pair{"cut.png", png_of(BytePicture(13, 11))},
+                                    {"cut.bmp", bmp},
+                                    {"cut.tga", bytes_of(black_tga(40, 30))},
+                                    {"cut_runs.tga", runs}}) {
+    const auto file = temporary(name);
+    std::ofstream(file, std::ios::binary) << whole;
+    EXPECT_NO_THROW(load_texture(file)) << name;
+    for (const std::size_t size : {whole.size() - 1, whole.size() - 2, whole.size() / 2 + 10}) {
+      std::filesystem::resize_file(file, std::min(size, whole.size() - 1));
+      EXPECT_THROW(load_texture(file), InputError) << name << " of " << size << " bytes";
+    }
+  }
 }
 
 TEST(Picture, MapsOfAllObjectsTogetherAreLimited) {
