@@ -16,6 +16,13 @@ SCENE = """{
   "objects": [{"mesh": "model.obj", "material": "material.json", "textures": {"albedo": "texture.png"}}]
 }
 """
+# As a spreadsheet writes it: UTF-16, semicolons, decimal commas, a row for each value.
+LABORATORY = """"Incident angle (deg)";"Incident azimuth";"Viewing angle (deg)";"Viewing azimuth";"Wavelength (nm)";"BRDF"
+30,0;180,0;20,0;0,0;450;0,25
+30,0;180,0;20,0;0,0;550;0,31
+30,0;180,0;40,0;0,0;450;0,26
+30,0;180,0;40,0;0,0;550;0,32
+"""
 MODEL = """v -1 -1 0
 v 1 -1 0
 v 0 1 0
@@ -36,6 +43,7 @@ class Case:
     same: bool = True     # the same bytes every time; else an output is whole where it ends as its kind does
     draws: bool = False   # needs a driver of Vulkan
     parts: bool = False   # what failed for one output shows in others (a summary), which are whole all the same
+    kept: bytes = b""     # what stdout says of results that an earlier run had finished
 
     @property
     def verb(self):
@@ -57,6 +65,8 @@ CASES = [
          ["samples.csv"]),
     Case("fit", ["fit", "samples.csv", "--form", "lambert", "-o", "fitted.json", "--report", "fit.html", "--json"],
          ["fitted.json", "fit.html"], ["samples.csv"], short=True),
+    Case("fit --form auto", ["fit", "samples.csv", "--form", "auto", "-o", "fitted.json", "--report", "fit.html", "--json"],
+         ["fitted.json", "fit.html"], ["samples.csv"]),
     Case("fit a batch", ["fit", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
          ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
                                      "more.html", "summary.csv", "summary.html")],
@@ -67,7 +77,7 @@ CASES = [
           for name in ("index.html", "study.json", "sheet.json", "fit.json", "properties.json", "material.json",
                        "material.glsl", "measured.png", "fitted.png", "difference.png",
                        "measured_small.png", "fitted_small.png")],
-         ["samples.csv", "more.csv"], parts=True, draws=True),
+         ["samples.csv", "more.csv"], parts=True, draws=True, kept=b" (kept)"),
     Case("validate a table", ["validate", "samples.csv", "-o", "report.html", "--json"], ["report.html"],
          ["samples.csv"]),
     Case("validate a material", ["validate", "material.json", "--picture", "texture.png", "-o", "report.html"],
@@ -78,11 +88,37 @@ CASES = [
          ["scene.json", "model.obj", "material.json", "texture.png"], draws=True, same=False),
     Case("render to EXR", ["render", "material.json", "--width", "16", "--height", "16", "-o", "picture.exr"],
          ["picture.exr"], ["material.json"], draws=True, same=False),
+    Case("render in a light", ["render", "material.json", "--environment", "light.hdr", "--samples", "16", "--supersample",
+                               "2", "--width", "16", "--height", "16", "-o", "picture.png"], ["picture.png"],
+         ["material.json", "light.hdr"], draws=True, same=False),
+    Case("render samples", ["render", "material.json", "--measured", "samples.csv", "--width", "16", "--height", "16",
+                            "-o", "picture.png"], ["picture.png"], ["material.json", "samples.csv"], draws=True,
+         same=False),
+    Case("render --over", ["render", "material.json", "--over", "alpha=0.1:0.4", "--balls", "2", "--shape", "model.obj",
+                           "--width", "16", "--height", "16", "-o", "picture.png"], ["picture.png"],
+         ["material.json", "model.obj"], draws=True, same=False),
+    Case("render --turntable", ["render", "material.json", "--turntable", "2", "--width", "16", "--height", "16", "-o",
+                                "turning.webp"], ["turning.webp"], ["material.json"], draws=True, same=False),
+    Case("render frames", ["render", "material.json", "--turntable", "2", "--width", "16", "--height", "16", "-o",
+                           "frame%d.png"], ["frame0.png", "frame1.png"], ["material.json"], draws=True, same=False),
+    Case("render --lobe3d", ["render", "material.json", "--lobe3d", "--measured", "samples.csv", "--width", "64", "-o",
+                             "lobe.png"], ["lobe.png"], ["material.json", "samples.csv"]),
     Case("render --lobes", ["render", "material.json", "--lobes", "--width", "64", "-o", "lobes.png"], ["lobes.png"],
          ["material.json"]),
     Case("render --maps", ["render", "--maps", "tiles", "--size", "8", "-o", "maps"], ["maps/tiles.png"]),
     Case("export", ["export", "--material", "material.json", "--to", "glsl", "-o", "material.glsl"],
          ["material.glsl"], ["material.json"]),
+    Case("export to GLSL ES", ["export", "--material", "material.json", "--to", "glsl-es", "-o", "material.glsl"],
+         ["material.glsl"], ["material.json"]),
+    Case("export samples to MERL", ["export", "--measured", "samples.csv", "--to", "merl", "-o", "table.binary"],
+         ["table.binary"], ["samples.csv"]),
+    Case("describe", ["describe", "json"]),
+    Case("describe for a shell", ["describe", "zsh"]),
+    Case("describe as pages", ["describe", "man", "-o", "man"],
+         ["man/brdf.1"] + [f"man/brdf-{verb}.1" for verb in
+                           ("albedo", "convert", "eval", "export", "fit", "models", "recommend", "render", "study", "synth",
+                            "trade", "validate", "view")]),
+    Case("convert a laboratory's", ["convert", "laboratory.csv", "table.csv"], ["table.csv"], ["laboratory.csv"]),
     Case("convert to CSV", ["convert", "samples.csv", "table.csv"], ["table.csv"], ["samples.csv"], short=True),
     Case("convert to EXR", ["convert", "samples.csv", "table.exr"], ["table.exr"], ["samples.csv"], short=True),
     Case("convert to MERL", ["convert", "samples.csv", "table.binary"], ["table.binary"], ["samples.csv"]),
@@ -103,6 +139,11 @@ def make_inputs(folder, brdf, source):
     def write(name, text):
         with open(os.path.join(folder, name), "w") as file:
             file.write(text)
+
+    with open(os.path.join(folder, "laboratory.csv"), "wb") as file:
+        file.write(LABORATORY.encode("utf-16"))
+    with open(os.path.join(folder, "light.hdr"), "wb") as file:
+        file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + 8 * bytes((128, 120, 110, 129)))
 
     def run(*words):
         subprocess.run([brdf, *words], cwd=folder, check=True, capture_output=True)
