@@ -43,8 +43,17 @@ materials (io), fits with intervals (fit), checks of what a model keeps
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-brdf)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, libjs-chart.js")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
+if(TARGET brdf_python)
+  # The extension is for one version of the interpreter.
+  get_target_property(version brdf_python BRDF_PYTHON_VERSION)
+  string(REGEX MATCH "[0-9]+$" next ${version})
+  math(EXPR next "${next} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${version}), python3 (<< 3.${next}), python3-numpy, libjs-chart.js")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${PROJECT_SOURCE_DIR}/packaging/python3-brdf/postinst;${PROJECT_SOURCE_DIR}/packaging/python3-brdf/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "brdf, python3-matplotlib, python3-pandas")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "The module brdf: tables of samples as numpy arrays, fits with intervals,
 materials that are evaluated on arrays, albedo with an error bound, checks and
 exports. The numbers are those of the program brdf.")

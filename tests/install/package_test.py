@@ -1,18 +1,38 @@
 #!/usr/bin/env python3
-"""package_test.py BUILD: the Debian packages have no error for lintian, install into an empty root, work from there, and
-leave nothing when they are removed. Exit 77 where a tool is missing."""
+"""package_test.py BUILD [PYTHON]: the Debian packages have no error for lintian, install into an empty root, work from
+there, and leave nothing when they are removed. PYTHON: the interpreter that the module was built for. Exit 77 where a tool
+is missing."""
+import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
-from installed import run, temporary_folder
+from installed import run, temporary_folder, values_of
 
 build = pathlib.Path(sys.argv[1])
+python = sys.argv[2] if len(sys.argv) > 2 else None
 for tool in ("cpack", "lintian", "dpkg-deb", "dpkg-shlibdeps"):
     if not shutil.which(tool):
         print(f"skipped: {tool} is not installed")
         sys.exit(77)
+
+
+# Fits, evaluates and says which program and module it has, from the folder /.
+MODULE = """
+import json, sys
+import brdf
+from brdf.programs import executable
+samples, directions, said = sys.argv[1:]
+found = brdf.fit(samples, "ward")
+json.dump(found.to_dict(), open(said, "w"))
+pairs = brdf.Table.from_csv("".join(line + (",1" if k else ",fr") + chr(10)
+                                    for k, line in enumerate(open(directions).read().splitlines())))
+for row in found.best.material.eval(pairs.wi, pairs.wo).tolist():
+    print(",".join(map(repr, row)))
+print(executable(), brdf.__file__)
+"""
 
 
 def files_of(root):
@@ -24,7 +44,8 @@ with temporary_folder() as folder:
     run(["cpack", "-B", folder / "packages"], cwd=build)
     packages = sorted((folder / "packages").glob("*.deb"))
     names = {p.name.split("_")[0] for p in packages}
-    assert {"brdf", "libbrdf-dev"} <= names, names
+    has_module = (build / "python/brdf").is_dir()
+    assert names == {"brdf", "libbrdf-dev"} | ({"python3-brdf"} if has_module else set()), names
     said = subprocess.run(["lintian", "--allow-root", "--fail-on", "error", *packages], text=True, capture_output=True)
     print(said.stdout)
     assert said.returncode == 0, said.stdout + said.stderr
@@ -36,7 +57,8 @@ with temporary_folder() as folder:
         (admin / name).mkdir(parents=True)
     (admin / "status").touch()
     before = files_of(root)
-    dpkg = ["dpkg", f"--root={root}", "--force-depends", "--force-not-root", f"--log={folder / 'dpkg.log'}"]
+    dpkg = ["dpkg", f"--root={root}", "--force-depends", "--force-not-root", "--force-script-chrootless",
+            f"--log={folder / 'dpkg.log'}"]
     run([*dpkg, "--install", *packages])
     listed = set()
     for name in names:
@@ -50,6 +72,20 @@ with temporary_folder() as folder:
     run([brdf, "fit", root / "usr/share/brdf/synthetic/ward.csv", "--form", "ward", "-o", "ward.json", "--report",
          "ward.html"], cwd=elsewhere)
     assert (elsewhere / "ward.html").is_file()
+
+    if has_module and python:
+        directions, said = elsewhere / "directions.csv", elsewhere / "said.json"
+        shutil.copy(root / "usr/share/brdf/directions.csv", directions)
+        environment = {**os.environ, "PYTHONPATH": str(root / "usr/lib/python3/dist-packages"),
+                       "PYTHONDONTWRITEBYTECODE": "1", "BRDF_PROGRAM": ""}
+        printed = run([python, "-P", "-c", MODULE, root / "usr/share/brdf/synthetic/ward.csv", directions, said], cwd="/",
+                      env=environment)
+        assert f"{root}/usr/bin/brdf {root}/usr/lib/python3/dist-packages/brdf/" in printed, printed
+        printed = values_of(printed)
+        assert printed == [row[4:] for row in values_of(run([brdf, "eval", "--material", "ward.json", directions],
+                                                            cwd=elsewhere))] and printed, printed
+        told = json.loads(run([brdf, "fit", root / "usr/share/brdf/synthetic/ward.csv", "--form", "ward", "--json"]))
+        assert json.loads(said.read_text())["ranking"] == told["ranking"]
 
     run([*dpkg, "--purge", *sorted(names)])
     left = {p for p in files_of(root) - before if not p.startswith("var")}
