@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/surface/values.h"
 #include "render/job.h"
 #include "render/light/formula.h"
 #include "render/light/points.h"
@@ -10,9 +11,10 @@
 namespace brdf::cli {
 
 void add_environment_options(CLI::App& verb, render::Job& job, int& samples) {
-  verb.add_option("--environment", job.environment,
-                  "Light from all around: a latitude-longitude picture (.hdr, .exr), or " +
-                      known_names<render::Formula>() + ". Materials without a scene are lit by nothing else");
+  offer_names<render::Formula>(verb.add_option(
+      "--environment", job.environment,
+      "Light from all around: a latitude-longitude picture (.hdr, .exr), or " +
+          known_names<render::Formula>() + ". Materials without a scene are lit by nothing else"));
   verb.add_flag("--hard-light", job.hard_light,
                 "Materials alone stand before one directional light (pictures of them: in the studio)")
       ->excludes("--environment");

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "cli/progress.h"
+#include "cli/surface/values.h"
 #include "io/error.h"
 #include "io/json.h"
 #include "io/provenance.h"
@@ -21,6 +22,9 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
       "gaussian or lambert_gaussian (--set alpha, or alpha_x and alpha_y), mirror_grooves (alpha), "
       "lambert_grooves (sigma); mirrors take eta, Lambertian facets rho; --theta-i, --azimuths and --seed "
       "apply");
+#ifdef BRDF_HAS_MICRO
+  offer(surface, micro::surface_names());
+#endif
   const std::vector<CLI::Option*> details{
       group.add_option("--bounces", s.bounces, "Reflections to follow; 1: single reflection")
           ->capture_default_str(),

@@ -28,8 +28,8 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
     if (!found) throw InputError(name + " " + word + ": must be one of " + known_names<Enum>());
     value = *found;
   };
-  offer(add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>()),
-        {kNames<Enum>.begin(), kNames<Enum>.end()});
+  offer_names<Enum>(
+      add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>()));
 }
 
 // Adds --form, --material and --set, the same in every verb that takes one material.

@@ -65,8 +65,8 @@ void add_albedo(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--tolerance", options->albedo.tolerance, "Relative error aimed at")
       ->capture_default_str();
-  verb->add_option("--rule", options->albedo.rule, "automatic, pole, slope or adaptive")
-      ->capture_default_str();
+  offer_names<Rule>(verb->add_option("--rule", options->albedo.rule, "automatic, pole, slope or adaptive")
+                        ->capture_default_str());
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(
       "Of a material that `fit` has written, the 95 % interval of the fit stands beside it (not with "

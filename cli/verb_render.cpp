@@ -68,11 +68,10 @@ io::Json json_of(const render::PixelProbe& probe, const render::JobReport& repor
   if (report.difference) out["other"] = json_of(glm::vec3(report.probed_b));
   if (!probe.hit) return out;
   out["object"] = probe.object;
-  out["position"] = json_of(probe.position);
-  out["normal"] = json_of(probe.normal);
-  out["wi"] = json_of(probe.wi);
-  out["wo"] = json_of(probe.wo);
-  out["f_r"] = json_of(probe.value);
+  for (const auto& [name, value] :
+       {std::pair{"position", &probe.position}, std::pair{"normal", &probe.normal},
+        std::pair{"wi", &probe.wi}, std::pair{"wo", &probe.wo}, std::pair{"f_r", &probe.value}})
+    out[name] = json_of(*value);
   return out;
 }
 
@@ -137,11 +136,13 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_option("--gbuffer-bits", job.gbuffer_bits, "Bits per channel of the seven targets: 8, 16 or 32")
       ->check(CLI::IsMember({8, 16, 32}))
       ->capture_default_str();
-  verb.add_option("--shading", job.shading, known_names<render::Shading>() + ", instead of the scene's");
+  offer_names<render::Shading>(
+      verb.add_option("--shading", job.shading, known_names<render::Shading>() + ", instead of the scene's"));
   verb.add_flag("--per-vertex", job.per_vertex,
                 "phong, phong_blinn, lookup: once per vertex instead of per pixel");
   verb.add_flag("--as-coded", job.as_coded, "With the articles' slips");
-  verb.add_option("--tone-map", job.tone_map, known_names<render::ToneMap>() + ", instead of the scene's");
+  offer_names<render::ToneMap>(verb.add_option("--tone-map", job.tone_map,
+                                               known_names<render::ToneMap>() + ", instead of the scene's"));
   verb.add_option_function<std::string>(
           "--exposure", [&job](const std::string& text) { read_exposure(text, job); },
           "Stops (-20 to 20), instead of the scene's; auto: from the picture, 95 % of the surface below 0.7")
@@ -185,15 +186,17 @@ void add_show_options(CLI::App& verb, Options& o) {
 
 void add_comparison_options(CLI::App& verb, Options& o) {
   render::Job& job = o.job;
-  verb.add_option(
-      "--compare", job.compare,
-      "What the picture is compared with: embree (the reference), or a material's JSON file. PNG: "
-      "picture, other and difference side by side; EXR: as layers");
+  offer(verb.add_option(
+            "--compare", job.compare,
+            "What the picture is compared with: embree (the reference), or a material's JSON file. PNG: "
+            "picture, other and difference side by side; EXR: as layers"),
+        {std::string(name_of(render::Other::embree))});
   verb.add_option("--measured", job.measured,
                   "Compare with a sample table, rendered with the same lights (no ambient)");
-  verb.add_option("--show", job.show,
-                  "PNG: picture, split (A|B), flip (B alone), difference (false colours with numbers) or "
-                  "gbuffer (the seven targets and the lighting)");
+  offer_names<render::Display>(
+      verb.add_option("--show", job.show,
+                      "PNG: picture, split (A|B), flip (B alone), difference (false colours with numbers) or "
+                      "gbuffer (the seven targets and the lighting)"));
   verb.add_flag("--split", o.split, "The same as --show split");
   verb.add_option("--split-at", job.split,
                   "With --show split: share of the width that shows A (default: through the highlight)")
@@ -291,6 +294,12 @@ void add_render(CLI::App& app) {
       "         brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
       "         brdf render a.json --compare b.json --lobes --solo \"A r\" -o curve.png\n"
       "         brdf render --parity --form ward --validation\n"
+      "         brdf render --parity --all --json\n"
+      "         brdf render --scene scene.json --shading phong --per-vertex --width 640 --height 480 -o "
+      "vertices.png\n"
+      "         brdf render --scene scene.json --gbuffer -o targets.png\n"
+      "         brdf render --maps tiles --size 512 --seed 2 -o tiles\n"
+      "         brdf render --lookup-pictures -o tables\n"
       "         brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
       "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
       "         brdf render gold.json --shape shader_ball --turntable 60 --fps 30 --quality 80 -o gold.webp\n"

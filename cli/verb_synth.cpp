@@ -61,7 +61,10 @@ void add_options(CLI::App& verb, Options& o) {
       "-o noisy.csv\n"
       "          brdf synth --form ward --noise-floor 0.01 --saturation 20 --clip-negatives -o cut.csv\n"
       "          brdf synth --microsurface gaussian --set alpha=0.3 --size 256 --cell 5 --min-power 0.001 "
-      "--threads 2 -o traced.csv");
+      "--threads 2 -o traced.csv\n"
+      "          brdf synth --microsurface mirror_grooves --set alpha=0.2 --bounces 8 --orders --surfaces 64 "
+      "--rays 4096 -o grooves.csv\n"
+      "          brdf synth --material brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv");
 }
 
 Exit write(const io::SampleTable& table, const std::string& path) {

@@ -160,7 +160,8 @@ void add_validate(CLI::App& app) {
   verb->add_option("--effort", o->effort, "of the search for the worst case")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
-  verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(',');
+  offer(verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(','),
+        validate::required_names());
   verb->add_option(
           "--max-theta", o->max_theta,
           "degrees: largest angle of the energy check; outliers of samples beyond it are named apart")
@@ -182,7 +183,12 @@ void add_validate(CLI::App& app) {
   verb->footer(
       "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
       "          brdf validate samples.csv --max-theta 80 --picture photograph.png -o sheet.html\n"
-      "          brdf validate --form ward --effort full --seed 2");
+      "          brdf validate --form ward --effort full --seed 2\n"
+      "          brdf validate --all --json\n"
+      "          brdf validate --all --numerics\n"
+      "          brdf validate --integrators\n"
+      "          brdf validate --microsurface\n"
+      "          brdf validate --form ward --gpu");
   on_run(*verb, [o] { return run(*o); });
 }
 

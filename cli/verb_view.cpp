@@ -81,6 +81,8 @@ void add_view(CLI::App& app) {
       "fit;\n"
       "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
       "Examples: brdf view fitted.json --measured samples.csv\n"
+      "          brdf view fitted.json --hard-light\n"
+      "          brdf view --scene scenes/vase.json\n"
       "          brdf view fitted.json --environment studio --rotate 30 --samples 256 --shape shader_ball\n"
       "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
       "600\n"

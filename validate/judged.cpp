@@ -53,9 +53,14 @@ void judge_all(ReportContent& content, const CheckOptions& options, const io::Pr
                             measured.sheet.findings.end());
 }
 
-void check_required(const std::vector<std::string>& names) {
+std::vector<std::string> required_names() {
   std::vector<std::string> known = check_names();
   for (const std::string& name : data_sheet_names()) known.push_back(name);
+  return known;
+}
+
+void check_required(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = required_names();
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError("--require " + name + ": no such check; there are " + io::joined(known));

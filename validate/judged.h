@@ -22,6 +22,8 @@ void check_max_theta(double degrees);
 // Runs the checks of every subject; a table's findings follow.
 void judge_all(ReportContent& content, const CheckOptions& options, const io::Progress& progress = {});
 
+// The checks that can be required: of what reflects, and of tables.
+std::vector<std::string> required_names();
 // Throws InputError where a name is no check's.
 void check_required(const std::vector<std::string>& names);
 // Whether nothing fails that need not pass, and everything required passes.

@@ -17,14 +17,18 @@ std::vector<std::string> words_for(const OptionSurface& o) {
   return o.words.empty() ? names_for(o.takes) : o.words;
 }
 
+std::string bash_files(const OptionSurface& o) {
+  return "_brdf_files '" + (o.takes == Value::folder ? "/" : joined(suffixes_of(o.takes), "|")) + "'";
+}
+
 // What bash runs to offer values.
 std::string bash_offer(const OptionSurface& o) {
   if (const auto words = words_for(o); !words.empty()) {
     const std::string offer = "_brdf_words '" + joined(words, " ") + "'";
+    if (is_file(o.takes)) return offer + "; " + bash_files(o);
     return o.takes == Value::parameter ? offer + "; compopt -o nospace 2>/dev/null" : offer;
   }
-  if (o.takes == Value::folder) return "_brdf_files /";
-  return is_file(o.takes) ? "_brdf_files '" + joined(suffixes_of(o.takes), "|") + "'" : ":";
+  return is_file(o.takes) ? bash_files(o) : ":";
 }
 
 // A word of zsh's _arguments: colons and brackets are its own.
@@ -37,13 +41,17 @@ std::string zsh_text(const std::string& text) {
   return out;
 }
 
-std::string zsh_action(const OptionSurface& o) {
-  if (o.takes == Value::parameter) return "compadd -S \"\" -- " + joined(names_for(o.takes), " ");
-  if (const auto words = words_for(o); !words.empty()) return "(" + joined(words, " ") + ")";
+std::string zsh_files(const OptionSurface& o) {
   if (o.takes == Value::folder) return "_files -/";
-  if (!is_file(o.takes)) return " ";
   const auto suffixes = suffixes_of(o.takes);
   return suffixes.empty() ? "_files" : "_files -g \"*.(" + joined(suffixes, "|") + ")(-.)\"";
+}
+
+std::string zsh_action(const OptionSurface& o) {
+  if (o.takes == Value::parameter) return "compadd -S \"\" -- " + joined(names_for(o.takes), " ");
+  const std::string words = joined(words_for(o), " ");
+  if (!is_file(o.takes)) return words.empty() ? " " : "(" + words + ")";
+  return words.empty() ? zsh_files(o) : "{compadd -- " + words + "; " + zsh_files(o) + "}";
 }
 
 std::string zsh_spec(const OptionSurface& o) {

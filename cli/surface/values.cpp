@@ -14,7 +14,7 @@ std::map<const CLI::Option*, std::vector<std::string>>& offers() {
   return all;
 }
 
-// Options mean the same in every verb. A new one that takes text is named here, or the test of the surface says so.
+// Options mean the same in every verb. One that takes text is named here or offers its words; else it is unnamed.
 const std::map<std::string, Value, std::less<>> kByName{
     {"FORM", Value::form},           {"--form", Value::form},
     {"--set", Value::parameter},     {"--fix", Value::parameter},
@@ -31,7 +31,9 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--output", Value::file},       {"--compare-weightings", Value::folder},
     {"--robust", Value::text},       {"--grid", Value::text},
     {"--solo", Value::text},         {"--only", Value::text},
-    {"--memory-limit", Value::text},
+    {"--memory-limit", Value::text}, {"--environment", Value::light},
+    {"--shape", Value::file},        {"--over", Value::parameter},
+    {"--microsurface", Value::text},
 };
 
 }  // namespace
@@ -51,12 +53,15 @@ std::vector<std::string> offered(const CLI::Option& option) {
 }
 
 Value value_of(const CLI::Option& option) {
-  if (!offered(option).empty()) return Value::word;
   const std::string name = option.get_positional()       ? option.get_name(true)
                            : option.get_lnames().empty() ? "-" + option.get_snames()[0]
                                                          : "--" + option.get_lnames()[0];
-  if (const auto found = kByName.find(name); found != kByName.end()) return found->second;
-  return option.get_type_name().starts_with("TEXT") ? Value::text : Value::number;
+  const auto found = kByName.find(name);
+  const bool named = found != kByName.end();
+  if (named && is_file(found->second)) return found->second;
+  if (!offered(option).empty()) return Value::word;
+  if (named) return found->second;
+  return option.get_type_name().starts_with("TEXT") ? Value::unnamed : Value::number;
 }
 
 std::vector<std::string> names_for(Value value) {
@@ -89,6 +94,8 @@ std::vector<std::string> suffixes_of(Value value) {
       return {"json"};
     case Value::picture:
       return {"png", "exr"};
+    case Value::light:
+      return {"hdr", "exr"};
     case Value::report:
       return {"html", "md"};
     default:

@@ -14,8 +14,10 @@ class Option;
 
 namespace brdf::cli {
 
-// text: nothing that could be offered; word: one of a list.
+// unnamed: text of which nothing is said, which the test of the surface refuses; text: nothing that could be offered;
+// word: one of a list.
 enum class Value {
+  unnamed,
   text,
   number,
   word,
@@ -27,13 +29,19 @@ enum class Value {
   scene,
   json,
   picture,
+  light,
   report,
   file,
   folder
 };
 
-// The words that this option may be; returns it.
+// The words that this option may be, of one that takes files besides them; returns it.
 CLI::Option* offer(CLI::Option* option, std::vector<std::string> words);
+// The enum's names.
+template <class Enum>
+CLI::Option* offer_names(CLI::Option* option) {
+  return offer(option, {kNames<Enum>.begin(), kNames<Enum>.end()});
+}
 std::vector<std::string> offered(const CLI::Option& option);
 
 // What it takes, by its name and type.
@@ -48,6 +56,6 @@ bool is_file(Value value);
 }  // namespace brdf::cli
 
 template <>
-inline constexpr std::array<std::string_view, 14> brdf::kNames<brdf::cli::Value>{
-    "text",   "number", "word", "form",    "parameter", "samples", "material",
-    "either", "scene",  "json", "picture", "report",    "file",    "folder"};
+inline constexpr std::array<std::string_view, 16> brdf::kNames<brdf::cli::Value>{
+    "unnamed", "text",  "number", "word",    "form",  "parameter", "samples", "material",
+    "either",  "scene", "json",   "picture", "light", "report",    "file",    "folder"};

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """surface_test.py BRDF SOURCE: every verb and option of the program is documented wherever one looks for it: an example in
---help, a command that uses the option in --help or the documents, the man page, the completion of both shells, a schema
-where there is --json, and a name in Python (python/brdf/names.json, where the module is). One that is missing fails."""
+--help that uses it, the man page, the completion of both shells with what its value may be, a schema where there is --json,
+and a name in Python (python/brdf/names.json, where the module is). One that is missing fails."""
 import json
 import os
 import pathlib
@@ -29,15 +29,12 @@ verbs = json.loads(run(brdf, "describe", "json"))["verbs"]
 listed = re.findall(r"^  (\w+) +\S", run(brdf, "--help").split("Subcommands:")[1], re.M)
 assert sorted(listed) == sorted(v["name"] for v in verbs), (listed, [v["name"] for v in verbs])
 
-documents = "\n".join(p.read_text() for p in [source / "README.md", *sorted((source / "docs").glob("*.md"))])
-documents += "\n".join(v["footer"] for v in verbs)
-# A command may go on after a backslash, or in the string of another line of the same example.
 # An option that verbs share, in words too, has its example with any of them.
 sharers = {}
 for v in verbs:
     for o in v["options"]:
         sharers.setdefault((tuple(o["names"]), o["description"]), []).append(v["name"])
-commands = re.findall(r"brdf (\w+)((?:[^\n`]|\\\n)*)", documents)
+commands = {v["name"]: " ".join(re.findall(rf"brdf {v['name']} (.*)", v["footer"])) for v in verbs}
 
 with tempfile.TemporaryDirectory() as folder:
     run(brdf, "describe", "man", "-o", folder)
@@ -61,11 +58,14 @@ with tempfile.TemporaryDirectory() as folder:
     expect({"all", "auto", *forms} <= set(complete("brdf", "fit", "s.csv", "--form", "")), "completion of models of a fit")
     parameters = {p["name"] + "=" for f in json.loads(run(brdf, "models", "--json"))["forms"] for p in f["parameters"]}
     expect(set(complete("brdf", "synth", "--set", "")) == parameters, "completion of parameters")
-    (pathlib.Path(folder) / "samples.csv").touch()
-    (pathlib.Path(folder) / "material.json").touch()
-    (pathlib.Path(folder) / "notes.pdf").touch()
+    for file in ("samples.csv", "material.json", "notes.pdf", "sky.hdr"):
+        (pathlib.Path(folder) / file).touch()
     assert complete("brdf", "fit", "") == ["samples.csv"]
     assert complete("brdf", "eval", "--material", "") == ["material.json"]
+    expect({"adaptive", "pole"} <= set(complete("brdf", "albedo", "--rule", "")), "completion of an option's words")
+    if any(o["names"] == ["--environment"] for v in verbs for o in v["options"]):
+        expect({"studio", "sky.hdr"} == set(complete("brdf", "render", "--environment", "s")) - {"sky"},
+               "completion of words and files")
 
     zsh = scripts["zsh"].read_text()
     expect(f"brdf-{verbs[0]['name']} (1)" in pages["brdf.1"], "brdf.1")
@@ -84,6 +84,7 @@ with tempfile.TemporaryDirectory() as folder:
             expect(all(n in help_text for n in option["names"]), f"{what}: --help")
             expect(all(n in page for n in option["names"]), f"{what}: man page")
             expect(option["description"] or first in ("-h", "--help"), f"{what}: description")
+            expect(option["takes"] != "unnamed", f"{what}: what it takes (cli/surface/values.cpp)")
             if option["positional"]:
                 continue
             for n in option["names"]:
@@ -91,7 +92,7 @@ with tempfile.TemporaryDirectory() as folder:
                 expect(part and n in part[1], f"{what}: zsh completion")
             if first != "--help":
                 shared = sharers[tuple(option["names"]), option["description"]]
-                used = " ".join(rest for verb_of, rest in commands if verb_of in shared)
+                used = " ".join(commands[verb_of] for verb_of in shared)
                 expect(any(re.search(rf"(?<![\w-]){n}(?![\w-])", used) for n in option["names"]), f"{what}: example")
         if any("--json" in o["names"] for o in verb["options"]):
             expect((source / f"docs/schemas/{name}.schema.json").is_file()
