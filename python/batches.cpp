@@ -12,8 +12,7 @@
 namespace brdf::python {
 namespace {
 
-constexpr std::size_t kBlock = 512;   // pairs, whose coordinates and values stay in the first-level cache
-constexpr double kUnitLength = 1e-4;  // by which a squared length may be off
+constexpr std::size_t kBlock = 512;  // pairs, whose coordinates and values stay in the first-level cache
 
 // A place in arrays of the same shape, walked in C's order.
 class Walk {
@@ -111,10 +110,7 @@ template <class T>
                          std::size_t count) {
   std::size_t k = 0;
   while (k + 1 < count && are_unit(1, x + k, y + k, z + k)) ++k;
-  const double length = std::sqrt(double(x[k]) * x[k] + double(y[k]) * y[k] + double(z[k]) * z[k]);
-  throw InputError(std::string(name) + ": pair " + std::to_string(first + k) + ": length " +
-                   io::short_number(length) +
-                   ": must be a unit vector (brdf.directions makes them of angles)");
+  refuse_direction(name, first + k, x[k], y[k], z[k]);
 }
 
 template <class T>
@@ -157,6 +153,12 @@ const T* sum_of_terms(const Material& material, std::size_t channel, Block<T>& b
 }
 
 }  // namespace
+
+void refuse_direction(const char* name, std::size_t pair, double x, double y, double z) {
+  throw InputError(std::string(name) + ": pair " + std::to_string(pair) + ": length " +
+                   io::short_number(std::sqrt(x * x + y * y + z * z)) +
+                   ": must be a unit vector (brdf.directions makes them of angles)");
+}
 
 template <class T>
 std::size_t PairArrays<T>::count() const {

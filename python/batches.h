@@ -8,6 +8,11 @@
 
 namespace brdf::python {
 
+constexpr double kUnitLength = 1e-4;  // by which a unit vector's squared length may be off
+
+// Throws InputError on a direction that is no unit vector, by its array's name and its place in it.
+[[noreturn]] void refuse_direction(const char* name, std::size_t pair, double x, double y, double z);
+
 // Where the elements of an array lie: bytes from one to the next along each dimension, 0 where it is broadcast.
 struct Strides {
   std::vector<std::ptrdiff_t> of_pair;  // one for each dimension of the pairs

@@ -23,10 +23,10 @@ struct Fitted {
 };
 
 template <class Enum>
-void set_named(Enum& value, const char* option, const std::string& word) {
+Enum named(const char* option, const std::string& word) {
   const auto found = find_named<Enum>(word);
   if (!found) throw InputError(std::string(option) + " " + word + ": must be one of " + known_names<Enum>());
-  value = *found;
+  return *found;
 }
 
 fit::FitChoice choice_of(const std::string& form, const std::string& metric, const std::string& weights,
@@ -35,20 +35,17 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                          const std::vector<std::string>& tie, bool physical, bool anisotropic,
                          bool per_channel, bool free_scale, double max_theta, double aperture, int starts,
                          std::uint64_t seed) {
-  fit::FitChoice choice{
-      .form = form, .robust = robust, .fix = fix, .start = start, .bounds = bounds, .physical = physical};
-  fit::FitOptions& options = choice.options;
-  set_named(options.metric, "--metric", metric);
-  set_named(options.weighting, "--weights", weights);
-  options.tie = tie;
-  options.anisotropic = anisotropic;
-  options.per_channel = per_channel;
-  options.free_scale = free_scale;
-  options.max_theta = max_theta;
-  options.aperture = aperture;
-  options.random_starts = starts;
-  options.seed = seed;
-  return choice;
+  const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
+                                .weighting = named<fit::Weighting>("--weights", weights),
+                                .max_theta = max_theta,
+                                .anisotropic = anisotropic,
+                                .per_channel = per_channel,
+                                .free_scale = free_scale,
+                                .tie = tie,
+                                .random_starts = starts,
+                                .seed = seed,
+                                .aperture = aperture};
+  return {form, robust, fix, start, bounds, physical, options};
 }
 
 // The table as it is fitted: its own values, unless a scale is free, and a name for reports.
@@ -90,8 +87,6 @@ std::string text_of(const Fitted& f) {
 // What `brdf fit FILES -o FOLDER` leaves in the folder, but for the pictures.
 std::string fit_files(const std::vector<std::string>& files, const std::string& folder, unsigned jobs,
                       const fit::FitChoice& choice, py::object progress) {
-  if (jobs < 1 || jobs > 256)
-    throw InputError("--jobs: Value " + std::to_string(jobs) + " not in range 1 to 256");
   fit::FitOptions options = fit::options_of(choice);
   Watch watch(std::move(progress));
   options.interrupted = &watch.stop();

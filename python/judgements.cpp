@@ -30,12 +30,16 @@ Judged judge(const std::vector<std::string>& forms, const py::list& items, const
     content.subjects.push_back(validate::Subject::form(io::require_form(name)));
   for (const py::handle item : items) {
     if (py::isinstance<Samples>(item)) {
-      validate::add_table(content, item.cast<const Samples&>().table());
+      const std::shared_ptr<const io::SampleTable> table = item.cast<const Samples&>().held;
+      const py::gil_scoped_release unlocked;
+      validate::add_table(content, *table);
     } else if (py::isinstance<py::tuple>(item)) {
       const auto [name, optics] = item.cast<std::pair<std::string, Optics>>();
       validate::add_material(content, name, optics.file);
     } else {
-      validate::add_file(content, item.cast<std::string>());
+      const auto path = item.cast<std::string>();
+      const py::gil_scoped_release unlocked;
+      validate::add_file(content, path);
     }
   }
   const validate::CheckOptions options{effort == "full" ? validate::Effort::full : validate::Effort::quick,
@@ -81,6 +85,7 @@ void bind_judgements(py::module_& module) {
       .def_property_readonly("summary", [](const Judged& j) { return validate::summary(j.content.findings); })
       .def("html",
            [](const Judged& j, const std::vector<std::pair<std::string, std::string>>& pictures) {
+             const py::gil_scoped_release unlocked;
              validate::ReportContent content = j.content;
              for (const auto& [name, png] : pictures) content.pictures.push_back({name, png});
              return validate::to_html(content);

@@ -5,6 +5,7 @@
 #include "brdf/geometry.h"
 #include "io/error.h"
 #include "io/numbers.h"
+#include "python/batches.h"
 #include "python/binding.h"
 
 namespace brdf::python {
@@ -12,19 +13,32 @@ namespace {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-constexpr double kUnitLength = 1e-4;  // by which a squared length may be off
+// One of `count` by a number in [0, 1), and what is left of that number, in [0, 1) again.
+struct Chosen {
+  std::size_t place;
+  double rest;
+};
+Chosen choose(double u, std::size_t count) {
+  const double at = u * double(count);
+  const std::size_t place = std::min(std::size_t(at), count - 1);
+  return {place, at - double(place)};
+}
 
-// A term's sampler in the surface's frame. Of shapes per channel the first channel's is followed.
+// A term's sampler in the surface's frame. Where the channels have shapes of their own, each with the same chance.
 class TermSampler {
  public:
   explicit TermSampler(const Term& term)
       : term_(term), cos_(std::cos(term.tangent_phi.radians())), sin_(std::sin(term.tangent_phi.radians())) {}
 
   Vec3<double> sample(double u1, double u2, double u3, const Vec3<double>& wo) const {
-    return turn(term_.form->sample(term_.shape_of(0), u1, u2, u3, turn(wo, cos_, sin_)), cos_, -sin_);
+    const auto [channel, rest] = choose(u3, term_.shape.size());
+    return turn(term_.form->sample(term_.shape[channel], u1, u2, rest, turn(wo, cos_, sin_)), cos_, -sin_);
   }
   double pdf(const Vec3<double>& wi, const Vec3<double>& wo) const {
-    return term_.form->pdf(term_.shape_of(0), turn(wi, cos_, sin_), turn(wo, cos_, sin_));
+    const Vec3<double> i = turn(wi, cos_, sin_), o = turn(wo, cos_, sin_);
+    double sum = 0;
+    for (const std::vector<double>& shape : term_.shape) sum += term_.form->pdf(shape, i, o);
+    return sum / double(term_.shape.size());
   }
 
  private:
@@ -39,9 +53,8 @@ class Mixture {
 
   // u3 chooses the term, and what is left of it how that samples.
   Vec3<double> sample(const double* u, const Vec3<double>& wo) const {
-    const double place = u[2] * double(terms_.size());
-    const std::size_t k = std::min(std::size_t(place), terms_.size() - 1);
-    return terms_[k].sample(u[0], u[1], place - double(k), wo);
+    const auto [k, rest] = choose(u[2], terms_.size());
+    return terms_[k].sample(u[0], u[1], rest, wo);
   }
   double pdf(const Vec3<double>& wi, const Vec3<double>& wo) const {
     double sum = 0;
@@ -61,24 +74,23 @@ Vec3<double> row(const Rows& rows, py::ssize_t k) {
 void check_unit(const Rows& rows, const char* name) {
   for (py::ssize_t k = 0; k < rows.shape(0); ++k) {
     const Vec3<double> w = row(rows, k);
-    const double square = w.x * w.x + w.y * w.y + w.z * w.z;
-    if (!(std::abs(square - 1) <= kUnitLength))
-      throw InputError(std::string(name) + ": pair " + std::to_string(k) + ": length " +
-                       io::short_number(std::sqrt(square)) + ": must be a unit vector");
+    if (!(std::abs(w.x * w.x + w.y * w.y + w.z * w.z - 1) <= kUnitLength))
+      refuse_direction(name, std::size_t(k), w.x, w.y, w.z);
   }
 }
 
 // wi (n, 3) of wo and u, both (n, 3).
 py::array_t<double> sample(const Optics& optics, const Rows& wo, const Rows& u) {
-  check_unit(wo, "wo");
-  for (py::ssize_t k = 0; k < u.size(); ++k)
-    if (!(u.data()[k] >= 0 && u.data()[k] < 1))
-      throw InputError("u: " + io::short_number(u.data()[k]) + ": must be from 0 to below 1");
   py::array_t<double> out({wo.shape(0), py::ssize_t{3}});
   const Mixture mixture(optics.file.material);
   const py::ssize_t count = wo.shape(0);
   double* to = out.mutable_data();
   const py::gil_scoped_release unlocked;
+  check_unit(wo, "wo");
+  for (py::ssize_t k = 0; k < u.size(); ++k)
+    if (!(u.data()[k] >= 0 && u.data()[k] < 1))
+      throw InputError("u: pair " + std::to_string(k / 3) + ": " + io::short_number(u.data()[k], 17) +
+                       ": must be from 0 to below 1");
   for (py::ssize_t k = 0; k < count; ++k) {
     const Vec3<double> wi = mixture.sample(u.data() + 3 * k, row(wo, k));
     for (const double coordinate : {wi.x, wi.y, wi.z}) *to++ = coordinate;
@@ -87,13 +99,13 @@ py::array_t<double> sample(const Optics& optics, const Rows& wo, const Rows& u) 
 }
 
 py::array_t<double> pdf(const Optics& optics, const Rows& wi, const Rows& wo) {
-  check_unit(wi, "wi");
-  check_unit(wo, "wo");
   py::array_t<double> out(wo.shape(0));
   const Mixture mixture(optics.file.material);
   const py::ssize_t count = wo.shape(0);
   double* const to = out.mutable_data();
   const py::gil_scoped_release unlocked;
+  check_unit(wi, "wi");
+  check_unit(wo, "wo");
   for (py::ssize_t k = 0; k < count; ++k) to[k] = mixture.pdf(row(wi, k), row(wo, k));
   return out;
 }

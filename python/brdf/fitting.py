@@ -5,17 +5,19 @@ import functools
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import Any, Tuple, Union
 
 from . import _brdf
 from ._brdf import InputError
 from .display import table_html
+from .entries import Entries
 from .material import Material
 from .table import Table, read
-from .words import Path, Settings, list_of, path_of, ranges, settings
+from .words import Path, Settings, finite, list_of, path_of, ranges, seed_of, settings, whole
 
 Progress = Callable[[str], Any]
 Source = Union[Table, Path]
+Extent = Tuple[Union[float, None], Union[float, None]]  # lowest and highest
 
 
 @dataclass(frozen=True)
@@ -27,38 +29,36 @@ class Interval:
     low: float | None  #: of the values' scatter, the model taken as right
     high: float | None
     standard_error: float | None
-    with_lack_of_fit: tuple[float | None, float | None]  #: whatever the model's lack of fit
+    with_lack_of_fit: Extent  #: whatever the model's lack of fit
+    left_out: Extent  #: where it lies without each fold of the samples
+    other_metrics: Extent  #: where the other metrics put it
 
     @classmethod
     def _of(cls, entry: Mapping[str, Any]) -> Interval:
-        wide = entry.get("with_lack_of_fit") or {}
+        def extent(name: str) -> Extent:
+            found = entry.get(name) or {}
+            return found.get("low"), found.get("high")
+
         return cls(entry["value"], entry["status"], entry.get("low"), entry.get("high"), entry.get("standard_error"),
-                   (wide.get("low"), wide.get("high")))
+                   extent("with_lack_of_fit"), extent("left_out"), extent("other_metrics"))
 
 
-class Candidate:
-    """One form's fit: an entry of `ranking` of `brdf fit --json`, which `to_dict()` gives whole."""
+class Candidate(Entries):
+    """One form's fit: an entry of `ranking` of `brdf fit --json`, whose keys it has; `to_dict()` gives it whole."""
 
     def __init__(self, fitted: _brdf.Fitted, place: int, entry: dict[str, Any]) -> None:
-        self._fitted, self._place, self._entry = fitted, place, entry
-
-    def __getitem__(self, key: str) -> Any:
-        """An entry by its key in the JSON."""
-        return self._entry[key]
-
-    def to_dict(self) -> dict[str, Any]:
-        return self._entry
+        self._fitted, self._place, self._content = fitted, place, entry
 
     @property
     def form(self) -> str:
         """"ward", or "oren_nayar+ward"."""
-        form: str = self._entry["form"]
+        form: str = self._content["form"]
         return form
 
     @property
     def verdict(self) -> str:
         """converged, at_bound, determined, not_identifiable, misfit, diverged or interrupted."""
-        verdict: str = self._entry["verdict"]
+        verdict: str = self._content["verdict"]
         return verdict
 
     @property
@@ -69,12 +69,12 @@ class Candidate:
     @property
     def findings(self) -> list[str]:
         """Sentences, the verdict's reason first."""
-        findings: list[str] = self._entry["findings"]
+        findings: list[str] = self._content["findings"]
         return findings
 
     @property
     def median_relative_error(self) -> float | None:
-        error: float | None = self._entry["median_relative_error"]
+        error: float | None = self._content["median_relative_error"]
         return error
 
     @functools.cached_property
@@ -87,7 +87,7 @@ class Candidate:
         """By parameter; of one that has a value per channel, by channel. tangent_phi in degrees."""
         return {name: Interval._of(entry) if "status" in entry
                 else {channel: Interval._of(one) for channel, one in entry.items()}
-                for name, entry in self._entry["intervals"].items()}
+                for name, entry in self._content["intervals"].items()}
 
     def __repr__(self) -> str:
         return f"<brdf.Candidate {self.form}: {self.verdict}>"
@@ -96,24 +96,17 @@ class Candidate:
         return f"{self.material._repr_html_()}<p>{self.verdict}</p>"
 
 
-class Fit:
-    """What `brdf fit` found; `ranking` has the best first."""
+class Fit(Entries):
+    """What `brdf fit` found; `ranking` has the best first. Its keys are those of `brdf fit --json`: "samples", "metric",
+    "steps", ...; `to_dict()` gives it whole."""
 
     def __init__(self, fitted: _brdf.Fitted) -> None:
         self._fitted = fitted
 
     @functools.cached_property
-    def _content(self) -> dict[str, Any]:
+    def _content(self) -> dict[str, Any]:  # type: ignore[override]  # parsed when it is asked for
         content: dict[str, Any] = json.loads(self._fitted.json)
         return content
-
-    def __getitem__(self, key: str) -> Any:
-        """An entry by its key in the JSON: "samples", "metric", "steps", ..."""
-        return self._content[key]
-
-    def to_dict(self) -> dict[str, Any]:
-        """The JSON of `brdf fit --json`."""
-        return self._content
 
     @functools.cached_property
     def ranking(self) -> list[Candidate]:
@@ -164,8 +157,9 @@ def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Setti
             anisotropic: bool, per_channel: bool, free_scale: bool, max_theta: float, aperture: float, starts: int,
             seed: int) -> _brdf.FitChoice:
     return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
-                           list_of(tie), physical, anisotropic, per_channel, free_scale, float(max_theta),
-                           float(aperture), int(starts), int(seed))
+                           list_of(tie), physical, anisotropic, per_channel, free_scale,
+                           finite("--max-theta", max_theta), finite("--aperture", aperture),
+                           whole("--starts", starts, 0, 100_000), seed_of(seed))
 
 
 def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: str = "auto", robust: str | None = None,
@@ -208,5 +202,5 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
                      free_scale, max_theta, aperture, starts, seed)
     rows: list[dict[str, Any]] = json.loads(
-        _brdf.fit_files([path_of(p) for p in samples], path_of(output), int(jobs), choice, progress))["files"]
+        _brdf.fit_files([path_of(p) for p in samples], path_of(output), whole("--jobs", jobs, 1, 256), choice, progress))["files"]
     return rows

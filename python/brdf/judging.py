@@ -5,16 +5,17 @@ import json
 import os
 import pathlib
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Union
 
 from . import _brdf
 from ._brdf import InputError
 from .display import table_html
+from .entries import Entries
 from .forms import forms
 from .material import Material
 from .table import Table
-from .words import Path, list_of, path_of
+from .words import Path, finite, list_of, path_of, seed_of
 
 Subject = Union[Material, Table, Path]
 Progress = Callable[[int, int], Any]
@@ -22,30 +23,22 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One check of one subject; `entry` is its JSON."""
+class Finding(Entries):
+    """One check of one subject; its keys are those of its JSON."""
 
     subject: str
     check: str
     verdict: str  #: pass, known_violation, fail, not_applicable or undecided
-    entry: dict[str, Any]
-
-    def __getitem__(self, key: str) -> Any:
-        return self.entry[key]
+    _content: dict[str, Any] = field(repr=False)
 
 
-class Judgement:
-    """What `brdf validate` found."""
+class Judgement(Entries):
+    """What `brdf validate` found; `to_dict()` gives what its --json prints."""
 
     def __init__(self, judged: _brdf.Judged, required: list[str]) -> None:
         self._judged, self._required = judged, required
-        content = json.loads(judged.json)
-        self._content: dict[str, Any] = content
-        self.findings = [Finding(f["subject"], f["check"], f["verdict"], f) for f in content["findings"]]
-
-    def to_dict(self) -> dict[str, Any]:
-        """The JSON of `brdf validate --json`."""
-        return self._content
+        self._content = json.loads(judged.json)
+        self.findings = [Finding(f["subject"], f["check"], f["verdict"], f) for f in self._content["findings"]]
 
     @property
     def passed(self) -> bool:
@@ -72,7 +65,7 @@ class Judgement:
         return f"<brdf.Judgement: {self._judged.summary}>"
 
     def _repr_html_(self) -> str:
-        rows = [[f.subject, f.check, f.verdict, str(f.entry.get("statement", ""))] for f in self.findings]
+        rows = [[f.subject, f.check, f.verdict, str(f._content.get("statement", ""))] for f in self.findings]
         return table_html(self._judged.summary, ["subject", "check", "verdict", "finding"], rows)
 
 
@@ -87,8 +80,9 @@ def _png(path: Path) -> bytes:
     return content
 
 
-def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *, form: str | Iterable[str] | None = None, all: bool = False,
-             effort: str = "quick", require: str | Iterable[str] | None = None, max_theta: float = 89.5, seed: int = 1,
+def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
+             form: str | Iterable[str] | None = None, all: bool = False, effort: str = "quick",
+             require: str | Iterable[str] | None = None, max_theta: float = 89.5, seed: int = 1,
              progress: Progress | None = None) -> Judgement:
     """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
 
@@ -109,4 +103,4 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *, fo
             items.append((subject.form if len(given) == 1 else f"{subject.form} ({k + 1})", subject._optics))
         else:
             items.append(subject._samples if isinstance(subject, Table) else path_of(subject))
-    return Judgement(_brdf.validate(names, items, effort, float(max_theta), int(seed), progress), required)
+    return Judgement(_brdf.validate(names, items, effort, finite("--max-theta", max_theta), seed_of(seed), progress), required)

@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterable
 from typing import Any, Union
 
 from . import _brdf
+from ._brdf import InputError
 from .material import Material, material
 from .table import Table
-from .words import Path, path_of
+from .words import Path, finite, path_of, seed_of
 
 Progress = Callable[[int, int], Any]
 
@@ -25,10 +26,11 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
     same arguments give the same table on every machine. The table's metadata records the truth and every setting.
     """
     return Table._of(_brdf.synth(
-        material._optics, grid, [float(t) for t in theta_i], float(step),
-        None if azimuths is None else [float(a) for a in azimuths], float(blind_zone), float(aperture),
-        float(source_aperture), float(noise), float(noise_floor), float(saturation), clip_negatives, sigma_columns,
-        int(seed), progress))
+        material._optics, grid, [finite("--theta-i", t) for t in theta_i], finite("--step", step),
+        None if azimuths is None else [finite("--azimuths", a) for a in azimuths], finite("--blind-zone", blind_zone),
+        finite("--aperture", aperture), finite("--source-aperture", source_aperture), finite("--noise", noise),
+        finite("--noise-floor", noise_floor), finite("--saturation", saturation), clip_negatives, sigma_columns,
+        seed_of(seed), progress))
 
 
 def convert(source: Path | Table | Material, output: Path) -> list[str]:
@@ -48,6 +50,8 @@ def export(source: Union[Material, str], to: str, output: Path | None = None, *,
     Of a material a function brdf_material(wi, wo) is added. include: functions only, for an #include. Written to `output`
     where given. InputError where a form has no GLSL.
     """
+    if not isinstance(source, (Material, str)):
+        raise InputError(f"{source!r}: a shader is made of a material, or of a form by its name")
     whole = source if isinstance(source, Material) else material(source)
     text = whole._optics.glsl(to, isinstance(source, Material), include)
     if output is not None:

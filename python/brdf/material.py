@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _brdf
 from ._brdf import InputError
+from .arrays import Array, check_vectors, common_shape, given, numbers, together
 from .display import SIDE, plot_slices, table_html
-from .words import Floats, Path, Values, path_of, setting
+from .entries import made
+from .words import Floats, Path, Values, finite, list_of, path_of, setting, whole
 
 if TYPE_CHECKING:
     from .judging import Judgement
     from .table import Table
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ def directions(theta: ArrayLike, phi: ArrayLike = 0.0) -> Array:
 
     The same bits on every machine: the sines of the files' angles, within 1.5 ulp for |angle| up to 1e6 degrees.
     """
-    t, p = np.broadcast_arrays(np.asarray(theta, dtype=np.float64), np.asarray(phi, dtype=np.float64))
+    t, p = together(("theta", "phi"), (numbers("theta", theta), numbers("phi", phi)))
     return _brdf.unit_vectors(t.reshape(-1), p.reshape(-1)).reshape(t.shape + (3,))
 
 
@@ -56,19 +56,13 @@ def _usable(array: Floats) -> Floats:
 
 def _pairs(wi: ArrayLike, wo: ArrayLike) -> tuple[Floats, Floats]:
     """Both directions broadcast against each other, of one type: float32 where both are, else float64."""
-    light, viewer = np.asarray(wi), np.asarray(wo)
+    light, viewer = given("wi", wi), given("wo", wo)
     single = light.dtype == np.float32 and viewer.dtype == np.float32
     kind = np.float32 if single else np.float64
-    for name, array in (("wi", light), ("wo", viewer)):
-        if array.ndim == 0 or array.shape[-1] != 3:
-            raise InputError(f"{name}: shape {array.shape}: must end in 3")
-        if array.dtype.kind not in "fiub":
-            raise InputError(f"{name}: {array.dtype}: must be numbers")
+    check_vectors("wi", light)
+    check_vectors("wo", viewer)
     light, viewer = (_usable(a.astype(kind, copy=False)) for a in (light, viewer))
-    try:
-        shape = np.broadcast_shapes(light.shape, viewer.shape)
-    except ValueError:
-        raise InputError(f"wi and wo: shapes {light.shape} and {viewer.shape} do not broadcast") from None
+    shape = common_shape(("wi", "wo"), (light, viewer))
     return np.broadcast_to(light, shape), np.broadcast_to(viewer, shape)
 
 
@@ -85,9 +79,7 @@ class Material:
 
     @classmethod
     def _of(cls, optics: _brdf.Optics) -> Material:
-        made = cls.__new__(cls)
-        made._optics = optics
-        return made
+        return made(cls, _optics=optics)
 
     @classmethod
     def from_dict(cls, content: dict[str, Any], name: str = "material") -> Material:
@@ -139,10 +131,12 @@ class Material:
         """Another with these parameters (`--set`): a value, or one per channel; `alpha` sets both widths, `tangent_phi`
         is in degrees. `channels` renames the channels. A fit's statistics do not stay with what was changed."""
         optics = self._optics.with_settings([setting(name, v) for name, v in set.items()])
-        return Material._of(optics if channels is None else optics.with_channels(list(channels)))
+        return Material._of(optics if channels is None else optics.with_channels(list_of(channels)))
 
     def __add__(self, other: Material) -> Material:
         """The sum of the reflectances, of materials with the same channels."""
+        if not isinstance(other, Material):
+            return NotImplemented
         return Material._of(self._optics.plus(other._optics))
 
     def _evaluated(self, wi: ArrayLike, wo: ArrayLike, out: Floats | None, cosine: bool) -> Floats:
@@ -183,23 +177,17 @@ class Material:
     def sample(self, wo: ArrayLike, u: ArrayLike) -> Array:
         """Random directions wi (..., 3) about as bright as the material is seen from wo (..., 3), from numbers u (..., 3)
         in [0, 1); wo and u broadcast. A direction may lie below the horizon: its value is 0. Sums take a term at random."""
-        viewer, numbers = (np.asarray(a, dtype=np.float64) for a in (wo, u))
-        return self._rows(_brdf.sample, "wo", viewer, "u", numbers)
+        return self._rows(_brdf.sample, "wo", numbers("wo", wo), "u", numbers("u", u))
 
     def pdf(self, wi: ArrayLike, wo: ArrayLike) -> Array:
         """The density of `sample` at wi (..., 3), seen from wo (..., 3), in 1/sr: (...)."""
-        light, viewer = (np.asarray(a, dtype=np.float64) for a in (wi, wo))
-        return self._rows(_brdf.pdf, "wi", light, "wo", viewer)
+        return self._rows(_brdf.pdf, "wi", numbers("wi", wi), "wo", numbers("wo", wo))
 
     def _rows(self, call: Callable[[_brdf.Optics, Array, Array], Array], name: str, a: Array, other: str,
               b: Array) -> Array:
-        for what, array in ((name, a), (other, b)):
-            if array.ndim == 0 or array.shape[-1] != 3:
-                raise InputError(f"{what}: shape {array.shape}: must end in 3")
-        try:
-            a, b = np.broadcast_arrays(a, b)
-        except ValueError:
-            raise InputError(f"{name} and {other}: shapes {a.shape} and {b.shape} do not broadcast") from None
+        check_vectors(name, a)
+        check_vectors(other, b)
+        a, b = together((name, other), (a, b))
         found = call(self._optics, a.reshape(-1, 3), b.reshape(-1, 3))
         return found.reshape(a.shape[:-1] + found.shape[1:])
 
@@ -211,18 +199,17 @@ class Material:
         slope or adaptive. Arrays of theta's shape and the channels, each with the integral's error bound and, of a
         fitted material, the fit's 95 % interval.
         """
-        angles = np.asarray(theta, dtype=np.float64)
-        rows = self._optics.albedo(angles.reshape(-1).tolist(), float(phi), fixed, float(tolerance), rule)
+        angles = numbers("theta", theta)
+        rows = self._optics.albedo([finite("--theta", t) for t in angles.reshape(-1).tolist()], finite("--phi", phi), fixed,
+                                   finite("--tolerance", tolerance), rule)
         columns = list(zip(*rows)) if rows else [()] * 7
         shape = angles.shape + (len(self.channels),)
 
-        def number(k: int) -> Array:
-            return np.array(columns[k], dtype=np.float64).reshape(shape)
+        def column(k: int, kind: Any = np.float64) -> NDArray[Any]:
+            return np.array(columns[k], dtype=kind).reshape(shape)
 
-        return Albedo(value=number(0), error_bound=number(1), low=number(5), high=number(6),
-                      evaluations=np.array(columns[2], dtype=np.int64).reshape(shape),
-                      converged=np.array(columns[3], dtype=np.bool_).reshape(shape),
-                      rule=np.array(columns[4], dtype=np.str_).reshape(shape))
+        return Albedo(value=column(0), error_bound=column(1), evaluations=column(2, np.int64),
+                      converged=column(3, np.bool_), rule=column(4, np.str_), low=column(5), high=column(6))
 
     def validate(self, **options: Any) -> Judgement:
         """The checks of `brdf.validate` on this material."""
@@ -244,9 +231,7 @@ class Material:
         """A PNG of `side` by `side` pixels: a sphere under one light. InputError where channels are no colours."""
         if self._optics.obstacle:
             raise InputError(self._optics.obstacle)
-        if not 8 <= side <= 4096:
-            raise InputError(f"side: {side}: must be between 8 and 4096")
-        return self._optics.sphere(side)
+        return self._optics.sphere(whole("side", side, 8, 4096))
 
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={_short(value)}" for name, value in self.parameters.items())
@@ -283,7 +268,7 @@ def material(form: str, *, channels: Sequence[str] | None = None, **set: Values)
     unknown form or parameter, a value out of range (`brdf.form(name)` has the ranges), or a wrong count.
     """
     words = [setting(name, v) for name, v in set.items()]
-    return Material._of(_brdf.material_of_form(form, words, None if channels is None else list(channels)))
+    return Material._of(_brdf.material_of_form(form, words, None if channels is None else list_of(channels)))
 
 
 def load(path: Path) -> Material:

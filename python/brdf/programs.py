@@ -7,10 +7,13 @@ import os
 import pathlib
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Mapping
 from typing import Any
 
 from . import _brdf
+from .material import Material
+from .table import Table
 
 BAD_INPUT, ENVIRONMENT = 2, 3
 
@@ -25,7 +28,7 @@ def verbs() -> dict[str, Any]:
 def executable() -> str:
     """The program: $BRDF_PROGRAM, that of the same installation or build, or the one in PATH."""
     above = pathlib.Path(_brdf.__file__).resolve().parents  # BUILD/python/brdf, PREFIX/lib/python3/dist-packages/brdf
-    beside = [above[2] / "brdf", *(folder / "bin" / "brdf" for folder in above[1:6])]
+    beside = [*(folder / "brdf" for folder in above[2:3]), *(folder / "bin" / "brdf" for folder in above[1:6])]
     for candidate in [os.environ.get("BRDF_PROGRAM"), *beside, shutil.which("brdf")]:
         if candidate and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
             return str(candidate)
@@ -44,24 +47,52 @@ def _words(name: str, value: Any) -> list[str]:
 
 
 def _joined(value: Any) -> str:
-    if isinstance(value, (str, os.PathLike)):
-        return os.fspath(value)
+    if isinstance(value, (str, bytes, os.PathLike)):
+        return os.fsdecode(value)
     try:
         return ",".join(_joined(v) for v in value)
     except TypeError:
         return str(value)
 
 
+class _Files:
+    """Files of the materials and tables that a command is given, in a folder that lasts as long as it runs."""
+
+    def __init__(self, folder: pathlib.Path) -> None:
+        self._folder, self._count = folder, 0
+
+    def of(self, value: Any) -> Any:
+        """Its file; what is no material and no table as it is."""
+        if isinstance(value, Material):
+            path = self._new(f"{value.form}.json")
+        elif isinstance(value, Table):
+            path = self._new((pathlib.Path(value.source).stem or "samples") + ".csv")
+        else:
+            return value
+        value.save(path)
+        return path
+
+    def _new(self, name: str) -> pathlib.Path:
+        self._count += 1
+        path = self._folder / str(self._count) / name
+        path.parent.mkdir()
+        return path
+
+
 def program(verb: str, *arguments: Any, **options: Any) -> Any:
     """Runs `brdf VERB ARGUMENTS --options` and returns what it prints: parsed where `json=True`, else text.
 
+    Arguments and options are as on the command line, or a Material or a Table: the program reads a file of it.
     Options have the program's names with _ for -: `output="a.png"` is --output, True a flag, a list is joined by
     commas, {"kd": 0.3} is name=value. InputError and EnvironmentError with the program's sentence. A result that fails
     (exit code 1) is returned as any other; with json=True it says so itself.
     """
-    words = [word for name, value in options.items() for word in _words(name, value)]
-    run = subprocess.run([executable(), verb, *map(os.fspath, arguments), *words], capture_output=True, text=True,
-                         check=False)
+    with tempfile.TemporaryDirectory(prefix="brdf_") as folder:
+        files = _Files(pathlib.Path(folder))
+        words = [os.fsdecode(files.of(one)) for one in arguments]
+        words += [word for name, value in options.items() for word in _words(name, files.of(value))]
+        run = subprocess.run([executable(), verb, *words], capture_output=True, encoding="utf-8",
+                             errors="surrogateescape", check=False)
     sentence = run.stderr.strip().rpartition("\n")[2].removeprefix("brdf: ")
     if run.returncode == BAD_INPUT:
         raise _brdf.InputError(sentence)

@@ -1,21 +1,22 @@
 """Tables of samples: read from any format, made of arrays, handed on to numpy and pandas."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _brdf
 from ._brdf import InputError
+from .arrays import Array, check_vectors, numbers, together
 from .display import plot_slices, table_html
-from .words import Path, path_of
+from .entries import made
+from .words import Path, list_of, path_of
 
 if TYPE_CHECKING:
     import pandas
 
-Array = NDArray[np.float64]
 ANGLES = ("theta_i", "phi_i", "theta_o", "phi_o")
 PREFIX = "sigma_"
 IN_PLANE = 0.5  # degrees by which a direction may be out of the plane
@@ -28,7 +29,7 @@ def _names(count: int) -> list[str]:
 
 def _columns(values: ArrayLike, shape: tuple[int, ...], what: str) -> Array:
     """Values of shape `shape` or `shape + (channels,)` as (pairs, channels)."""
-    array = np.asarray(values, dtype=np.float64)
+    array = numbers(what, values)
     if array.shape == shape:
         return array.reshape(-1, 1)
     if array.ndim == len(shape) + 1 and array.shape[:-1] == shape:
@@ -51,13 +52,12 @@ class Table:
 
     def __init__(self, wi: ArrayLike, wo: ArrayLike, values: ArrayLike, *, sigma: ArrayLike | None = None,
                  channels: Sequence[str] | None = None, metadata: Mapping[str, str] | None = None) -> None:
-        light, viewer = np.asarray(wi, dtype=np.float64), np.asarray(wo, dtype=np.float64)
+        light, viewer = numbers("wi", wi), numbers("wo", wo)
         for name, array in (("wi", light), ("wo", viewer)):
-            if array.ndim == 0 or array.shape[-1] != 3:
-                raise InputError(f"{name}: shape {array.shape}: must end in 3")
+            check_vectors(name, array)
             if not np.all(np.isfinite(array)) or not np.all(np.any(array != 0, axis=-1)):
                 raise InputError(f"{name}: every direction must be finite and longer than 0")
-        light, viewer = np.broadcast_arrays(light, viewer)
+        light, viewer = together(("wi", "wo"), (light, viewer))
         angles = [*_brdf.angles_of(light.reshape(-1, 3)), *_brdf.angles_of(viewer.reshape(-1, 3))]
         self._samples = _made(angles, light.shape[:-1], values, sigma, channels, metadata)
 
@@ -66,23 +66,27 @@ class Table:
                      values: ArrayLike, *, sigma: ArrayLike | None = None, channels: Sequence[str] | None = None,
                      metadata: Mapping[str, str] | None = None) -> Table:
         """The same of polar angles and azimuths in degrees, which are broadcast against each other."""
-        given = [np.asarray(a, dtype=np.float64) for a in (theta_i, phi_i, theta_o, phi_o)]
-        angles = np.broadcast_arrays(*given)
+        angles = together(ANGLES, [numbers(name, a) for name, a in zip(ANGLES, (theta_i, phi_i, theta_o, phi_o))])
         return cls._of(_made([a.reshape(-1) for a in angles], angles[0].shape, values, sigma, channels, metadata))
 
     @classmethod
     def from_pandas(cls, frame: pandas.DataFrame, *, metadata: Mapping[str, str] | None = None) -> Table:
         """A frame with the columns of a CSV: theta_i, phi_i, theta_o, phi_o, channels, and sigma_CHANNEL."""
+        columns = {str(name): frame[name] for name in frame.columns}
+        if len(columns) != len(frame.columns):
+            raise InputError("frame: two columns have the same name")
         for name in ANGLES:
-            if name not in frame.columns:
+            if name not in columns:
                 raise InputError(f"frame: column '{name}' is missing")
-        names = [str(n) for n in frame.columns if n not in ANGLES and not str(n).startswith(PREFIX)]
+        names = [n for n in columns if n not in ANGLES and not n.startswith(PREFIX)]
         if not names:
             raise InputError("frame: no column of values")
+        for name in columns:
+            if name.startswith(PREFIX) and name.removeprefix(PREFIX) not in names:
+                raise InputError(f"frame: column '{name}' has no column of values")
 
         def column(name: str) -> Array:
-            found: Array = frame[name].to_numpy(np.float64) if name in frame.columns else np.full(len(frame), np.nan)
-            return found
+            return numbers(f"frame: column '{name}'", columns[name]) if name in columns else np.full(len(frame), np.nan)
 
         theta_i, phi_i, theta_o, phi_o = (column(a) for a in ANGLES)
         return cls.from_degrees(theta_i, phi_i, theta_o, phi_o, np.stack([column(n) for n in names], axis=-1),
@@ -96,9 +100,7 @@ class Table:
 
     @classmethod
     def _of(cls, samples: _brdf.Samples) -> Table:
-        table = cls.__new__(cls)
-        table._samples = samples
-        return table
+        return made(cls, _samples=samples)
 
     @property
     def theta_i(self) -> Array:
@@ -146,6 +148,10 @@ class Table:
         if channel not in self.channels:
             raise KeyError(channel)
         return self._samples.column(self.channels.index(channel))
+
+    def __iter__(self) -> Iterator[str]:
+        """The channels' names, as a data frame has its columns'; `"r" in table`."""
+        return iter(self.channels)
 
     def __len__(self) -> int:
         return self._samples.rows
@@ -229,7 +235,7 @@ class Table:
 def _made(angles: Sequence[Array], shape: tuple[int, ...], values: ArrayLike, sigma: ArrayLike | None,
           channels: Sequence[str] | None, metadata: Mapping[str, str] | None) -> _brdf.Samples:
     f = _columns(values, shape, "values")
-    names = _names(f.shape[1]) if channels is None else list(channels)
+    names = _names(f.shape[1]) if channels is None else list_of(channels)
     if len(names) != f.shape[1]:
         raise InputError(f"channels: {len(names)} names for {f.shape[1]} channels")
     deviations: list[Array | None] = []
@@ -239,7 +245,7 @@ def _made(angles: Sequence[Array], shape: tuple[int, ...], values: ArrayLike, si
             raise InputError(f"sigma: {s.shape[1]} channels for {f.shape[1]} channels of values")
         deviations = [None if np.all(np.isnan(s[:, c])) else s[:, c] for c in range(s.shape[1])]
     return _brdf.from_arrays(list(angles), [f[:, c] for c in range(f.shape[1])], deviations, names,
-                             list((metadata or {}).items()))
+                             [(str(key), str(value)) for key, value in (metadata or {}).items()])
 
 
 def _remade(angles: list[Array], values: Array, sigma: Array | None, channels: list[str],

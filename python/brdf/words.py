@@ -1,6 +1,8 @@
 """Python's values as the words of the command line, which the library parses: one parser, the same sentences."""
 from __future__ import annotations
 
+import math
+import operator
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any, Union
@@ -8,10 +10,14 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from ._brdf import InputError
+
 Path = Union[str, bytes, "os.PathLike[str]"]
 Floats = NDArray[np.floating[Any]]
 Values = Union[float, Iterable[float], Floats]
 Settings = Mapping[str, Values]
+
+SEEDS = 2**64 - 1  # the largest
 
 
 def path_of(path: Path) -> bytes:
@@ -24,9 +30,48 @@ def number(value: float) -> str:
     return repr(float(value))
 
 
+def finite(option: str, value: float) -> float:
+    """An option's number."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError):
+        found = math.nan
+    if not math.isfinite(found):
+        raise InputError(f"{option}: '{value}' must be a finite number")
+    return found
+
+
+def whole(option: str, value: int, low: int, high: int) -> int:
+    """An option's whole number within its range."""
+    found = _index(value)
+    if found is None or not low <= found <= high:
+        raise InputError(f"{option}: Value {value} not in range {low} to {high}")
+    return found
+
+
+def seed_of(value: int) -> int:
+    found = _index(value)
+    if found is None or not 0 <= found <= SEEDS:
+        raise InputError(f"--seed: '{value}' must be a whole number from 0 to {SEEDS}")
+    return found
+
+
+def _index(value: int) -> int | None:
+    try:
+        return operator.index(value)
+    except TypeError:
+        return None
+
+
 def setting(name: str, values: Values) -> str:
     """`name=v` or `name=v,v,v`."""
-    return f"{name}={','.join(number(v) for v in np.atleast_1d(np.asarray(values, dtype=np.float64)))}"
+    try:
+        given = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    except (TypeError, ValueError):
+        given = np.empty((0, 0))
+    if given.ndim != 1:
+        raise InputError(f"{name}: {values!r}: must be a number, or one for each channel")
+    return f"{name}={','.join(number(v) for v in given)}"
 
 
 def settings(values: Settings | None) -> list[str]:

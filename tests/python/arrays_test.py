@@ -155,20 +155,24 @@ class Types(unittest.TestCase):
 class Sampling(unittest.TestCase):
     def test_values_over_densities_average_to_the_albedo(self):
         u = np.random.default_rng(17).random((40_000, 3))
+        # Of the last one the channels' lobes are of different widths: followed are all of them.
+        content = brdf.material("ward", kd=[0, 0, 0], ks=0.4).to_dict()
+        content["shape"] = {"alpha_x": [0.05, 0.2, 0.5], "alpha_y": [0.05, 0.2, 0.5]}
         for material in (brdf.material("ward", kd=0.2, ks=0.4, alpha_x=0.1, alpha_y=0.3, tangent_phi=30),
-                         brdf.material("lambert", rho=0.3) + brdf.material("cook_torrance", alpha=0.3)):
+                         brdf.material("lambert", rho=0.3) + brdf.material("cook_torrance", alpha=0.3),
+                         brdf.Material.from_dict(content)):
             wo = brdf.directions(40, 70)
             wi = material.sample(wo, u)
             self.assertEqual(wi.shape, (40_000, 3))
             up = wi[:, 2] > 0
-            weights = np.zeros(len(u))
-            weights[up] = material.eval_cos(wi[up], wo)[:, 0] / material.pdf(wi[up], wo)
-            error = weights.std() / np.sqrt(len(u))
-            albedo = material.albedo(40, 70, fixed="o").value[0]
-            self.assertLess(abs(weights.mean() - albedo), 4 * error)
-            self.assertLess(error, 0.02 * albedo)
-        with self.assertRaisesRegex(brdf.InputError, "below 1"):
-            material.sample(wo, [0, 0, 1])
+            weights = np.zeros((len(u), len(material.channels)))
+            weights[up] = material.eval_cos(wi[up], wo) / material.pdf(wi[up], wo)[:, None]
+            error = weights.std(axis=0) / np.sqrt(len(u))
+            albedo = material.albedo(40, 70, fixed="o").value
+            self.assertTrue(np.all(np.abs(weights.mean(axis=0) - albedo) < 4 * error), material)
+            self.assertTrue(np.all(error < 0.02 * albedo), material)
+        with self.assertRaisesRegex(brdf.InputError, "u: pair 1: 1: must be from 0 to below 1"):
+            material.sample(wo, [[0, 0, 0], [0, 0, 1]])
         with self.assertRaisesRegex(brdf.InputError, "unit vector"):
             material.pdf([0, 0, 2], wo)
 
@@ -200,9 +204,32 @@ class Tables(unittest.TestCase):
                                (lambda: brdf.Table([up, up], up, [1, 2, 3]), r"values: shape \(3,\)"),
                                (lambda: brdf.Table([0, 0, 0], up, 1), "longer than 0"),
                                (lambda: brdf.Table([0, 0, -1], up, 1), "theta_i 180"),
-                               (lambda: brdf.Table.from_degrees(95, 0, 0, 0, 1), "theta_i 95")):
+                               (lambda: brdf.Table.from_degrees(95, 0, 0, 0, 1), "theta_i 95"),
+                               (lambda: brdf.Table([up] * 2, [up] * 3, 1), r"wi and wo: shapes \(2, 3\) and \(3, 3\)"),
+                               (lambda: brdf.Table.from_degrees([1, 2], [1, 2, 3], 0, 0, 1),
+                                r"theta_i, phi_i, theta_o and phi_o: shapes \(2,\), \(3,\), \(\) and \(\) do not"),
+                               (lambda: brdf.Table(up, up, "x"), "values: <U1: must be numbers"),
+                               (lambda: brdf.Table(up, up, 1j), "values: complex128: must be numbers"),
+                               (lambda: brdf.directions([1, 2], [1, 2, 3]), "theta and phi: shapes"),
+                               (lambda: brdf.material("ward", kd="x"), "kd: 'x': must be a number"),
+                               (lambda: brdf.material("ward", kd=[[1]]), "kd: .*: must be a number")):
             with self.assertRaisesRegex(brdf.InputError, sentence):
                 make()
+
+    def test_what_no_frame_may_be_is_refused(self):
+        frame = brdf.synth(MATERIAL, grid="in_plane").to_pandas()
+        for made, sentence in ((frame.drop(columns="phi_o"), "column 'phi_o' is missing"),
+                               (frame.assign(sigma_x=0.1), "column 'sigma_x' has no column of values"),
+                               (frame.assign(note="wet"), "column 'note': must be an array of numbers"),
+                               (frame.rename(columns={"g": "r"}), "two columns have the same name"),
+                               (frame[["theta_i", "phi_i", "theta_o", "phi_o"]], "no column of values")):
+            with self.assertRaisesRegex(brdf.InputError, sentence):
+                brdf.Table.from_pandas(made)
+
+    def test_channels_are_what_it_is_made_of(self):
+        table = brdf.synth(MATERIAL, grid="in_plane")
+        self.assertEqual((list(table), "r" in table, "x" in table), (["r", "g", "b"], True, False))
+        self.assertEqual(brdf.Table([0, 0, 1], [0, 0, 1], 1, channels="green").channels, ["green"])
 
 
 if __name__ == "__main__":

@@ -56,6 +56,16 @@ class Errors(unittest.TestCase):
         fit("--fix", "kd=inf", fix={"kd": np.inf})
         fit("--form", "ward", "--fix", "kx=0.5", form="ward", fix={"kx": 0.5})
         fit("--bounds", "kd=0.5:0.1", bounds={"kd": (0.5, 0.1)})
+        fit("--max-theta", "nan", max_theta=np.nan)
+        fit("--starts", "2.5", starts=2.5)
+        fit("--seed", "-1", seed=-1)
+        folder = f"{self.folder.name}/out"
+        self.same_sentence(lambda: brdf.fit_files([samples], folder, jobs=-1), "fit", samples, "--jobs", -1, "-o", folder)
+        self.same_sentence(lambda: brdf.validate(samples, seed=-1), "validate", samples, "--seed", -1)
+        self.same_sentence(lambda: brdf.validate(samples, effort="x"), "validate", samples, "--effort", "x")
+        self.same_sentence(lambda: brdf.synth(WARD, step=np.inf), "synth", "--form", "ward", "--step", "inf", "-o",
+                           f"{self.folder.name}/x.csv")
+        self.same_sentence(lambda: WARD.albedo(np.nan), "albedo", "--form", "ward", "--theta", "nan")
         self.same_sentence(lambda: brdf.validate(samples, require="x"), "validate", samples, "--require", "x")
         self.same_sentence(lambda: brdf.validate(samples, max_theta=0), "validate", samples, "--max-theta", 0)
         self.same_sentence(lambda: brdf.validate(), "validate")
@@ -71,6 +81,10 @@ class Errors(unittest.TestCase):
             brdf.Material()
         with self.assertRaises(KeyError):
             TABLE["x"]
+        with self.assertRaises(TypeError):
+            WARD + 1
+        with self.assertRaisesRegex(brdf.InputError, "a shader is made of a material"):
+            brdf.export(TABLE, "glsl")
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -195,6 +209,7 @@ class Notebooks(unittest.TestCase):
         self.assertIn("1/sr", TABLE._repr_html_())
         result = brdf.fit(TABLE, "ward")
         self.assertIn("converged", result._repr_html_())
+        self.assertTrue("samples" in result and "verdict" in result.best and "x" not in result)
         self.assertIn("alpha_x", brdf.form("ward")._repr_html_())
         self.assertIn("reciprocity", brdf.validate(WARD)._repr_html_())
         self.assertIn("&lt;b&gt;", brdf.Table.from_csv("theta_i,phi_i,theta_o,phi_o,<b>\n0,0,0,0,1\n")._repr_html_())
@@ -234,6 +249,10 @@ class Programs(unittest.TestCase):
             self.assertEqual(found["findings"], brdf.validate(file).to_dict()["findings"])
             with self.assertRaisesRegex(brdf.InputError, "exactly one of --form and --material"):
                 brdf.program("albedo", theta=[0, 30])
+            same = brdf.program("albedo", material=WARD, theta=[0, 30], json=True)["results"]
+            self.assertEqual([row["value"] for row in same], WARD.albedo([0, 30]).value.reshape(-1).tolist())
+            self.assertEqual([f["check"] for f in brdf.program("validate", TABLE, WARD, json=True)["findings"]],
+                             [f.check for f in brdf.validate([TABLE, WARD]).findings])
             text = brdf.program("albedo", form="ward", set={"alpha": 0.2, "kd": [0.1, 0.2, 0.3]}, theta=[0, 30])
             self.assertIn("30  b", text)
 
