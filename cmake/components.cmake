@@ -6,6 +6,8 @@ include(CMakePackageConfigHelpers)
 # Until 1.0 a minor version may change the interface.
 set(BRDF_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(BRDF_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/brdf)
+# Of the Python module, in the prefix: where Debian's interpreter looks in /usr.
+set(BRDF_MODULE_DIR lib/python3/dist-packages/brdf)
 
 # A program finds shared libraries of ours beside itself, wherever the prefix is moved to.
 if(BUILD_SHARED_LIBS)

@@ -60,9 +60,8 @@ exports. The numbers are those of the program brdf.")
 
 # The module: the extension beside the package's own files.
 if(TARGET brdf_python)
-  set(to lib/python3/dist-packages/brdf)
-  install(TARGETS brdf_python LIBRARY DESTINATION ${to} COMPONENT python)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/brdf/ DESTINATION ${to} COMPONENT python
+  install(TARGETS brdf_python LIBRARY DESTINATION ${BRDF_MODULE_DIR} COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/brdf/ DESTINATION ${BRDF_MODULE_DIR} COMPONENT python
           FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN *.json
           PATTERN __pycache__ EXCLUDE)
 endif()

@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where this code lies: a shared library, or the program itself, of which the loader knows only how it was called.
+// Where this code lies: a shared library, the Python module, or the program itself, of which the loader knows only how it
+// was called.
 fs::path own_object() {
   static const char here = 0;
   Dl_info found;
@@ -22,8 +23,10 @@ fs::path own_object() {
 fs::path installed_file(std::string_view name) {
   std::error_code error;  // a place that cannot be looked at holds nothing
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  for (const fs::path& folder : {program.parent_path() / BRDF_SHARE_FROM_BIN,
-                                 fs::canonical(own_object(), error).parent_path() / BRDF_SHARE_FROM_LIB}) {
+  const fs::path object = fs::canonical(own_object(), error);
+  for (const fs::path& folder :
+       {program.parent_path() / BRDF_SHARE_FROM_BIN, object.parent_path() / BRDF_SHARE_FROM_LIB,
+        object.parent_path() / BRDF_SHARE_FROM_MODULE}) {
     const fs::path file = (folder / name).lexically_normal();
     if (file.is_absolute() && fs::is_regular_file(file, error)) return file;
   }

@@ -6,8 +6,8 @@
 namespace brdf::io {
 
 // The path of a file that was installed under the data folder of the prefix (share/), for instance
-// "brdf/chart.min.js". The prefix is the one that the running program, or the library that holds this function, lies
-// in: it may be moved. Empty where there is no such file.
+// "brdf/chart.min.js". The prefix is the one that the running program, or the library or Python module that holds this
+// function, lies in: it may be moved. Empty where there is no such file.
 std::filesystem::path installed_file(std::string_view name);
 
 // The file itself where it exists; else the one of this name among the installed data (share/brdf); else as given,

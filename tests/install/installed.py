@@ -14,7 +14,7 @@ def run(command, **options):
     return done.stdout
 
 
-def moved_prefix(build, folder, components=("program", "development", "chart_js", "libraries")):
+def moved_prefix(build, folder, components=("program", "development", "chart_js", "libraries", "python")):
     """Installs into one folder and moves it to another, so that a path of the first leads nowhere."""
     first, prefix = folder / "first", folder / "moved" / "prefix"
     for component in components:

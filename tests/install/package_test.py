@@ -27,9 +27,7 @@ from brdf.programs import executable
 samples, directions, said = sys.argv[1:]
 found = brdf.fit(samples, "ward")
 json.dump(found.to_dict(), open(said, "w"))
-pairs = brdf.Table.from_csv("".join(line + (",1" if k else ",fr") + chr(10)
-                                    for k, line in enumerate(open(directions).read().splitlines())))
-for row in found.best.material.eval(pairs.wi, pairs.wo).tolist():
+for row in found.best.material.eval(*brdf.read_directions(directions)).tolist():
     print(",".join(map(repr, row)))
 print(executable(), brdf.__file__)
 """

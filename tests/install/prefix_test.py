@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""prefix_test.py BUILD SOURCE: an installed prefix that was moved works from another folder: a fit with its report, an
-installed scene where this machine renders, man pages, completion, descriptions."""
+"""prefix_test.py BUILD SOURCE [PYTHON]: an installed prefix that was moved works from another folder: a fit with its report,
+by the program and by the module that was built for PYTHON, an installed scene where this machine renders, man pages,
+completion, descriptions."""
 import gzip
 import os
 import pathlib
@@ -10,7 +11,14 @@ import sys
 
 from installed import moved_prefix, run, temporary_folder
 
-build, source = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+build, source, *python = map(pathlib.Path, sys.argv[1:])
+# What it writes has the Chart.js of its prefix, and the program is found beside it.
+MODULE = """
+import sys
+import brdf
+brdf.fit(sys.argv[1], "ward").report("module.html")
+print(brdf.programs.executable())
+"""
 with temporary_folder() as folder:
     folder = pathlib.Path(folder)
     prefix = moved_prefix(build, folder)
@@ -29,6 +37,12 @@ with temporary_folder() as folder:
     chart.write_text(marked)
     say("fit", share / "brdf/synthetic/ward.csv", "--form", "ward", "-o", "ward.json", "--report", "ward.html")
     assert "/* of this prefix */" in (elsewhere / "ward.html").read_text()
+    modules = prefix / "lib/python3/dist-packages"
+    if python and modules.is_dir():
+        found = run([python[0], "-P", "-c", MODULE, share / "brdf/synthetic/ward.csv"], cwd=elsewhere,
+                    env={**os.environ, "PYTHONPATH": str(modules), "BRDF_PROGRAM": ""})
+        assert found.strip() == str(brdf), found
+        assert "/* of this prefix */" in (elsewhere / "module.html").read_text()
     say("study", share / "brdf/synthetic/lambert.csv", "--form", "lambert", "--no-pictures", "-o", "study")
     assert (elsewhere / "study/index.html").is_file()
     drawn = subprocess.run([brdf, "render", "--scene", "scenes/vase.json", "--width", "64", "--height", "64", "-o",
