@@ -31,7 +31,4 @@ void bind_sampling(py::module_& module);
 void bind_fits(py::module_& module);
 void bind_judgements(py::module_& module);
 
-// A vector as an array of its own.
-py::array_t<double> to_array(const std::vector<double>& values);
-
 }  // namespace brdf::python

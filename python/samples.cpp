@@ -105,10 +105,6 @@ Samples read(Read&& make) {
 
 }  // namespace
 
-py::array_t<double> to_array(const std::vector<double>& values) {
-  return py::array_t<double>(py::ssize_t(values.size()), values.data());
-}
-
 void bind_samples(py::module_& module) {
   py::class_<Samples> samples(module, "Samples");
   samples.def_property_readonly("theta_i", [](const py::object& s) { return view(s, table_of(s).theta_i); })
@@ -130,8 +126,6 @@ void bind_samples(py::module_& module) {
       .def_property_readonly("source", [](const Samples& s) { return s.table().source; })
       .def_property_readonly("format", [](const Samples& s) { return s.table().format; })
       .def_property_readonly("warnings", [](const Samples& s) { return s.table().warnings; })
-      .def_property_readonly("scale", [](const Samples& s) { return s.table().scale; })
-      .def_property_readonly("skipped", [](const Samples& s) { return s.table().skipped; })
       .def("csv", &to_csv)
       .def("write", [](const Samples& s, const std::string& path) {
         const py::gil_scoped_release unlocked;

@@ -100,6 +100,11 @@ class Material:
         return self._optics.channels
 
     @property
+    def anisotropic(self) -> bool:
+        """Whether it looks different from different azimuths: some term has two widths that differ."""
+        return self._optics.anisotropic
+
+    @property
     def form(self) -> str:
         """The form's name; of a sum the names joined by +."""
         return "+".join(self._optics.forms)

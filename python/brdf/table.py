@@ -255,6 +255,13 @@ def _remade(angles: list[Array], values: Array, sigma: Array | None, channels: l
                                        metadata))
 
 
+def read_directions(path: Path) -> tuple[Array, Array]:
+    """The directions of a CSV of angles, as `brdf eval` takes it: (rows, 3) unit vectors wi to the light and wo to the
+    viewer. InputError names file, line and column."""
+    pairs = _brdf.read_directions(path_of(path))
+    return pairs.wi, pairs.wo
+
+
 def read(path: Path) -> Table:
     """Reads samples in any format that the program reads, told by their content: CSV, MERL .binary, RGL or lens-design
     .bsdf, ASTM E1392. InputError names file, line and column."""

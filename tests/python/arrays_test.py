@@ -196,6 +196,7 @@ class Tables(unittest.TestCase):
             for name in ("theta_i", "phi_i", "theta_o", "phi_o", "values", "sigma", "channels"):
                 np.testing.assert_array_equal(getattr(other, name), getattr(table, name), name)
         self.assertEqual(pickle.loads(pickle.dumps(MATERIAL)), MATERIAL)
+        self.assertTrue(MATERIAL.anisotropic and not MATERIAL.replace(alpha=0.2).anisotropic)
 
     def test_what_breaks_a_rule_is_refused(self):
         up = [0, 0, 1]

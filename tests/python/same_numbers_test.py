@@ -85,8 +85,9 @@ class Same(unittest.TestCase):
                 printed = columns(run("eval", "--material", path, DIRECTIONS))
                 material = brdf.load(path)
                 channels = ["f"] if len(material.channels) == 1 else [f"f_{c}" for c in material.channels]
-                np.testing.assert_array_equal(material.eval_degrees(*given),
-                                              np.stack([printed[c] for c in channels], axis=-1))
+                expected = np.stack([printed[c] for c in channels], axis=-1)
+                np.testing.assert_array_equal(material.eval_degrees(*given), expected)
+                np.testing.assert_array_equal(material.eval(*brdf.read_directions(DIRECTIONS)), expected)
 
     def test_albedo(self):
         for form, values, options in (("lambert", {}, {}), ("ward", {"alpha": 0.1, "ks": 0.4}, {"phi": 30.0}),
