@@ -25,14 +25,13 @@ Json estimate_json(const Estimate& e) {
   Json j{{"status", name_of(e.status)}};
   // An unidentified value is no value: the material needs one, a reader must not.
   j["value"] = e.status == Status::unidentified ? Json(nullptr) : number(e.value);
-  if (e.status == Status::free) {
-    j["low"] = number(e.low);
-    j["high"] = number(e.high);
-    j["standard_error"] = number(e.standard_error);
-    j["with_lack_of_fit"] = extent_json(e.with_lack_of_fit);
-    j["left_out"] = extent_json(e.left_out);
-    j["other_metrics"] = extent_json(e.other_metrics);
-  }
+  if (e.status == Status::free)
+    j.update(Json{{"low", number(e.low)},
+                  {"high", number(e.high)},
+                  {"standard_error", number(e.standard_error)},
+                  {"with_lack_of_fit", extent_json(e.with_lack_of_fit)},
+                  {"left_out", extent_json(e.left_out)},
+                  {"other_metrics", extent_json(e.other_metrics)}});
   return j;
 }
 

@@ -94,18 +94,27 @@ TEST(LackOfFit, OfTheRightFormIsNoneBeyondTheScatter) {
   }
 }
 
+// Values times a factor where theta_h and theta_d lie between these angles, in degrees.
+void scale_cell(io::SampleTable& table, std::pair<double, double> theta_h, std::pair<double, double> theta_d,
+                double factor) {
+  const auto within = [](Angle angle, const std::pair<double, double>& range) {
+    return angle.degrees() > range.first && angle.degrees() < range.second;
+  };
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const Geometry<double> g = geometry(arrays.view().wi(k), arrays.view().wo(k));
+    if (within(radians(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z)), theta_h) &&
+        within(radians(std::acos(std::min(g.cos_d, 1.0))), theta_d))
+      table.values[0][k] *= factor;
+  }
+}
+
 // A lambertian surface, but three times as bright where theta_h is from 5 to 10 and theta_d from 30 to 45 degrees.
 TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
   io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
   const FitResult before = fit(table, {forms({"lambert"})}, {});
   EXPECT_FALSE(before.ranking[0].lack_of_fit.beyond_scatter);
-  const DirectionArrays<double> arrays = io::unit_directions(table);
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const Geometry<double> g = geometry(arrays.view().wi(k), arrays.view().wo(k));
-    const double theta_h = radians(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z)).degrees(),
-                 theta_d = radians(std::acos(std::min(g.cos_d, 1.0))).degrees();
-    if (theta_h > 5 && theta_h < 10 && theta_d > 30 && theta_d < 45) table.values[0][k] *= 3;
-  }
+  scale_cell(table, {5, 10}, {30, 45}, 3);
   const FitResult result = fit(table, {forms({"lambert"})}, {});
   const LackOfFit& lack = result.ranking[0].lack_of_fit;
   EXPECT_TRUE(lack.beyond_scatter);
@@ -127,14 +136,8 @@ TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
 TEST(LackOfFit, NamesWhatElseIsOffAndItsSign) {
   io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
   EXPECT_TRUE(fit_one(table, {"lambert"}).lack_of_fit.others.empty());
-  const DirectionArrays<double> arrays = io::unit_directions(table);
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const Geometry<double> g = geometry(arrays.view().wi(k), arrays.view().wo(k));
-    const double theta_h = radians(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z)).degrees(),
-                 theta_d = radians(std::acos(std::min(g.cos_d, 1.0))).degrees();
-    if (theta_h > 5 && theta_h < 10 && theta_d > 30 && theta_d < 45) table.values[0][k] *= 3;
-    if (theta_h > 30 && theta_h < 45 && theta_d > 15 && theta_d < 30) table.values[0][k] /= 1.5;
-  }
+  scale_cell(table, {5, 10}, {30, 45}, 3);
+  scale_cell(table, {30, 45}, {15, 30}, 1 / 1.5);
   const LackOfFit lack = fit_one(table, {"lambert"}).lack_of_fit;
   ASSERT_TRUE(lack.worst);
   EXPECT_GT(lack.worst->ratio, 1);
