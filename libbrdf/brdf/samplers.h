@@ -1,5 +1,5 @@
-// How single lobes are sampled. A form names the one that
-// follows its specular lobe: using Sampler = VisibleGgx.
+// How single lobes are sampled. A form names the one that follows its specular lobe: using Sampler = VisibleGgx,
+// or OfWidths<VisibleGgx> where its shape holds more than widths.
 //
 // A sampler has two static templates over the shape parameters S<T> it takes:
 //   Vec3<T> sample(const S<T>&, T u1, T u2, const Vec3<T>& wo)   a direction wi, u in [0, 1)
@@ -216,6 +216,46 @@ struct VisibleBeckmann {
   template <class T>
   static T pdf(const Roughness<T>& s, const Geometry<T>& g) {
     return pdf_visible_beckmann(s, g);
+  }
+};
+
+// Evenly over the hemisphere, whatever the shape: for what does not fall off with cos_i.
+struct Hemisphere {
+  template <class S, class T>
+  static Vec3<T> sample(const S&, T u1, T u2, const Vec3<T>&) {
+    return from_cosine(u1, T(2 * kPi) * u2);
+  }
+  template <class S, class T>
+  static T pdf(const S&, const Geometry<T>&) {
+    return T(1 / (2 * kPi));
+  }
+};
+
+// A sampler of widths for a shape that has them among others: its widths().
+template <class Sampler>
+struct OfWidths {
+  template <class S, class T>
+  static Vec3<T> sample(const S& s, T u1, T u2, const Vec3<T>& wo) {
+    return Sampler::sample(s.widths(), u1, u2, wo);
+  }
+  template <class S, class T>
+  static T pdf(const S& s, const Geometry<T>& g) {
+    return Sampler::pdf(s.widths(), g);
+  }
+};
+
+// Each of two in half of all cases, told apart by u1, whose rest goes on.
+template <class First, class Second>
+struct OneOf {
+  template <class S, class T>
+  static Vec3<T> sample(const S& s, T u1, T u2, const Vec3<T>& wo) {
+    const auto first = u1 < T(0.5);
+    const T rest = T(2) * u1 - select(first, T(0), T(1));
+    return chosen(first, First::sample(s, rest, u2, wo), Second::sample(s, rest, u2, wo));
+  }
+  template <class S, class T>
+  static T pdf(const S& s, const Geometry<T>& g) {
+    return T(0.5) * (First::pdf(s, g) + Second::pdf(s, g));
   }
 };
 

@@ -12,6 +12,7 @@
 
 #include "brdf/integrals.h"
 #include "brdf/material.h"
+#include "tests/libbrdf/widths.h"
 
 namespace brdf {
 namespace {
@@ -59,7 +60,13 @@ std::vector<Subject> subjects() {
           {cook_torrance{}, {1, 1}},
           {cook_torrance_beckmann{}, {0.15, 0.15}},
           {cook_torrance_beckmann{}, {0.2, 0.8}},
-          {cook_torrance_beckmann{}, {1, 1}}};
+          {cook_torrance_beckmann{}, {1, 1}},
+          {cook_torrance_student{}, {0.3, 0.3, 1.8}},
+          {cook_torrance_dielectric{}, {0.2, 0.8, 1.5}},
+          {cook_torrance_vcavity{}, {0.2, 0.6, 1.5}},
+          {ward_as_coded{}, {0, 0.3, 0.6}},
+          {cook_torrance_as_coded{}, {0.5, 0}},
+          {phong_as_coded{}, {0}}};
 }
 const std::vector<double> kViewAngles{0, 35, 75, 86};
 
@@ -139,17 +146,16 @@ double chi_square_test(const Subject& subject, const Vec3<double>& wo, std::mt19
 
 TEST(Sampling, FollowsItsDensity) {
   std::mt19937_64 random(11);
-  int tests = 0;
-  for (const Subject& subject : subjects())
+  const std::vector<Subject> all = subjects();
+  const double tests = double(all.size() * kViewAngles.size());
+  for (const Subject& subject : all)
     for (double theta : kViewAngles) {
       const Vec3<double> wo = direction(degrees(theta), radians(0.6));
       const double p =
           chi_square_test(subject, wo, random, [&](const auto& wi) { return density(subject, wi, wo, 0.7); });
-      ++tests;
       // Sidak: 1 % for all tests together.
-      EXPECT_GT(p, 1 - std::pow(0.99, 1.0 / 56)) << info(subject.form).name << " at " << theta;
+      EXPECT_GT(p, 1 - std::pow(0.99, 1 / tests)) << info(subject.form).name << " at " << theta;
     }
-  EXPECT_EQ(tests, 56);
 }
 
 TEST(Sampling, TheTestNoticesAWrongDensity) {
@@ -188,6 +194,11 @@ TEST(SamplingWeights, AreBounded) {
     for (double alpha : {0.1, 0.5, 1.0}) {
       EXPECT_LE(largest_weight({cook_torrance{}, {alpha, 0.5 * alpha}}, wo, random), 1 + 1e-12);
       EXPECT_LE(largest_weight({cook_torrance_beckmann{}, {alpha, 0.5 * alpha}}, wo, random), 1 + 1e-12);
+      // V-cavities by Gaussian slopes: G cos_d/(cos_o cos_h) <= 2, times 4/pi.
+      EXPECT_LE(largest_weight({cook_torrance_1982{}, {alpha, 0.5 * alpha}}, wo, random),
+                8 / kPi * (1 + 1e-12));
+      // 2 cos_i/(cos_i + cos_o)
+      EXPECT_LE(largest_weight({ward_bounded{}, {alpha, 0.5 * alpha}}, wo, random), 2);
     }
     // Walter's weight of Ward's lobe: (wo.h) cos_h^3 sqrt(cos_i/cos_o), unbounded towards grazing.
     EXPECT_LE(largest_weight({ward{}, {0.2, 0.4}}, wo, random), std::sqrt(1 / wo.z) * (1 + 1e-12));
@@ -200,36 +211,79 @@ TEST(SamplingWeights, AreBounded) {
 struct Estimate {
   double mean, standard_error;
 };
-Estimate albedo_by_sampling(const Subject& subject, const Vec3<double>& wo, bool specular,
-                            std::mt19937_64& random) {
-  constexpr int kSamples = 40000;
+// Of f cos_i = value(wi), directions by the subject's sampler.
+Estimate albedo_by_sampling(const Subject& subject, const Vec3<double>& wo, double share, int samples,
+                            std::mt19937_64& random,
+                            const std::function<double(const Vec3<double>&)>& value) {
   std::uniform_real_distribution<double> unit(0, 1);
   double sum = 0, sum2 = 0;
-  for (int k = 0; k < kSamples; ++k) {
+  for (int k = 0; k < samples; ++k) {
     const double u1 = unit(random), u2 = unit(random);
-    const Vec3<double> wi = draw(subject, u1, u2, unit(random), wo, 0.8);
-    const double w = wi.z <= 0 ? 0 : value_cos(subject, wi, wo, specular) / density(subject, wi, wo, 0.8);
+    const Vec3<double> wi = draw(subject, u1, u2, unit(random), wo, share);
+    const double w = wi.z <= 0 ? 0 : value(wi) / density(subject, wi, wo, share);
     sum += w;
     sum2 += w * w;
   }
-  const double mean = sum / kSamples;
-  return {mean, std::sqrt((sum2 / kSamples - mean * mean) / kSamples)};
+  const double mean = sum / samples;
+  return {mean, std::sqrt(std::max(sum2 / samples - mean * mean, 0.0) / samples)};
 }
 
 TEST(SamplingAlbedo, AgreesWithTheQuadratureWithinThreeSigma) {
   std::mt19937_64 random(14);
   for (const Subject& subject : subjects())
     for (double theta : {20.0, 75.0}) {
+      if (info(subject.form).lobes.empty()) continue;
       const Vec3<double> wo = direction(degrees(theta), radians(0.6));
       const auto lobes =
           lobe_albedos(subject.form, subject.shape, degrees(theta), radians(0.6), {.tolerance = 1e-8});
       const bool specular = lobes.size() > 1;
-      const Estimate estimate = albedo_by_sampling(subject, wo, specular, random);
+      const Estimate estimate = albedo_by_sampling(subject, wo, 0.8, 40000, random, [&](const auto& wi) {
+        return value_cos(subject, wi, wo, specular);
+      });
       const double truth = lobes[specular ? 1 : 0].value;
       EXPECT_NEAR(estimate.mean, truth, 3 * estimate.standard_error + 1e-9)
           << info(subject.form).name << " at " << theta;
       EXPECT_LT(estimate.standard_error, 0.01 * truth);
     }
+}
+
+Estimate albedo_by_sampling(const Term& term, const Vec3<double>& wo, double share, std::mt19937_64& random) {
+  const Material material{{"y"}, {term}};
+  return albedo_by_sampling({term.form, term.shape[0]}, wo, share, 4000, random, [&](const Vec3<double>& wi) {
+    double value = 0;
+    eval_cos(material, wi, wo, {&value, 1});
+    return value;
+  });
+}
+Term with_width(const Reflectance& form, double width) {
+  Term term = make_term(form, 1);
+  set_width(term, width, width);
+  return term;
+}
+
+// Light from everywhere, every form: narrow lobes are found, and no direction counts for much more than its share.
+TEST(SamplingAlbedo, OfEveryFormIsFoundWithFewSamples) {
+  std::mt19937_64 random(15);
+  for (const Reflectance& form : catalogue())
+    for (double width : {0.03, 0.3})
+      for (double theta : {0.0, 50.0, 75.0}) {
+        const Term term = with_width(form, width);
+        const Vec3<double> wo = direction(degrees(theta), radians(0.6));
+        const Estimate estimate = albedo_by_sampling(term, wo, 0.5, random);
+        const AlbedoResult truth = directional_albedo(term, 0, degrees(theta), radians(0.6),
+                                                      {.fixed = Fixed::viewer, .tolerance = 1e-5});
+        EXPECT_NEAR(estimate.mean, truth.value, 4.5 * estimate.standard_error + 1e-5)
+            << info(form).name << " of width " << width << " at " << theta;
+        EXPECT_LT(estimate.standard_error * std::sqrt(4000), 1.2 * truth.value)
+            << info(form).name << " of width " << width << " at " << theta;
+      }
+}
+
+TEST(SamplingAlbedo, OfANarrowLobeIsNotFoundByTheCosine) {
+  std::mt19937_64 random(16);
+  const Estimate estimate = albedo_by_sampling(with_width(cook_torrance_1982{}, 0.03),
+                                               direction(degrees(75), radians(0.6)), 0, random);
+  EXPECT_GT(estimate.standard_error * std::sqrt(4000), 4 * estimate.mean);
 }
 
 TEST(Sampling, FloatStaysFiniteAtTheExtremes) {

@@ -6,6 +6,7 @@
 
 #include "render/gpu/renderer.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/libbrdf/widths.h"
 #include "tests/render/furnace.h"
 
 namespace brdf::render {
@@ -76,29 +77,6 @@ inline std::string write_sky_with_sun(const std::filesystem::path& file, int wid
   }
   write_exr(file, {{"", &picture}});
   return file.string();
-}
-
-// What makes a lobe this wide, by the roles of the form's parameters; false where it has no such parameter.
-inline bool set_width(Term& term, double along, double across) {
-  bool set = false;
-  const std::span<const ParameterInfo> table = term.form.info().shape;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const ParameterInfo& p = table[k];
-    const bool second = p.role == Role::width_across || p.role == Role::exponent_across;
-    const double width = second ? across : along;
-    double value;
-    if (p.map == Map::roughness)
-      value = std::sqrt(width);
-    else if (p.role == Role::width || p.role == Role::width_across)
-      value = width;
-    else if (p.role == Role::exponent || p.role == Role::exponent_across)
-      value = 2 / (width * width) - 2;
-    else
-      continue;
-    term.shape[0][k] = std::clamp(value, p.min, p.max);
-    set = true;
-  }
-  return set;
 }
 
 // Ten materials: of the conserving forms those with widths, from .05 to .6, anisotropic where they can be, then from the

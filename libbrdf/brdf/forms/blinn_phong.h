@@ -40,6 +40,7 @@ struct blinn_phong_n8 : Takes<LobeWeights, Exponent> {
   static constexpr Accuracy accuracy{.in_float = {5e-6, 5.2e-6, 9.2e-6},
                                      .in_double = {8.4e-15, 1.4e-14, 1.9e-14}};
   static constexpr Kink kink = Kink::none;
+  using Sampler = HalfCosine;
   static constexpr std::array violations{Violation{"energy",
                                                    "albedo above 1 at normal incidence, at most 1.0752",
                                                    "kd=0 ks=1 exponent=8.764", 0, 1.075201}};
@@ -61,6 +62,7 @@ struct blinn_phong_unnormalised : Takes<LobeWeights, Exponent> {
   static constexpr Accuracy accuracy{.in_float = {3.7e-6, 4.2e-6, 1.2e-5},
                                      .in_double = {4.5e-15, 1.1e-14, 1.9e-14}};
   static constexpr Kink kink = Kink::none;
+  using Sampler = HalfCosine;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term integrates to pi kd", "kd=1 ks=0 exponent=20", 0, kPi}};
 
@@ -80,6 +82,7 @@ struct blinn_phong_as_coded : Takes<Albedo, Metallic> {
   static constexpr Accuracy accuracy{.in_float = {1.6e-6, 1e-6, 7e-7},
                                      .in_double = {3e-15, 1.9e-15, 1.7e-15}};
   static constexpr Kink kink = Kink::none;
+  using Sampler = Hemisphere;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=1", 89.5, 115.001},

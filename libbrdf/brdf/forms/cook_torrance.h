@@ -63,7 +63,7 @@ struct RoughDielectric {
         Field{&RoughDielectric::eta,
               ParameterInfo{"eta", 1, 5, 1.5, 3, "", false, "relative index of refraction", Role::index}}};
   }
-  Roughness<T> roughness() const { return {alpha_x, alpha_y}; }
+  Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
 // As cook_torrance, with the exact Fresnel reflectance of a dielectric in place of Schlick's.
@@ -77,11 +77,12 @@ struct cook_torrance_dielectric : Takes<LobeWeights, RoughDielectric> {
                                      .in_double = {5.3e-15, 7e-15, 5.1e-15}};
   static constexpr Kink kink = Kink::none;
   using Facets = brdf::Facets<GgxSlopes, SmithGgx>;
+  using Sampler = OfWidths<VisibleGgx>;
   static constexpr NoViolations violations{};
 
   template <class S, class G>
   static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
-    const Roughness<S> alpha = shape.roughness();
+    const Roughness<S> alpha = shape.widths();
     const S vd = quotient(d_ggx(alpha, g), v_smith_ggx(alpha, g));
     return {S(1 / kPi), vd * fresnel_dielectric(shape.eta, g.cos_d)};
   }
@@ -100,11 +101,12 @@ struct cook_torrance_vcavity : Takes<LobeWeights, RoughDielectric> {
                                      .in_double = {7.8e-15, 9.6e-15, 1.7e-14}};
   static constexpr Kink kink = Kink::v_cavity;
   using Facets = brdf::Facets<BeckmannSlopes, VCavities>;
+  using Sampler = OfWidths<GaussianSlopes>;
   static constexpr NoViolations violations{};
 
   template <class S, class G>
   static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
-    const S vd = quotient(d_beckmann(shape.roughness(), g), v_cavities(g));
+    const S vd = quotient(d_beckmann(shape.widths(), g), v_cavities(g));
     return {S(1 / kPi), vd * fresnel_dielectric(shape.eta, g.cos_d)};
   }
 };
@@ -121,6 +123,7 @@ struct cook_torrance_1982 : Takes<SchlickWeights, Roughness> {
                                      .in_double = {7.9e-15, 7.2e-15, 1.7e-14}};
   static constexpr Kink kink = Kink::v_cavity;
   using Facets = brdf::Facets<BeckmannSlopes, VCavities>;
+  using Sampler = GaussianSlopes;
   static constexpr std::array violations{Violation{"energy", "albedo up to 4/pi: pi stands where 4 belongs",
                                                    "kd=0 ks=1 f0=1 alpha_x=0.0001 alpha_y=0.0001", 0,
                                                    4 / kPi}};
@@ -145,6 +148,7 @@ struct cook_torrance_schlick_ggx : Takes<SchlickWeights, Roughness> {
                                      .in_double = {5.8e-15, 6.2e-15, 3.8e-15}};
   static constexpr Kink kink = Kink::none;
   using Facets = brdf::Facets<GgxSlopes, SchlickGgx>;
+  using Sampler = VisibleGgx;
   static constexpr std::array violations{
       Violation{"energy",
                 "anisotropic lobes: k is taken from the geometric mean of "
@@ -171,6 +175,7 @@ struct cook_torrance_as_printed : Takes<SchlickWeights, Roughness> {
                                      .in_double = {6.8e-15, 6.8e-15, 3.9e-15}};
   static constexpr Kink kink = Kink::none;
   using Facets = brdf::Facets<GgxSlopes, SchlickGgx>;
+  using Sampler = VisibleGgx;
   static constexpr std::array violations{
       Violation{"reciprocity", "the Fresnel term depends on cos_o alone",
                 "kd=0 ks=1 f0=0 alpha_x=1 alpha_y=1", 89.5, 1},
@@ -198,6 +203,7 @@ struct MetallicRoughness {
                                           Role::other, Map::roughness}},
                       Field{&MetallicRoughness::metallic, kMetallicInfo}};
   }
+  Roughness<T> widths() const { return {square(roughness), square(roughness)}; }
 };
 
 // The thesis's listing: f cos_i = (c/(c + 1))^(1/2.2), c = (kD albedo/pi + D G F/(4 cos_i cos_o + 0.001))
@@ -212,6 +218,7 @@ struct cook_torrance_as_coded : Takes<Albedo, MetallicRoughness> {
   static constexpr std::string_view family = "cook_torrance";
   static constexpr Accuracy accuracy{.in_float = {5e-6, 6.5e-6, 6e-6}, .in_double = {1e-14, 1e-14, 1.3e-14}};
   static constexpr Kink kink = Kink::unplaced;
+  using Sampler = OneOf<Hemisphere, OfWidths<VisibleGgx>>;
   static constexpr std::array violations{
       Violation{"energy", "tone-mapped: albedo above 1, growing towards grazing light",
                 "albedo=1 roughness=0.6 metallic=0", 89.5, 24.618},
@@ -221,8 +228,7 @@ struct cook_torrance_as_coded : Takes<Albedo, MetallicRoughness> {
   template <class S, class G>
   static S value_cos(const Weights<S>& w, const Weights<S>& first, const Shape<S>& shape,
                      const Geometry<G>& g) {
-    const S alpha = square(shape.roughness);
-    const Fraction<S> d = d_ggx(Roughness<S>{alpha, alpha}, g);
+    const Fraction<S> d = d_ggx(shape.widths(), g);
     const Fraction<S> v = v_schlick_ggx(S(0.125) * square(shape.roughness + S(1)), g);
     const G cosines = g.cos_i * g.cos_o;
     // V = G/(4 cos_i cos_o), and the listing adds 0.001 to that denominator.

@@ -47,6 +47,7 @@ struct phong_unnormalised : Takes<LobeWeights, Exponent> {
   static constexpr Accuracy accuracy{.in_float = {3.6e-6, 7.2e-6, 2.4e-5},
                                      .in_double = {7.3e-15, 9.7e-15, 3.2e-14}};
   static constexpr Kink kink = Kink::mirror_edge;
+  using Sampler = MirrorCosine;
   static constexpr std::array violations{
       Violation{"energy", "lobe albedo 2 pi/(n+2) at normal incidence: above 1 for n < 4.28",
                 "kd=0 ks=1 exponent=0", 0, kPi}};
@@ -69,6 +70,7 @@ struct phong_classic : Takes<LobeWeights, Exponent> {
   static constexpr Accuracy accuracy{.in_float = {4.4e-6, 7.4e-6, 1.9e-5},
                                      .in_double = {9.6e-15, 1.3e-14, 2.7e-14}};
   static constexpr Kink kink = Kink::mirror_edge;
+  using Sampler = MirrorCosine;
   static constexpr std::array violations{
       Violation{"energy", "albedo with the light fixed grows as 1/cos_i", "kd=0 ks=1 exponent=0", 89.5,
                 28.897},
@@ -93,6 +95,7 @@ struct phong_as_coded : Takes<Albedo, Metallic> {
   static constexpr std::string_view family = "phong";
   static constexpr Accuracy accuracy{.in_float = {1.5e-6, 0, 0}, .in_double = {2.8e-15, 0, 0}};
   static constexpr Kink kink = Kink::mirror_edge;
+  using Sampler = Hemisphere;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo (albedo + pi F0 cos_i^16)/cos_i",
                 "albedo=1 metallic=1", 89.5, 114.593},

@@ -45,6 +45,7 @@ struct ward_duer : Takes<LobeWeights, Roughness> {
   static constexpr Accuracy accuracy{.in_float = {2.8e-6, 3.7e-6, 8.7e-6},
                                      .in_double = {4.1e-15, 1.1e-14, 1.2e-14}};
   static constexpr Kink kink = Kink::none;
+  using Sampler = GaussianSlopes;
   static constexpr std::array violations{
       Violation{"energy", "albedo above 1 beyond 78.9 degrees, growing as 1/cos",
                 "kd=0 ks=1 alpha_x=0.92 alpha_y=0.0001", 89.5, 13.39},
@@ -74,6 +75,7 @@ struct ward_bounded : Takes<LobeWeights, Roughness> {
   static constexpr Accuracy accuracy{.in_float = {3.9e-6, 3.7e-6, 8.7e-6},
                                      .in_double = {7.8e-15, 7.3e-15, 1.7e-14}};
   static constexpr Kink kink = Kink::none;
+  using Sampler = GaussianSlopes;
   static constexpr std::array albedos{
       ClosedAlbedo{0, 0, ward_bounded_albedo, "1 - alpha^2 (1 - exp(-1/alpha^2)) at the normal"}};
   static constexpr NoViolations violations{};
@@ -97,6 +99,7 @@ struct MetallicWard {
         Field{&MetallicWard::alpha_y, ParameterInfo{"alpha_y", 1e-4, 1, 1, 1, "", true,
                                                     "a constant of the listing: 1", Role::width_across}}};
   }
+  Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
 // The thesis's listing: f cos_i = kD albedo/pi + F0 sqrt(cos_i cos_o)
@@ -112,6 +115,7 @@ struct ward_as_coded : Takes<Albedo, MetallicWard> {
   static constexpr Accuracy accuracy{.in_float = {3.8e-6, 3.9e-6, 8.8e-6},
                                      .in_double = {7.3e-15, 1e-14, 1.5e-14}};
   static constexpr Kink kink = Kink::none;
+  using Sampler = OneOf<Hemisphere, OfWidths<GaussianSlopes>>;
   static constexpr std::array violations{
       Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=0 alpha_x=1 alpha_y=1", 89.5, 108.105},
@@ -123,7 +127,7 @@ struct ward_as_coded : Takes<Albedo, MetallicWard> {
   template <class S, class G>
   static S value_cos(const Weights<S>& w, const Weights<S>& first, const Shape<S>& shape,
                      const Geometry<G>& g) {
-    const Roughness<S> alpha{shape.alpha_x, shape.alpha_y};
+    const Roughness<S> alpha = shape.widths();
     // 2/(1 + h.n) of the normalised half vector, over |h|^2: 1/d with d = |h| (|h| + h_z)/2.
     const G length = G(2) * g.cos_d, inverse = G(2) / (length * (length + g.h.z));
     const auto x = two_part(value_of(g.h.x), value_of(g.h_rest.x)),
