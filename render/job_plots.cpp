@@ -1,0 +1,91 @@
+// Lobes, texture maps and the lookup article's tables: pictures without a scene.
+#include <cmath>
+
+#include "io/error.h"
+#include "io/numbers.h"
+#include "io/output.h"
+#include "io/samples.h"
+#include "render/compare/lobe_body.h"
+#include "render/compare/lobe_plot.h"
+#include "render/compare/lobe_points.h"
+#include "render/gpu/lookup.h"
+#include "render/job_parts.h"
+#include "render/scene/texture.h"
+
+namespace brdf::render {
+namespace {
+
+// The table whose points are drawn, and the angle of its light: the one asked for, or the nearest to the usual one.
+std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
+  if (state.other != Other::samples || state.samples.empty()) return std::nullopt;
+  io::SampleTable table = io::read_samples(state.samples);
+  const double wanted = double(state.plot_theta), nearest = nearest_light(table, wanted);
+  if (!job.plot_theta && job.state.empty() && std::isfinite(nearest)) state.plot_theta = float(nearest);
+  if (!(std::abs(nearest - double(state.plot_theta)) <= kNearLight))
+    throw InputError(table.name() + ": has no row whose light stands within " + io::short_number(kNearLight) +
+                     " degree of --theta " + io::short_number(wanted) + "; the nearest stands at " +
+                     io::short_number(nearest));
+  return table;
+}
+
+BytePicture bytes_of(const Texture& texture) {
+  BytePicture picture(texture.width, texture.height);
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+    picture.pixels[k] = {texture.texels[k][0], texture.texels[k][1], texture.texels[k][2]};
+  }
+  return picture;
+}
+
+}  // namespace
+
+void write_lobes(const Job& given, LobeView view) {
+  const Job job = with_samples_told(given);
+  if (samples_alone(job)) throw InputError("the lobe is a MATERIAL's: give one beside the samples");
+  ViewState state = state_of(job);
+  if (!is_png(job.output))
+    throw InputError("-o " + job.output.string() + ": the plot's name must end in .png");
+  check_output(job, state);
+  const std::optional<io::SampleTable> table = measured_lobe(job, state);
+  if (view == LobeView::body) {
+    const Object& object = state.scene.objects.at(state.selected);
+    write_png(job.output, lobe_body_picture(object.material, object.material_name, double(state.plot_theta),
+                                            table ? &*table : nullptr, job.width.value_or(640)));
+    return;
+  }
+  const std::vector<LobeCurve> curves = lobe_curves(state);
+  const std::vector<LobeDot> dots =
+      table ? lobe_dots(*table, double(state.plot_theta)) : std::vector<LobeDot>{};
+  int solo = state.plot_solo;
+  if (job.solo) {
+    std::string known;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      if (curves[k].name == *job.solo) solo = int(k);
+      known += (k ? ", " : "") + curves[k].name;
+    }
+    if (solo < 0) throw InputError("--solo " + *job.solo + ": must be one of " + known);
+  }
+  write_png(job.output, lobe_picture(curves, double(state.plot_theta), solo, job.width.value_or(640), dots));
+}
+
+void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder) {
+  io::make_folder(folder);
+  if (kind == "tiles") {
+    write_png(folder / "tiles.png", bytes_of(floor_tile(size, seed)));
+    return;
+  }
+  const auto maps = rusty_metal(size, seed);
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    write_png(folder / (std::string(kNames<TextureSlot>[k]) + ".png"), bytes_of(maps[k]));
+  }
+}
+
+void write_lookup_pictures(const std::filesystem::path& folder) {
+  io::make_folder(folder);
+  for (std::size_t k = 0; k < kNames<LookupFactor>.size(); ++k) {
+    write_png(folder / (std::string(name_of(LookupFactor(k))) + ".png"),
+              lookup_picture(LookupFactor(k), false));
+  }
+  write_png(folder / "product_as_coded.png", lookup_picture(LookupFactor::product, true));
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,202 @@
+// What a job means: files to a view state.
+#include <algorithm>
+#include <cmath>
+
+#include "io/content.h"
+#include "io/error.h"
+#include "io/material_json.h"
+#include "io/output.h"
+#include "render/frames.h"
+#include "render/job_parts.h"
+
+namespace brdf::render {
+namespace {
+
+template <class Enum>
+Enum named(const std::string& text, const std::string& option) {
+  const std::optional<Enum> found = find_named<Enum>(text);
+  if (!found) throw InputError(option + " " + text + ": must be one of " + known_names<Enum>());
+  return *found;
+}
+
+void check_usage(const Job& job) {
+  if (!job.compare.empty() && !job.measured.empty()) throw InputError("give one of --compare and --measured");
+  if (!job.state.empty() && (!job.scene.empty() || !job.materials.empty() || compared(job)))
+    throw InputError("--state holds the scene and what it is compared with: give nothing beside it");
+  if (!job.shape.empty() && (!job.scene.empty() || !job.state.empty()))
+    throw InputError("--shape is what a MATERIAL is shown on: a scene has its own");
+  if (job.output.empty()) return;
+  if (job.turntable) return check_frames(job);
+  if (!is_png(job.output) && job.output.extension() != ".exr") {
+    throw InputError("-o " + job.output.string() + ": the name must end in .exr or .png");
+  }
+}
+
+// `named`: whether the file itself says what it is called.
+std::pair<std::string, Material> load_material(const std::filesystem::path& file, bool* named = nullptr) {
+  io::MaterialFile read = io::read_material_file(file);
+  require_colours(read.material.channels, file.string());
+  if (named) *named = !read.name.empty();
+  return {read.name.empty() ? file.stem().string() : read.name, std::move(read.material)};
+}
+
+// The same picture from farther away: at the ends of a row balls stay round.
+void step_back(Camera& camera) {
+  constexpr float kFarther = 6;
+  camera.position = camera.target + kFarther * (camera.position - camera.target);
+  const float half = std::tan(glm::radians(camera.vertical_fov) / 2) / kFarther;
+  camera.vertical_fov = glm::degrees(2 * std::atan(half));
+}
+
+Scene scene_of(const Job& job) {
+  std::vector<std::pair<std::string, Material>> materials;
+  bool named = false;
+  for (const std::filesystem::path& file : job.materials) materials.push_back(load_material(file, &named));
+  materials.insert(materials.end(), job.row.begin(), job.row.end());
+  if (job.scene.empty()) {
+    if (materials.empty()) throw InputError("nothing to render: give a MATERIAL, --scene or --state");
+    Scene scene = job.shape.empty() ? material_scene(materials) : shape_scene(job.shape, materials);
+    if (materials.size() > 1) step_back(scene.camera);
+    if (materials.size() == 1 && named) scene.objects[0].label = materials[0].first;
+    return scene;
+  }
+  Scene scene = load_scene(job.scene);
+  if (materials.size() > 1) throw InputError("--scene takes one MATERIAL at most, to put on every object");
+  for (Object& object : scene.objects) {
+    if (materials.empty()) break;
+    object.material_name = materials[0].first;
+    object.material = materials[0].second;
+  }
+  return scene;
+}
+
+void apply_overrides(const Job& job, Scene& scene) {
+  if (job.width) scene.camera.width = *job.width;
+  if (job.height) scene.camera.height = *job.height;
+  if (job.exposure) scene.exposure = *job.exposure;
+  if (job.shading) {
+    scene.shading = named<Shading>(*job.shading, "--shading");
+    if (scene.shading != Shading::brdf) scene.tone_map = ToneMap::none;
+  }
+  apply_environment(job, scene);
+  if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, "--tone-map");
+  scene.per_vertex |= job.per_vertex;
+  scene.as_coded |= job.as_coded;
+}
+
+// Materials to look at stand in the studio, unless something about them is measured, compared or taken apart.
+bool stands_in_the_studio(const Job& job) {
+  const bool alone = job.scene.empty() && job.state.empty() && !(job.materials.empty() && job.row.empty());
+  const bool is_looked_at = is_png(job.output) || job.turntable;
+  return alone && is_looked_at && !job.hard_light && !compared(job) && !job.show && !job.shading &&
+         !job.forward && !job.gbuffer && !job.probe;
+}
+
+}  // namespace
+
+// Spheres of materials alone are then lit by nothing else, and seen before it.
+void apply_environment(const Job& given, Scene& scene) {
+  Job job = given;
+  if (!job.environment && stands_in_the_studio(job)) job.environment = name_of(Formula::studio);
+  if (job.environment) {
+    const bool spheres = job.scene.empty() && job.state.empty();
+    Environment environment = scene.environment.value_or(Environment{});
+    environment.picture = *job.environment;
+    if (!find_named<Formula>(environment.picture))
+      environment.picture = std::filesystem::absolute(environment.picture).string();
+    if (!scene.environment)
+      environment.shown = spheres || (!scene.sky_zenith && scene.background == glm::vec3(0));
+    scene.environment = environment;
+    if (spheres) {
+      scene.lights.clear();
+      scene.ambient = glm::vec3(0);
+    }
+  }
+  if (!job.rotation) return;
+  if (!scene.environment)
+    throw InputError("--rotate turns an environment: give --environment, or a scene that has one");
+  scene.environment->rotation = *job.rotation;
+}
+
+Job with_samples_told(Job job) {
+  std::vector<std::filesystem::path> materials;
+  for (const std::filesystem::path& file : std::exchange(job.materials, {})) {
+    // A pipe can be read once: it is taken for a material.
+    if (!std::filesystem::is_regular_file(file) || io::is_json(io::read_content(file))) {
+      materials.push_back(file);
+    } else if (job.measured.empty()) {
+      job.measured = file;
+    } else {
+      throw InputError(file.string() + ": a second table of samples beside " + job.measured.string());
+    }
+  }
+  job.materials = std::move(materials);
+  return job;
+}
+
+std::pair<std::string, Material> any_material() {
+  const auto form =
+      find_form_if([](const ReflectanceInfo& info) { return info.canonical && info.facets != nullptr; });
+  return {std::string(form->info().name), make_material(*form)};
+}
+
+ViewState state_of(const Job& given) {
+  const Job job = with_samples_told(given);
+  check_usage(job);
+  ViewState state;
+  if (!job.state.empty()) {
+    state = load_state(job.state);
+  } else {
+    const bool alone = samples_alone(job);
+    state.scene = alone ? material_scene({{"", any_material().second}}) : scene_of(job);
+    if (alone) state.display = Display::flip;
+    state.other = job.measured.empty() ? Other::embree : Other::samples;
+    state.samples = job.measured;
+    if (!job.compare.empty() && job.compare != "embree") {
+      std::tie(state.material_name, state.material) = load_material(job.compare);
+      state.other = Other::material;
+      state.everywhere = job.shape.empty();  // a car's tyres stay what they are
+    }
+  }
+  apply_overrides(job, state.scene);
+  if (job.gbuffer && is_png(job.output)) state.display = Display::gbuffer;
+  if (job.show) state.display = named<Display>(*job.show, "--show");
+  if (job.state.empty() && needs_other(state.display) && !compared(job))
+    throw InputError("--show " + *job.show + " needs --compare or --measured");
+  if (job.split)
+    state.split = *job.split;
+  else if (job.state.empty())
+    state.split = split_at_highlight(state.scene, state.selected);
+  if (job.plot_theta) state.plot_theta = float(*job.plot_theta);
+  return state;
+}
+
+std::vector<std::string> colour_notes(const ViewState& state) {
+  std::vector<std::string> notes;
+  const auto add = [&](const Material& material, const std::string& name) {
+    const auto colours = io::channel_colours(material.channels);
+    if (!colours || colours->note.empty()) return;
+    std::string note = (name.empty() ? "the material" : name) + ": " + colours->note;
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+  };
+  for (const Object& object : state.scene.objects) add(object.material, object.material_name);
+  if (state.material) add(*state.material, state.material_name);
+  return notes;
+}
+
+void check_output(const Job& job, const ViewState& state) {
+  std::vector<std::filesystem::path> inputs = job.materials;
+  inputs.insert(inputs.end(),
+                {job.scene, job.state, job.compare, job.measured, state.samples, job.row_source});
+  if (state.scene.environment && !find_named<Formula>(state.scene.environment->picture))
+    inputs.push_back(state.scene.folder / state.scene.environment->picture);
+  for (const Object& object : state.scene.objects) {
+    inputs.push_back(state.scene.folder / object.mesh);
+    for (const auto& texture : object.textures)
+      if (texture) inputs.push_back(state.scene.folder / *texture);
+  }
+  if (job.turntable) return check_frame_targets(job, inputs);
+  io::check_targets({{"-o", job.output}}, inputs);
+}
+
+}  // namespace brdf::render
