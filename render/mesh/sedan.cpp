@@ -2,13 +2,12 @@
 // surface, wheels off the lathe.
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "brdf/scalar.h"
-#include "render/mesh/lathe.h"
+#include "render/mesh/loft.h"
 #include "render/mesh/mesh.h"
 #include "render/mesh/spline.h"
+#include "render/mesh/wheel.h"
 
 namespace brdf::render {
 namespace {
@@ -16,50 +15,8 @@ namespace {
 using glm::vec3;
 
 constexpr float kHalfLength = 2.2f, kSill = 0.19f, kWidest = 0.52f;  // the height where the body is widest
-constexpr float kAxle = 1.34f, kHub = 0.34f, kArch = 0.425f, kTyre = 0.34f;
+constexpr float kAxle = 1.34f, kHub = kTyreRadius, kArch = 0.425f;
 constexpr float kInner = 0.5f;  // from the middle to the wall behind a wheel
-
-using Surface = std::function<vec3(float u, float v)>;
-
-// The surface over all pairs of these parameters, but for the cells that are left out; `outwards` is the sign of d/du x d/dv.
-Mesh mesh_of(const Surface& at, const std::vector<float>& us, const std::vector<float>& vs, float outwards,
-             const std::function<bool(float u, float v)>& kept = {}) {
-  constexpr float kStep = 2e-3f;
-  Mesh mesh;
-  for (const float u : us) {
-    for (const float v : vs) {
-      const vec3 along_u = at(u + kStep, v) - at(u - kStep, v), along_v = at(u, v + kStep) - at(u, v - kStep);
-      const vec3 normal = glm::cross(along_u, along_v) * outwards;
-      const float length = glm::length(normal);
-      mesh.vertices.push_back({at(u, v), length > 0 ? normal / length : vec3(0, 1, 0), {1, 0, 0, 1}, {u, v}});
-    }
-  }
-  const auto row = std::uint32_t(vs.size());
-  for (std::uint32_t i = 0; i + 1 < us.size(); ++i) {
-    for (std::uint32_t j = 0; j + 1 < row; ++j) {
-      if (kept && !kept((us[i] + us[i + 1]) / 2, (vs[j] + vs[j + 1]) / 2)) continue;
-      const std::uint32_t a = i * row + j, b = a + row, c = a + 1, d = b + 1;
-      if (outwards > 0) mesh.indices.insert(mesh.indices.end(), {a, b, c, b, d, c});
-      if (outwards < 0) mesh.indices.insert(mesh.indices.end(), {a, c, b, b, c, d});
-    }
-  }
-  return mesh;
-}
-
-// The values with each interval cut into so many pieces.
-std::vector<float> divided(const std::vector<float>& borders, const std::vector<int>& pieces) {
-  std::vector<float> out{borders[0]};
-  for (std::size_t k = 0; k + 1 < borders.size(); ++k)
-    for (int i = 1; i <= pieces[k]; ++i)
-      out.push_back(glm::mix(borders[k], borders[k + 1], float(i) / float(pieces[k])));
-  return out;
-}
-
-Mesh mirrored(const Mesh& half) {
-  Mesh both = half;
-  append(both, half, glm::scale(glm::mat4(1), {1, 1, -1}));
-  return both;
-}
 
 // --- The body ---------------------------------------------------------------------------------------------
 
@@ -137,8 +94,7 @@ Mesh body() {
   // v of the mesh runs from the lower edge (0) to the deck (1); the normal is that of the whole section.
   const std::vector<float> xs = stations();
   const std::vector<float> vs = divided({0, 1}, {96});
-  Mesh mesh =
-      mesh_of([](float x, float v) { return body_at(x, glm::mix(lower_edge(x), 2.0f, v)); }, xs, vs, 1);
+  Mesh mesh = loft([](float x, float v) { return body_at(x, glm::mix(lower_edge(x), 2.0f, v)); }, xs, vs, 1);
   std::size_t k = 0;
   for (const float x : xs) {
     for (const float v : vs) {
@@ -162,18 +118,18 @@ Mesh housing(float axle) {
     const vec3 edge = body_at(x, lower_edge(x));
     return vec3(x, edge.y, glm::mix(edge.z, kInner, v));
   };
-  Mesh half = mesh_of(roof, xs, {0, 1}, -1);
+  Mesh half = loft(roof, xs, {0, 1}, -1);
   const Surface behind = [](float x, float v) {
     return vec3(x, glm::mix(kSill + 0.02f, std::max(arch_height(x), kHub), v), kInner);
   };
-  append(half, mesh_of(behind, xs, {0, 1}, 1));
+  append(half, loft(behind, xs, {0, 1}, 1));
   for (const float end : {-1.0f, 1.0f}) {
     const Surface wall = [&](float v, float outwards) {
       const vec3 edge = body_at(axle + end * (kArch - 0.0005f), v);
       return vec3(edge.x, edge.y, glm::mix(std::min(kInner, edge.z), edge.z, outwards));
     };
     const float top = lower_edge(axle + end * (kArch - 1e-4f));
-    append(half, mesh_of(wall, divided({0.3f, top}, {16}), {0, 1}, -end));
+    append(half, loft(wall, divided({0.3f, top}, {16}), {0, 1}, -end));
   }
   return mirrored(half);
 }
@@ -210,18 +166,10 @@ Mesh cabin(bool glass) {
   const std::vector<float> us = divided({0, 41, 47, 92, 95, 129, 141, 219, 231, 265, 268, 313, 319, 360},
                                         {16, 6, 24, 2, 16, 8, 28, 8, 16, 2, 24, 6, 16});
   const std::vector<float> vs = divided({0, kGlassFrom, kGlassTo, 5}, {6, 20, 24});
-  return mesh_of(cabin_at, us, vs, -1, [&](float u, float v) { return is_glass(u, v) == glass; });
+  return loft(cabin_at, us, vs, -1, [&](float u, float v) { return is_glass(u, v) == glass; });
 }
 
 // --- Wheels, lamps and what is dark -----------------------------------------------------------------------
-
-Mesh placed(const Mesh& mesh, vec3 at, vec3 scale = vec3(1), float turn_y = 0) {
-  glm::mat4 m = glm::translate(glm::mat4(1), at);
-  m = glm::rotate(m, glm::radians(turn_y), {0, 1, 0});
-  Mesh out;
-  append(out, mesh, glm::scale(m, scale));
-  return out;
-}
 
 // Its axle along z, its outer side at positive z.
 Mesh at_every_wheel(const Mesh& wheel) {
@@ -229,41 +177,6 @@ Mesh at_every_wheel(const Mesh& wheel) {
   Mesh all;
   for (const float x : {-kAxle, kAxle}) append(all, placed(lying, {x, kHub, 0.75f}));
   return mirrored(all);
-}
-
-// Off the lathe, whose axis is y, onto the axle.
-Mesh onto_axle(const Mesh& turned) {
-  Mesh out;
-  append(out, turned, glm::rotate(glm::mat4(1), float(kPi / 2), {1, 0, 0}));
-  return out;
-}
-
-Mesh tyre() {
-  return onto_axle(lathe(filleted({{{0, -0.1f}},
-                                   {{0.3f, -0.1f}, 0.02f},
-                                   {{kTyre, -0.07f}, 0.05f},
-                                   {{kTyre, 0.07f}, 0.05f},
-                                   {{0.30f, 0.105f}, 0.03f},
-                                   {{0.235f, 0.09f}, 0.01f},
-                                   {{0.225f, 0.02f}, 0.01f},
-                                   {{0, 0.0f}}},
-                                  6),
-                         96));
-}
-
-Mesh rim() {
-  const Mesh ring = lathe(
-      filleted({{{0.236f, 0.03f}}, {{0.236f, 0.1f}, 0.006f}, {{0.214f, 0.1f}, 0.006f}, {{0.214f, 0.0f}}}, 4),
-      96);
-  const Mesh hub = lathe(filleted({{{0.055f, 0.0f}}, {{0.055f, 0.085f}, 0.02f}, {{0, 0.085f}}}, 6), 48);
-  Mesh rim = onto_axle(ring);
-  append(rim, onto_axle(hub));
-  const Mesh rod = make_sphere(24, 16);
-  for (int k = 0; k < 10; ++k) {
-    const glm::mat4 turn = glm::rotate(glm::mat4(1), 2 * float(kPi) * float(k) / 10, {0, 0, 1});
-    append(rim, placed(rod, {0.135f, 0, 0.058f}, {0.1f, 0.02f, 0.022f}), turn);
-  }
-  return rim;
 }
 
 Mesh lamps() {
@@ -276,7 +189,7 @@ Mesh lamps() {
 Mesh trim() {
   Mesh all = housing(-kAxle);
   append(all, housing(kAxle));
-  append(all, at_every_wheel(tyre()));
+  append(all, at_every_wheel(make_tyre()));
   const Mesh ball = make_sphere(64, 32);
   append(all, placed(ball, {2.03f, 0.40f, 0}, {0.2f, 0.06f, 0.5f}));   // the air intake
   append(all, placed(ball, {-2.03f, 0.38f, 0}, {0.2f, 0.05f, 0.5f}));  // below the boot
@@ -299,7 +212,7 @@ Mesh make_sedan(std::string_view part) {
   if (wanted("body")) append(sedan, painted());
   if (wanted("windows")) append(sedan, cabin(true));
   if (wanted("trim")) append(sedan, trim());
-  if (wanted("metal")) append(sedan, at_every_wheel(rim()));
+  if (wanted("metal")) append(sedan, at_every_wheel(make_rim()));
   if (wanted("lamps")) append(sedan, lamps());
   make_tangents(sedan);
   clean(sedan, "sedan");
