@@ -62,11 +62,13 @@ int Pictures::samples_of_a_place() const {
 
 int Pictures::samples_drawn() const {
   if (!a_ || a_->samples() == 0) return 0;
+  if (stands()) return kRun * standing_->pictures();
   return fine_a_ ? samples_of_a_place() * finish_.supersample * finish_.supersample : a_->samples();
 }
 
 Picture Pictures::fine(Renderer& renderer) {
-  const PreparedScene scene = renderer.scene();
+  PreparedScene scene = renderer.scene();
+  scene.scene.camera.offset = {};
   int first = 0;  // all places share one sequence of random directions
   Picture picture = supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
     renderer.update(moved);
@@ -80,9 +82,26 @@ Picture Pictures::fine(Renderer& renderer) {
 
 void Pictures::prepare_to_sample(VkCommandBuffer commands) {
   a_->color().transition(commands, Use::sampled);
+  if (stands()) standing_->shown().transition(commands, Use::sampled);
   if (b_) b_->color().transition(commands, Use::sampled);
   for (int k = 0; has_targets() && k < kTargetCount; ++k)
     a_->target(Target(k)).transition(commands, Use::sampled);
+}
+
+// Where A is looked at by itself, in a window. What is compared is compared at the pixels' centres.
+bool Pictures::antialiased(const ViewState& state) const {
+  const Camera& camera = prepared_.scene.camera;
+  const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
+  constexpr std::uint64_t kRounding = 1 << 20;  // what allocations take beyond their images
+  return refining_ && finish_.supersample > 1 && state.display == Display::picture &&
+         (standing_ || device_->has_memory(sums_bytes(pixels) + kRounding));
+}
+
+bool Pictures::unfinished() const {
+  if (!drawn_a_) return false;
+  const int samples = prepared_.environment ? wanted_ : 0;
+  if (standing_) return standing_->pictures() < Standing::wanted(finish_.supersample, samples);
+  return a_->samples() < samples;
 }
 
 void Pictures::update(const ViewState& state, VkExtent2D size) {
@@ -99,8 +118,9 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     scene.ambient = glm::vec3(0);
     scene.environment.reset();
   }
-  if (drawn_a_ == scene) {
-    if (unfinished()) refine(state);
+  const bool same = drawn_a_ == scene;
+  if (same && antialiased(state) == standing_.has_value()) {
+    if (unfinished()) standing_ ? refine_standing() : refine(state);
     return;
   }
   drawn_a_.reset();
@@ -110,6 +130,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     a_->update(prepared_);
   } else {
     PreparedScene fresh = prepare(scene);
+    standing_.reset();
     a_.reset();
     b_.reset();
     upload_ = {};
@@ -117,6 +138,12 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     a_.emplace(*device_, prepared_, options_);
   }
   images_changed_ = true;
+  if (!antialiased(state))
+    standing_.reset();
+  else if (standing_)
+    standing_->reset();
+  else
+    standing_.emplace(*device_, *a_);
   // Where only a picture of many places in each pixel is looked at, these share the samples out.
   const bool is_looked_at = finish_.supersample <= 1 || finish_.probed || needs_b(state);
   a_->draw_samples(refining_ ? 0 : is_looked_at ? wanted_ : samples_of_a_place(), &times_);
@@ -126,7 +153,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   if (!refining_) measure_noise();
   pass_times_ = times_.read();
   drawn_a_ = std::move(scene);
-  drawn_b_.reset();
+  if (!same) drawn_b_.reset();
 }
 
 // One run more of A, and of B where it is drawn the same way. What takes reading back is done at powers of two.
@@ -144,20 +171,20 @@ void Pictures::refine(const ViewState& state) {
   difference_ = compare(a_picture(), b_picture_);
 }
 
+// One picture more of A alone, through another place of each pixel.
+void Pictures::refine_standing() {
+  images_changed_ |= !stands();
+  standing_->draw_next(prepared_, finish_.supersample, &times_);
+  pass_times_ = times_.read();
+  a_picture_.reset();
+  fine_a_.reset();
+  const int count = standing_->pictures();
+  if (prepared_.environment && count > 1 && ((count & (count - 1)) == 0 || !unfinished()))
+    noise_ = standing_->noise();
+}
+
 void Pictures::measure_noise() {
-  if (a_->samples() < 2 * kRun) return;
-  const std::vector<float> errors = a_->read_standard_error();
-  const Picture& picture = a_picture();
-  double squares = 0, sum = 0, count = 0;
-  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
-    if (!is_surface(picture.pixels[k])) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      squares += double(errors[4 * k + c]) * double(errors[4 * k + c]);
-      sum += double(picture.pixels[k][int(c)]);
-      ++count;
-    }
-  }
-  noise_ = sum > 0 ? std::sqrt(squares / count) / (sum / count) : 0;
+  if (a_->samples() >= 2 * kRun) noise_ = noise_of(a_->read_standard_error(), a_picture());
 }
 
 void Pictures::draw_other_material(const ViewState& state) {

@@ -8,6 +8,7 @@
 #include "io/samples.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
+#include "render/compare/standing.h"
 #include "render/compare/state.h"
 #include "render/gpu/renderer.h"
 #include "render/picture/picture.h"
@@ -24,7 +25,7 @@ struct Finish {
 class Pictures {
  public:
   // `samples`: of an environment's light, per pixel. Drawn at once, or (`refining`) a few with each update of a state
-  // that has not changed.
+  // that has not changed; A alone is then drawn through the finish's places of each pixel, too.
   Pictures(Device& device, const RendererOptions& options, int samples, const Finish& finish = {},
            bool refining = false)
       : device_(&device),
@@ -39,8 +40,8 @@ class Pictures {
   // After each update: true once, when other images than before are to be shown.
   bool images_changed() { return std::exchange(images_changed_, false); }
 
-  // Whether an update of the same state would bring more samples.
-  bool unfinished() const { return drawn_a_ && prepared_.environment && a_->samples() < wanted_; }
+  // Whether an update of the same state would make the picture better.
+  bool unfinished() const;
   // Samples of an environment's light that A has, 0 without one, and what they leave open: the root mean square of the
   // surface's standard errors over its mean, told now and then while A is refined; negative: not yet.
   int samples_drawn() const;
@@ -49,7 +50,8 @@ class Pictures {
   // Records the barriers after which everything shown can be sampled.
   void prepare_to_sample(VkCommandBuffer commands);
   Renderer& a() { return *a_; }
-  const Image& b_image() const { return b_ ? b_->color() : upload_ ? upload_ : a_->color(); }
+  const Image& a_image() const { return stands() ? standing_->shown() : a_->color(); }
+  const Image& b_image() const { return b_ ? b_->color() : upload_ ? upload_ : a_image(); }
   bool has_targets() const { return uses_gbuffer(prepared_.scene, options_); }
   const PreparedScene& prepared() const { return prepared_; }
   int bits() const { return options_.gbuffer_bits; }
@@ -76,7 +78,10 @@ class Pictures {
  private:
   void update_a(const ViewState& state, VkExtent2D size);
   void update_b(const ViewState& state);
+  bool antialiased(const ViewState& state) const;
+  bool stands() const { return standing_ && standing_->pictures() > 0; }
   void refine(const ViewState& state);
+  void refine_standing();
   void measure_noise();
   void draw_other_material(const ViewState& state);
   Picture read(Renderer& renderer);
@@ -93,7 +98,8 @@ class Pictures {
   Timestamps times_;
   PreparedScene prepared_;
   std::optional<Renderer> a_, b_;
-  Image upload_;  // B where it comes from the processor
+  std::optional<Standing> standing_;  // A, where it is antialiased
+  Image upload_;                      // B where it comes from the processor
   std::optional<Picture> a_picture_;
   Picture b_picture_;
   std::optional<Picture> fine_a_, fine_b_;

@@ -1,8 +1,5 @@
 #include "render/gpu/environment_pass.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "render/gpu/shader_code.h"
 #include "render/light/points.h"
 
@@ -12,10 +9,8 @@ namespace {
 constexpr std::array<Binding, 3> kLightBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
                                                 Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
                                                 Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
-constexpr std::array<Binding, 1> kImageBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
 constexpr VkImageUsageFlags kUploaded = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-constexpr VkImageUsageFlags kSummed =
-    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+constexpr VkImageUsageFlags kDrawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
 // As shaders/environment.frag has it.
 struct RunPush {
@@ -30,11 +25,6 @@ Image uploaded(Device& device, VkFormat format, VkExtent2D extent, std::span<con
   Image image(device, format, extent, kUploaded);
   upload(device, image, std::as_bytes(texels));
   return image;
-}
-
-void draw_screen(VkCommandBuffer commands, VkPipeline pipeline) {
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  vkCmdDraw(commands, 3, 1, 0, 0);
 }
 
 }  // namespace
@@ -66,35 +56,15 @@ EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const Ligh
       light_(&light),
       deferred_(&deferred),
       bits_(gbuffer_bits),
-      run_(device, kColorFormat, extent, kSummed),
-      sum_(device, kColorFormat, extent, kSummed),
-      squares_(device, kColorFormat, extent, kSummed),
+      run_(device, kColorFormat, extent, kDrawn),
+      mean_(device, run_),
       code_(shader_code::environment, shader_code::environment_text) {
-  sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
-  image_layout_ = make_set_layout(device, kImageBindings);
-  image_pool_ = make_descriptor_pool(device, kImageBindings, 2);
-  run_set_ = allocate_set(device, image_pool_.get(), image_layout_.get());
-  sum_set_ = allocate_set(device, image_pool_.get(), image_layout_.get());
-  write_image(device, run_set_, 0, run_.view(), sampler_.get());
-  write_image(device, sum_set_, 0, sum_.view(), sampler_.get());
   const std::array sets{gpu.frame_layout(), deferred.targets_layout(), light.layout()};
   layout_ = make_pipeline_layout(device, sets, sizeof(RunPush));
-  const std::array images{image_layout_.get()};
-  image_pipeline_layout_ = make_pipeline_layout(device, images, sizeof(float));
   backdrop_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
                                      .fragment = shader_code::backdrop,
                                      .colors = {kColorFormat},
                                      .layout = layout_.get()});
-  accumulate_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
-                                       .fragment = shader_code::accumulate,
-                                       .colors = {kColorFormat, kColorFormat},
-                                       .blend = Blend::add,
-                                       .layout = image_pipeline_layout_.get()});
-  mean_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
-                                 .fragment = shader_code::mean,
-                                 .colors = {kColorFormat},
-                                 .blend = Blend::add_color,
-                                 .layout = image_pipeline_layout_.get()});
 }
 
 VkPipeline EnvironmentPass::pipeline(const Reflectance& form, int number) {
@@ -144,33 +114,8 @@ void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scen
 }
 
 void EnvironmentPass::end_run(VkCommandBuffer commands, Image& color) {
-  run_.transition(commands, Use::sampled);
-  const bool first = runs_++ == 0;
-  for (Image* image : {&sum_, &squares_}) image->transition(commands, Use::color_attachment, first);
-  begin_colors(commands, {&sum_, &squares_},
-               first ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
-  bind(commands, image_pipeline_layout_.get(), 0, run_set_);
-  draw_screen(commands, accumulate_.get());
-  vkCmdEndRendering(commands);
-  sum_.transition(commands, Use::sampled);
-  color.transition(commands, Use::color_attachment);
-  begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
-  bind(commands, image_pipeline_layout_.get(), 0, sum_set_);
-  const float share = 1 / float(runs_);
-  vkCmdPushConstants(commands, image_pipeline_layout_.get(), kDrawingStages, 0, sizeof share, &share);
-  draw_screen(commands, mean_.get());
-  vkCmdEndRendering(commands);
-}
-
-std::vector<float> EnvironmentPass::standard_error() {
-  std::vector<float> sums = read_rgba(*device_, sum_);
-  const std::vector<float> squares = read_rgba(*device_, squares_);
-  const double n = runs_;
-  for (std::size_t k = 0; k < sums.size(); ++k) {
-    const double mean = double(sums[k]) / n, scatter = double(squares[k]) / n - mean * mean;
-    sums[k] = n > 1 ? float(std::sqrt(std::max(scatter, 0.0) / (n - 1))) : 0;
-  }
-  return sums;
+  mean_.record_add(commands);
+  mean_.record_mean(commands, color, RunningMean::Over::what_is_there);
 }
 
 }  // namespace brdf::render

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/gpu/passes.h"
+#include "render/gpu/running_mean.h"
 #include "render/light/points.h"
 
 namespace brdf::render {
@@ -32,10 +33,10 @@ class EnvironmentPass {
   EnvironmentPass(Device& device, const GpuScene& gpu, const LightImages& light, const DeferredPass& deferred,
                   VkExtent2D extent, int gbuffer_bits);
   // What was added up is forgotten: the scene has changed.
-  void reset() { runs_ = 0; }
+  void reset() { mean_.reset(); }
   // The same, with runs of so many samples from here on, at most kRun, which begin at this one of the sequence.
-  void reset(int samples_of_a_run, int first) { runs_ = 0, count_ = samples_of_a_run, first_ = first; }
-  int samples() const { return runs_ * count_; }
+  void reset(int samples_of_a_run, int first) { mean_.reset(), count_ = samples_of_a_run, first_ = first; }
+  int samples() const { return mean_.count() * count_; }
 
   // The light's picture behind the objects, over what is in `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
@@ -46,8 +47,8 @@ class EnvironmentPass {
               std::uint32_t seed);
   void end_run(VkCommandBuffer commands, Image& color);
 
-  // Per pixel and channel, after at least two runs: the standard error of the mean, told from the scatter between runs.
-  std::vector<float> standard_error();
+  // See RunningMean; the pictures are runs.
+  std::vector<float> standard_error() { return mean_.standard_error(); }
 
  private:
   VkPipeline pipeline(const Reflectance& form, int number);
@@ -56,14 +57,11 @@ class EnvironmentPass {
   const LightImages* light_;
   const DeferredPass* deferred_;
   int bits_;
-  int runs_ = 0, count_ = kRun, first_ = 0;
-  Image run_, sum_, squares_;
-  Owned<VkSampler> sampler_;
-  Owned<VkDescriptorSetLayout> image_layout_;
-  Owned<VkDescriptorPool> image_pool_;
-  VkDescriptorSet run_set_ = VK_NULL_HANDLE, sum_set_ = VK_NULL_HANDLE;
-  Owned<VkPipelineLayout> layout_, image_pipeline_layout_;
-  Owned<VkPipeline> backdrop_, accumulate_, mean_;
+  int count_ = kRun, first_ = 0;
+  Image run_;
+  RunningMean mean_;
+  Owned<VkPipelineLayout> layout_;
+  Owned<VkPipeline> backdrop_;
   FragmentCode code_;
   std::map<int, Owned<VkPipeline>> pipelines_;
 };

@@ -41,6 +41,11 @@ void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, first, 1, &set, 0, nullptr);
 }
 
+void draw_screen(VkCommandBuffer commands, VkPipeline pipeline) {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+  vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer) {
   std::vector<Reflectance> forms;
   for (const Item& item : layer)
@@ -135,9 +140,8 @@ void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const
   vkCmdBeginRendering(commands, &info);
   if (sky) {
     set_viewport(commands, color.extent());
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
     bind(commands, layout_.get(), 0, gpu.frame_set());
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    draw_screen(commands, pipeline_.get());
   }
   vkCmdEndRendering(commands);
 }

@@ -30,6 +30,8 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
 void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set);
 // Begins drawing into images of one size that are colour attachments; sets the viewport.
 void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images, VkAttachmentLoadOp load);
+// A triangle that covers the picture.
+void draw_screen(VkCommandBuffer commands, VkPipeline pipeline);
 // The reflectances of a layer, each once.
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer);
 

@@ -15,9 +15,17 @@ layout(push_constant) uniform Push {
 } push;
 layout(set = 0, binding = 0) uniform sampler2D pictures[2];
 layout(set = 0, binding = 1) uniform sampler2D targets[kTargetCount];
+layout(set = 0, binding = 2) uniform sampler2D dither;  // thresholds, as picture/dither.h has them
 layout(location = 0) out vec4 color;
 
 vec3 shown(vec3 linear) { return tone_curve(push.tone_map, linear * push.gain); }
+
+// To a whole byte, as the picture's file has it.
+vec3 dithered(vec3 value) {
+  const float threshold = texelFetch(dither, ivec2(gl_FragCoord.xy) % textureSize(dither, 0), 0).r;
+  precise const vec3 scaled = clamp(value, 0.0, 1.0) * 255.0 + 1.0 - threshold;
+  return floor(scaled) / 255.0;
+}
 
 // Four columns, two rows; the last place shows the lighting.
 vec3 gbuffer(vec2 uv) {
@@ -60,7 +68,7 @@ void main() {
   }
   const int border = int(push.split * float(push.size.x));
   const bool show_b = push.display == display_flip || (push.display == display_split && pixel.x > border);
-  color = vec4(shown(show_b ? b.rgb : a.rgb), 1.0);
+  color = vec4(dithered(shown(show_b ? b.rgb : a.rgb)), 1.0);
   if (show_b && b.a > 0.5 && b.a < 0.9) color = vec4(hatching, 1.0);
   if (push.display == display_split && pixel.x == border) color = vec4(1.0);
 }

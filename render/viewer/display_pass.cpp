@@ -3,13 +3,15 @@
 #include <cmath>
 
 #include "render/gpu/shader_code.h"
+#include "render/picture/dither.h"
 
 namespace brdf::render {
 namespace {
 
 constexpr std::array kBindings{
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2},
-    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kTargetCount)}};
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kTargetCount)},
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
 
 struct Push {  // of shaders/display.frag
   glm::ivec2 size;
@@ -18,13 +20,26 @@ struct Push {  // of shaders/display.frag
   int bits, plus_minus;
 };
 
+// The thresholds of a picture's bytes, a tile of them.
+Image dither_tile(Device& device) {
+  std::vector<float> thresholds;
+  for (int k = 0; k < kDitherTile * kDitherTile; ++k)
+    thresholds.push_back(dither_threshold(k % kDitherTile, k / kDitherTile));
+  Image tile(device, VK_FORMAT_R32_SFLOAT, {kDitherTile, kDitherTile},
+             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+  upload(device, tile, std::as_bytes(std::span(thresholds)));
+  return tile;
+}
+
 }  // namespace
 
-DisplayPass::DisplayPass(Device& device, VkRenderPass render_pass) : device_(&device) {
+DisplayPass::DisplayPass(Device& device, VkRenderPass render_pass)
+    : device_(&device), dither_(dither_tile(device)) {
   sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   set_layout_ = make_set_layout(device, kBindings);
   pool_ = make_descriptor_pool(device, kBindings, 1);
   set_ = allocate_set(device, pool_.get(), set_layout_.get());
+  write_image(device, set_, 2, dither_.view(), sampler_.get());
   const std::array sets{set_layout_.get()};
   layout_ = make_pipeline_layout(device, sets, sizeof(Push));
   pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,

@@ -17,6 +17,7 @@ class DisplayPass {
 
  private:
   Device* device_;
+  Image dither_;
   Owned<VkSampler> sampler_;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkDescriptorPool> pool_;

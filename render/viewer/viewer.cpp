@@ -116,7 +116,7 @@ class Viewer {
       pictures_.update(state_, size);
     }
     if (pictures_.images_changed()) {
-      display_.show(pictures_.a().color(), pictures_.b_image(),
+      display_.show(pictures_.a_image(), pictures_.b_image(),
                     pictures_.has_targets() ? &pictures_.a() : nullptr);
     }
   }

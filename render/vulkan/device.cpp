@@ -189,8 +189,12 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) const {
   vkFreeCommandBuffers(device_.get(), pool_.get(), 1, &commands);
 }
 
+bool Device::has_memory(std::uint64_t bytes) const {
+  return memory_limit_ == 0 || memory_used_ + bytes <= memory_limit_;
+}
+
 void Device::require_memory(std::uint64_t bytes, const std::string& what) const {
-  if (memory_limit_ == 0 || memory_used_ + bytes <= memory_limit_) return;
+  if (has_memory(bytes)) return;
   throw InputError(what + " needs " + megabytes(memory_used_ + bytes) + " of device memory, the limit is " +
                    megabytes(memory_limit_) + " (--memory-limit)");
 }

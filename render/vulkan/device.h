@@ -48,6 +48,7 @@ class Device {
   void release(VkDeviceMemory memory, std::uint64_t bytes);
   std::uint64_t memory_used() const { return memory_used_; }
   // The limit alone: for a look ahead before anything is allocated.
+  bool has_memory(std::uint64_t bytes) const;
   void require_memory(std::uint64_t bytes, const std::string& what) const;
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags) const;
 

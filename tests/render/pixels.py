@@ -1,0 +1,45 @@
+"""What stands on a virtual screen, and in a PNG file: rows of (red, green, blue)."""
+import mmap
+import struct
+import zlib
+
+
+def screen(xwd_file, left, top, width, height):
+    """Of the frame buffer that Xvfb keeps in a file (-fbdir), an X window dump of 32 bits a pixel."""
+    with open(xwd_file, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+        header = struct.unpack(">25I", data[:100])
+        line, start = header[12], header[0] + 12 * header[19]
+        little = header[7] == 0
+        assert header[11] == 32, f"{header[11]} bits a pixel"
+        rows = []
+        for y in range(top, top + height):
+            row = data[start + y * line + 4 * left:start + y * line + 4 * (left + width)]
+            rows.append([tuple(row[k:k + 4][2::-1] if little else row[k + 1:k + 4]) for k in range(0, len(row), 4)])
+        return rows
+
+
+def png(content):
+    """Of 8-bit RGB without interlacing."""
+    at, size, data = 8, None, b""
+    while at < len(content):
+        length, kind = struct.unpack(">I4s", content[at:at + 8])
+        body = content[at + 8:at + 8 + length]
+        at += 12 + length
+        if kind == b"IHDR":
+            size = struct.unpack(">IIBBBBB", body)
+            assert size[2:] == (8, 2, 0, 0, 0), size
+        if kind == b"IDAT":
+            data += body
+    width, height, step = size[0], size[1], 3
+    raw, rows, before = zlib.decompress(data), [], bytes(3 * size[0])
+    for y in range(height):
+        row = bytearray(raw[y * (step * width + 1) + 1:(y + 1) * (step * width + 1)])
+        kind = raw[y * (step * width + 1)]
+        for k in range(len(row)):
+            left, up, corner = (row[k - step] if k >= step else 0), before[k], (before[k - step] if k >= step else 0)
+            near = left + up - corner
+            row[k] = (row[k] + (0, left, up, (left + up) // 2,
+                                min((left, up, corner), key=lambda v: abs(near - v)))[kind]) & 255
+        before = bytes(row)
+        rows.append([tuple(before[k:k + step]) for k in range(0, len(before), step)])
+    return rows
