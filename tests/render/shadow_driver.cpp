@@ -104,8 +104,11 @@ TEST(Shadow, TheMapDiffersFromTheRayAtTheShadowsEdgesAlone) {
     }
   };
   check(ball_over_ground({0.5f, -1, 0.25f}), "ball", 0.001);
-  for (const char* name : {"vase", "car"})
-    check(load_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json"), name, 0.015);
+  for (const char* name : {"vase", "car"}) {
+    Scene scene = load_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json");
+    scene.environment.reset();  // whose noise would hide the edges
+    check(scene, name, 0.015);
+  }
 }
 
 TEST(Shadow, WithoutItNothingChangesAndALampCastsNone) {
