@@ -30,8 +30,8 @@ picture = os.path.join(folder, "picture.png")
 
 def start_display():
     reader, writer = os.pipe()
-    server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-fbdir", folder],
+    server = subprocess.Popen(  # -r: keys do not repeat on a busy machine
+        ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-r", "-fbdir", folder],
         pass_fds=(writer,), stderr=subprocess.DEVNULL)
     os.close(writer)
     number = os.read(reader, 16).decode().strip()
