@@ -75,6 +75,11 @@ class ModelFiles : public Assimp::DefaultIOSystem {
  public:
   explicit ModelFiles(std::exception_ptr& failure) : failure_(failure) {}
 
+  // Without opening it, which fails for other reasons too.
+  bool Exists(const char* file) const override {
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored);
+  }
   Assimp::IOStream* Open(const char* file, const char*) override {
     try {
       const std::string bytes = io::read_content(file).bytes;

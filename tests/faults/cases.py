@@ -110,8 +110,6 @@ CASES = [
          ["material.glsl"], ["material.json"]),
     Case("export to GLSL ES", ["export", "--material", "material.json", "--to", "glsl-es", "-o", "material.glsl"],
          ["material.glsl"], ["material.json"]),
-    Case("export samples to MERL", ["export", "--measured", "samples.csv", "--to", "merl", "-o", "table.binary"],
-         ["table.binary"], ["samples.csv"]),
     Case("describe", ["describe", "json"]),
     Case("describe for a shell", ["describe", "zsh"]),
     Case("describe as pages", ["describe", "man", "-o", "man"],
