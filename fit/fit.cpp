@@ -6,11 +6,11 @@
 
 #include "fit/assess/assess.h"
 #include "fit/assess/errors.h"
-#include "fit/assess/highlight.h"
 #include "fit/assess/lack_of_fit.h"
 #include "fit/assess/left_out.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/select.h"
+#include "fit/assess/verdict.h"
 #include "fit/model/constraints.h"
 #include "fit/solve/minima.h"
 #include "fit/stepwise.h"
@@ -25,40 +25,6 @@ namespace {
 constexpr std::size_t kListedMinima = 10;
 constexpr double kRounding = 1e-18;    // of a squared residual, as a share of that of a black surface
 constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 1995)
-constexpr double kNegligible = 1e-7;   // share of a lobe in the model below which it is absent
-
-// Linear unknowns whose lobe adds next to nothing are exactly 0 and held there.
-void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
-  const Model& model = stream.model();
-  const NormalEquations n = stream.normal_equations(m.p);
-  for (std::size_t k = model.shape_slots(); k < model.size(); ++k) {
-    const Slot& slot = model.slots()[k];
-    if (slot.low != 0 || m.p[k] == 0) continue;
-    double all = 0;
-    for (std::size_t i = model.shape_slots(); i < model.size(); ++i)
-      if (model.slots()[i].group == slot.group || slot.group == kEveryGroup)
-        all += m.p[i] * m.p[i] * n.hessian(i, i);
-    if (m.p[k] * m.p[k] * n.hessian(k, k) <= kNegligible * kNegligible * all) {
-      m.p[k] = 0;
-      m.at_bound[k] = -1;
-    }
-  }
-}
-
-Verdict verdict_of(const Minimum& m, const SearchResult& search, const Uncertainty& u, const Misfit& misfit) {
-  if (search.interrupted) return Verdict::interrupted;
-  if (m.termination != Termination::converged || !std::isfinite(m.cost)) return Verdict::diverged;
-  const auto any = [&](Status s) {
-    return std::any_of(u.estimates.begin(), u.estimates.end(),
-                       [&](const Estimate& e) { return e.status == s; });
-  };
-  // Of a form that does something else than the surface, no direction would tell the parameters.
-  if (misfit.misfit) return Verdict::misfit;
-  if (u.singular && !u.determined()) return Verdict::not_identifiable;
-  if (any(Status::unidentified)) return u.determined() ? Verdict::determined : Verdict::not_identifiable;
-  if (any(Status::at_bound) || u.sum_at_bound) return Verdict::at_bound;
-  return Verdict::converged;
-}
 
 std::string energy_text(const LargestAlbedo& a, const FitOptions& options) {
   return "reflects more light than falls on it: " + io::percent_to_tenths(a.value) + " at " +
@@ -109,9 +75,8 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   out.errors = relative_errors(data, values, {0, data.rows()});
   out.median_relative_error = out.errors.median;
   const Uncertainty u = uncertainty(stream, best);
-  Misfit misfit = judge_misfit(data, values, noise);
-  if (!misfit.misfit) misfit = judge_highlight(data, values, noise);
-  out.verdict = verdict_of(best, search, u, misfit);
+  const Misfit misfit = judge(data, values, noise);
+  out.verdict = search.interrupted ? Verdict::interrupted : verdict_of(best, u, misfit);
   out.lack_of_fit = lack_of_fit(stream, values, noise);
   out.solver_message = best.message;
   if (out.verdict == Verdict::interrupted) out.findings.push_back("interrupted: the best parameters so far");

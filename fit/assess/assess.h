@@ -33,8 +33,13 @@ struct Uncertainty {
   bool determined() const { return split_only && prediction_error && *prediction_error <= kDetermined; }
 };
 
+// `estimates`: what a verdict and standard errors need, without correlations, the parameters' covariance, and the own
+// degrees of freedom of each interval.
+enum class Detail { everything, estimates };
+
 // Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not.
-Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution);
+Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution,
+                        Detail detail = Detail::everything);
 
 // Whether some configuration (both polar angles and the azimuth between them) was measured at two azimuths of the
 // sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.

@@ -95,6 +95,17 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
     r.max = kTangentInfo.max;
     out.push_back(std::move(r));
   }
+  for (std::size_t a = 0; a < kNormalInfo.size() && model.fits_normal(); ++a) {
+    Reported r;
+    r.estimate.name = kNormalInfo[a].name;
+    r.info = &kNormalInfo[a];
+    r.slot = model.normal_slot() + a;
+    r.estimate.value = p[r.slot];
+    r.gradient = {{r.slot, 1}};
+    r.min = kNormalInfo[a].min;
+    r.max = kNormalInfo[a].max;
+    out.push_back(std::move(r));
+  }
   for (std::size_t t = 0; t < model.terms().size(); ++t) add_weights(model, p, t, out);
   return out;
 }

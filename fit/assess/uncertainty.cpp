@@ -143,14 +143,41 @@ std::size_t parameters_of_a_channel(const Model& model) {
   std::size_t count = 0;
   for (const Slot& slot : model.slots()) {
     const bool shape = slot.kind == Slot::Kind::shape;
-    count += slot.kind == Slot::Kind::tangent || slot.in_group(shape ? model.group_of(0) : 0);
+    count += slot.kind == Slot::Kind::tangent || slot.kind == Slot::Kind::normal ||
+             slot.in_group(shape ? model.group_of(0) : 0);
   }
   return count;
 }
 
+// How much each of the samples' gradients moves each parameter.
+std::vector<std::vector<double>> influences(const std::vector<Reported>& all, const RowMatrix& inverse) {
+  std::vector<std::vector<double>> out;
+  for (const Reported& r : all) {
+    const Eigen::VectorXd v = inverse * gradient_vector(r, inverse.rows());
+    out.emplace_back(v.data(), v.data() + v.size());
+  }
+  return out;
+}
+
+Correlations correlations_of(const std::vector<Reported>& all, const std::vector<std::size_t>& certain,
+                             const RowMatrix& covariance) {
+  const Eigen::Index n = covariance.rows();
+  Correlations out;
+  for (std::size_t k : certain) out.names.push_back(label(all[k].estimate));
+  out.matrix = Matrix(certain.size(), certain.size());
+  for (std::size_t i = 0; i < certain.size(); ++i)
+    for (std::size_t j = 0; j < certain.size(); ++j) {
+      const double both = all[certain[i]].estimate.standard_error * all[certain[j]].estimate.standard_error;
+      const double shared =
+          gradient_vector(all[certain[i]], n).dot(covariance * gradient_vector(all[certain[j]], n));
+      out.matrix(i, j) = i == j ? 1 : both > 0 ? std::clamp(shared / both, -1.0, 1.0) : 0;
+    }
+  return out;
+}
+
 }  // namespace
 
-Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
+Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail detail) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   Uncertainty out;
@@ -161,14 +188,9 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
   for (int b : m.at_bound) free += b == 0;
   const double freedom = double(stream.data().rows()) - free;
   // Where a few values decide a parameter, its variance is known from those few only.
-  std::vector<std::vector<double>> influence;
-  for (const Reported& r : all) {
-    const Eigen::VectorXd v = c.inverse * gradient_vector(r, n);
-    influence.emplace_back(v.data(), v.data() + n);
-  }
-  const bool many = stream.data().rows() > kManyRows;
-  const std::vector<double> own_freedom =
-      many ? std::vector<double>(all.size(), freedom) : stream.freedom(m.p, influence);
+  const bool many = stream.data().rows() > kManyRows, lean = detail == Detail::estimates;
+  const std::vector<double> own_freedom = many || lean ? std::vector<double>(all.size(), freedom)
+                                                       : stream.freedom(m.p, influences(all, c.inverse));
   // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
   const std::size_t per_channel = parameters_of_a_channel(model);
   const bool few = stream.data().rows() < 3 * per_channel;
@@ -217,21 +239,13 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m) {
       certain.push_back(k);
     }
   }
-  for (std::size_t k : certain) out.correlations.names.push_back(label(all[k].estimate));
-  out.correlations.matrix = Matrix(certain.size(), certain.size());
-  for (std::size_t i = 0; i < certain.size(); ++i)
-    for (std::size_t j = 0; j < certain.size(); ++j) {
-      const double both = all[certain[i]].estimate.standard_error * all[certain[j]].estimate.standard_error;
-      const double shared =
-          gradient_vector(all[certain[i]], n).dot(c.matrix * gradient_vector(all[certain[j]], n));
-      out.correlations.matrix(i, j) = i == j ? 1 : both > 0 ? std::clamp(shared / both, -1.0, 1.0) : 0;
-    }
+  if (!lean) out.correlations = correlations_of(all, certain, c.matrix);
 
   const std::size_t channels = model.channels().size();
-  if (c.null_space.cols() == 0 && !few)
+  if (!lean && c.null_space.cols() == 0 && !few)
     out.covariance = parameter_covariance(stream, m.p, all, {c.matrix, c.inverse}, freedom);
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
-  if (!many || std::any_of(all.begin(), all.end(), unidentified))
+  if ((!many && !lean) || std::any_of(all.begin(), all.end(), unidentified))
     out.prediction_error = prediction_error(stream, m.p, c.matrix);
   if (const auto names = names_with(all, Status::unidentified, channels); !few && !names.empty()) {
     out.split_only =

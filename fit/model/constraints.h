@@ -2,6 +2,7 @@
 // is refused with the reason.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,13 @@ namespace brdf::fit {
 // The azimuth of the tangent, which is no form's own, as options and reports name it.
 inline constexpr ParameterInfo kTangentInfo{"tangent_phi", -180,      180,   0,
                                             180,           "degrees", false, "azimuth of the tangent"};
+
+// The components of the surface's normal where it is fitted.
+inline constexpr double kSteepest = 0.95;  // either component
+inline constexpr std::array<ParameterInfo, 2> kNormalInfo{
+    ParameterInfo{"normal.x", -kSteepest, kSteepest, 0, kSteepest, "", false, "the surface's normal along x"},
+    ParameterInfo{"normal.y", -kSteepest, kSteepest, 0, kSteepest, "", false,
+                  "the surface's normal along y"}};
 
 // One parameter's.
 struct Constraint {

@@ -9,8 +9,8 @@ LobeColumns::LobeColumns(const Reflectance& form)
       lobes_(info(form).lobes.size()),
       shape_parameters_(info(form).shape.size()),
       rows_(lobes_ * (2 + shape_parameters_) * kBlockRows),
-      turned_(kBlockRows),
-      displaced_(kBlockRows) {}
+      turned_(0),  // made when they are needed
+      displaced_(0) {}
 
 void LobeColumns::evaluate_point(std::span<const double> shape, Angle tangent_phi, Partial partial,
                                  const Directions<double>& directions, double* out) {
@@ -18,6 +18,7 @@ void LobeColumns::evaluate_point(std::span<const double> shape, Angle tangent_ph
     form_->lobes(shape, partial, directions, {out, kBlockRows});
     return;
   }
+  if (turned_.size() == 0) turned_ = DirectionArrays<double>(kBlockRows);
   turn_batch(directions, tangent_phi, turned_);
   Directions<double> turned = turned_.view();
   turned.count = directions.count;
@@ -33,6 +34,7 @@ void LobeColumns::evaluate(std::span<const double> shape, Angle tangent_phi, Par
   }
   const std::size_t used = lobes_ * (1 + derivatives_) * kBlockRows;
   one_node_.resize(rows_.size());
+  if (displaced_.size() == 0) displaced_ = DirectionArrays<double>(kBlockRows);
   std::fill(rows_.begin(), rows_.begin() + std::ptrdiff_t(used), 0.0);
   for (const ApertureNode& node : detector) {
     for (std::size_t j = 0; j < directions.count; ++j)

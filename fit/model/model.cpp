@@ -13,6 +13,7 @@ Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, 
   groups_ = options.per_channel ? channels_.size() : 1;
   for (const Reflectance& form : forms) add_term(form);
   constraints_ = resolve(forms, channels_.size(), options);
+  normal_start_ = options.normal;
   add_shape_slots(options.anisotropic);
   if (NaturalWeights::asked_for(constraints_, options.physical))
     add_natural_slots(forms, options.physical);
@@ -72,6 +73,15 @@ std::vector<double> Model::shape(std::span<const double> p, std::size_t term, st
 
 Angle Model::tangent_phi(std::span<const double> p) const {
   return tangent_slot_ == kNoSlot ? fixed_tangent_ : radians(p[tangent_slot_]);
+}
+
+Vec3<double> Model::normal(std::span<const double> p) const {
+  if (!fits_normal()) return {0, 0, 1};
+  const double x = p[normal_slot_], y = p[normal_slot_ + 1];
+  constexpr double kFlattest = 1e-3;  // a solver's step may leave the hemisphere: it stays at its rim
+  const double z = std::sqrt(std::max(1 - x * x - y * y, kFlattest * kFlattest));
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {x / length, y / length, z / length};
 }
 
 void Model::lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const {
@@ -150,12 +160,14 @@ std::vector<double> Model::initial() const {
     if (s.role == Role::f0) natural = terms_[s.term].info->weights[s.members[0]].initial;
     p.push_back(s.to_solver(std::clamp(natural, s.min, s.max)));
   }
+  if (fits_normal()) std::copy(normal_start_->begin(), normal_start_->end(), &p[normal_slot_]);
   return p;
 }
 
 void Model::apply_start(std::vector<double>& p) const {
   for (std::size_t s = 0; s < shape_slots_; ++s) {
     const Slot& slot = slots_[s];
+    if (slot.kind == Slot::Kind::normal) continue;
     if (slot.kind == Slot::Kind::tangent) {
       if (const auto& start = constraints_.tangent.start; !start.empty()) p[s] = degrees(start[0]).radians();
       continue;

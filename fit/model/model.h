@@ -39,6 +39,7 @@ struct TermModel {
   std::size_t partials = 0, first_partial = 0;  // derivatives that are needed, tangent included
   std::vector<int> partial;                     // [shape parameter]
   int tangent_partial = -1;
+  int normal_partial = -1;                       // by x; the one by y follows
   std::vector<std::vector<double>> fixed_shape;  // [group][shape parameter]; NaN where a slot sets it
   std::vector<WeightMap> weights;                // [channel]; none where the weights are natural
 };
@@ -75,6 +76,8 @@ class Model {
   std::size_t lobes() const { return lobes_; }        // of all terms
   std::size_t partials() const { return partials_; }  // of all terms
   std::size_t tangent_slot() const { return tangent_slot_; }
+  std::size_t normal_slot() const { return normal_slot_; }  // of x, then y; kNoSlot where the normal is +z
+  bool fits_normal() const { return normal_slot_ != kNoSlot; }
 
   // Which slot a derivative belongs to, in one group.
   std::size_t slot_of_partial(std::size_t partial, std::size_t group) const {
@@ -83,6 +86,7 @@ class Model {
   // Natural shape of a term in a group.
   std::vector<double> shape(std::span<const double> p, std::size_t term, std::size_t group) const;
   Angle tangent_phi(std::span<const double> p) const;
+  Vec3<double> normal(std::span<const double> p) const;
   // Weights of all lobes of a channel.
   void lobe_weights(std::span<const double> p, std::size_t channel, std::span<double> out) const;
   std::vector<WeightSlope> weight_slopes(std::span<const double> p, std::size_t channel) const;
@@ -115,6 +119,7 @@ class Model {
   void add_shape_slots(bool anisotropic);
   void add_shape_parameter(std::size_t term, const std::vector<std::size_t>& members);
   void add_tangent_slot();
+  void add_normal_slots();
   void index_partials();
   void add_linear_slots();
   void add_natural_slots(std::span<const Reflectance> forms, Physical physical);
@@ -124,8 +129,10 @@ class Model {
   Constraints constraints_;
   std::vector<Slot> slots_;
   std::vector<std::size_t> partial_slot_;
-  std::size_t shape_slots_ = 0, groups_ = 1, lobes_ = 0, partials_ = 0, tangent_slot_ = kNoSlot;
+  std::size_t shape_slots_ = 0, groups_ = 1, lobes_ = 0, partials_ = 0, tangent_slot_ = kNoSlot,
+              normal_slot_ = kNoSlot;
   Angle fixed_tangent_{};
+  std::optional<std::array<double, 2>> normal_start_;  // none: the normal is not fitted
   std::optional<NaturalWeights> natural_;
 };
 

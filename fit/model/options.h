@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,9 @@ struct FitOptions {
   int random_starts = 0;
   std::uint64_t seed = 1;
   double aperture = 0;  // full width of the detector's field, degrees; 0: none
+  // The surface's normal is fitted, too, from these components along the directions' x and y. The values are then
+  // taken as f_r cos_i of the surface over the cos_i of the directions' own frame.
+  std::optional<std::array<double, 2>> normal;
   bool cross_validation = true;
   unsigned threads = 1;  // models that are fitted side by side; no result depends on it
   const std::atomic<bool>* interrupted = nullptr;  // set from outside: return the best so far

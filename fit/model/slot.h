@@ -21,7 +21,8 @@ enum class Scale { identity, log, log1p, square };
 struct Slot {
   // linear: an unknown in which the lobes' weights are linear; weight: a weight or f0 itself, or its share of what
   // the weights before it leave
-  enum class Kind { shape, tangent, linear, weight } kind;
+  // normal: a component of the surface's normal, in the frame of the directions
+  enum class Kind { shape, tangent, normal, linear, weight } kind;
   std::size_t term = 0;
   std::vector<std::size_t> members;  // shape parameters it sets (two where the widths are tied)
   std::size_t group = 0;             // shape: which set of shapes, else which channel; or kEveryGroup

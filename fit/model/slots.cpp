@@ -174,10 +174,15 @@ void Model::add_shape_slots(bool anisotropic) {
       term.tangent_partial = int(term.partials++);
       turned = true;
     }
+    if (normal_start_) {
+      term.normal_partial = int(term.partials);
+      term.partials += 2;
+    }
     partials_ += term.partials;
   }
   if (constraints_.tangent.is_fixed()) fixed_tangent_ = degrees(constraints_.tangent.fixed[0]);
   if (turned) add_tangent_slot();
+  if (normal_start_) add_normal_slots();
   shape_slots_ = slots_.size();
   index_partials();
 }
@@ -221,6 +226,18 @@ void Model::add_tangent_slot() {
   slots_.push_back(std::move(slot));
 }
 
+void Model::add_normal_slots() {
+  normal_slot_ = slots_.size();
+  for (const ParameterInfo& info : kNormalInfo) {
+    Slot slot{Slot::Kind::normal};
+    slot.group = kEveryGroup;
+    slot.name = info.name;
+    slot.min = slot.low = info.min;
+    slot.max = slot.high = info.max;
+    slots_.push_back(std::move(slot));
+  }
+}
+
 // Which slot each derivative belongs to.
 void Model::index_partials() {
   partial_slot_.assign(groups_ * partials_, kNoSlot);
@@ -233,8 +250,11 @@ void Model::index_partials() {
       if (slot.in_group(g)) set(g, terms_[slot.term], terms_[slot.term].partial[slot.members[0]], s);
   }
   for (const TermModel& term : terms_)
-    for (std::size_t g = 0; g < groups_ && term.tangent_partial >= 0; ++g)
-      set(g, term, term.tangent_partial, tangent_slot_);
+    for (std::size_t g = 0; g < groups_; ++g) {
+      if (term.tangent_partial >= 0) set(g, term, term.tangent_partial, tangent_slot_);
+      for (int a = 0; a < 2 && term.normal_partial >= 0; ++a)
+        set(g, term, term.normal_partial + a, normal_slot_ + std::size_t(a));
+    }
 }
 
 void Model::add_linear_slots() {

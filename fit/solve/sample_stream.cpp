@@ -63,6 +63,7 @@ SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t
   Shapes s;
   for (std::size_t t = 0; t < model_.terms().size(); ++t) s.shape.push_back(model_.shape(p, t, group));
   s.tangent_phi = model_.tangent_phi(p);
+  s.normal = model_.normal(p);
   s.derivatives = derivatives;
   // On the square's scale the derivative is divided by the parameter itself: stay off 0.
   for (const Slot& slot : model_.slots())
@@ -73,7 +74,8 @@ SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t
 }
 
 void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
-  const Directions<double> directions = data_.directions(first, rows);
+  const Directions<double> directions =
+      model_.fits_normal() ? tilt(shapes.normal, first, rows, w) : data_.directions(first, rows);
   for (std::size_t t = 0; t < model_.terms().size(); ++t) {
     const TermModel& term = model_.terms()[t];
     LobeColumns& columns = w.terms[t];
@@ -101,6 +103,7 @@ void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size
             columns.derivative(k, term.partial.size());
     }
   }
+  if (model_.fits_normal()) fill_tilted(shapes, first, rows, w);
 }
 
 // Derivatives of one channel's residuals by its lobes' weights and by the shapes, before the scales.

@@ -79,6 +79,9 @@ class SampleStream {
   struct Workspace;
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
+  void fill_tilted(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
+  Directions<double> tilt(const Vec3<double>& normal, std::size_t first, std::size_t rows,
+                          Workspace& w) const;
   void fill_jacobian(const double* weights, Workspace& w) const;
   template <class Visit>
   void for_each_block(Visit&& visit) const;

@@ -41,6 +41,7 @@ std::vector<std::vector<double>> grid_starts(const Model& model) {
   std::vector<std::vector<std::size_t>> dimensions;  // slots that share a value
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
+    if (slot.kind == Slot::Kind::normal) continue;  // stays where it starts
     const auto same = [&](const std::vector<std::size_t>& d) {
       return model.slots()[d[0]].same_parameter(slot);
     };
@@ -75,6 +76,7 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
     const double u = uniform01(random);
+    if (slot.kind == Slot::Kind::normal) continue;
     if (slot.kind == Slot::Kind::tangent) {
       p[s] = kPi * u;
       continue;

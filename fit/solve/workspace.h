@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "brdf/directions.h"
 #include "fit/solve/columns.h"
 #include "fit/solve/sample_stream.h"
 
@@ -14,6 +15,7 @@ namespace brdf::fit {
 struct SampleStream::Shapes {
   std::vector<std::vector<double>> shape;  // [term]
   Angle tangent_phi{};
+  Vec3<double> normal{0, 0, 1};
   bool derivatives = true;
 };
 
@@ -31,6 +33,7 @@ struct SampleStream::Workspace {
     for (double*& column : scaled) column = take();
     for (double** column : {&f, &r, &slope, &rho, &root, &curvature, &mixed}) *column = take();
     for (std::size_t k = 0; k < model.size(); ++k) scores.push_back(take());
+    if (model.fits_normal()) make_room_for_normals(model);
   }
 
   std::vector<LobeColumns> terms;
@@ -40,6 +43,15 @@ struct SampleStream::Workspace {
   std::vector<double*> scaled;  // lobes, then partials, then the residual
   double *f, *r, *slope, *rho, *root, *curvature, *mixed;
   std::vector<double*> scores;  // [slot]
+
+  // Of a fitted normal: the directions in its frame, cos_i there over that of the rows, and the derivatives by its
+  // components.
+  DirectionArrays<double> tilted{0};
+  std::vector<double> cosine_ratio, by_normal;
+  std::vector<LobeColumns> moved_terms;
+
+ private:
+  void make_room_for_normals(const Model& model);
 };
 
 // What one derivative column contributes to: the solver's parameters and the factors.

@@ -1,0 +1,106 @@
+#include "fit/solve/nearby.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/algebra/box_quadratic.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kMostDamping = 1e12;
+constexpr double kStrongDamping = 0.1;  // from here on a step is short because it was made so
+constexpr double kRounding = 1e-12;     // share of a parameter below which a step is rounding
+
+struct Step {
+  std::vector<double> by;
+  double promised = 0;  // by which the quadratic falls
+
+  bool is_rounding(std::span<const double> p) const {
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (std::abs(by[k]) > kRounding * std::abs(p[k])) return false;
+    return true;
+  }
+};
+
+Step step_of(const NormalEquations& n, std::span<const double> p, std::span<const double> low,
+             std::span<const double> high, double damping) {
+  const std::size_t size = p.size();
+  Matrix h = n.hessian;
+  std::vector<double> to_low(size), to_high(size);
+  for (std::size_t k = 0; k < size; ++k) {
+    h(k, k) *= 1 + damping;
+    to_low[k] = low[k] - p[k];
+    to_high[k] = high[k] - p[k];
+  }
+  Step step{box_quadratic(h, n.gradient, to_low, to_high), 0};
+  for (std::size_t i = 0; i < size; ++i) {
+    double slope = n.gradient[i];
+    for (std::size_t j = 0; j < size; ++j) slope += 0.5 * n.hessian(i, j) * step.by[j];
+    step.promised -= slope * step.by[i];
+  }
+  return step;
+}
+
+// Held where the cost pushes outward, or does not care: as solve() has it.
+std::vector<int> held_at(const NormalEquations& n, std::vector<double>& p, std::span<const double> low,
+                         std::span<const double> high) {
+  std::vector<int> held(p.size(), 0);
+  const double scale = std::sqrt(2 * n.cost);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
+    const int side = p[k] <= low[k] + reach ? -1 : p[k] >= high[k] - reach ? 1 : 0;
+    const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
+    if (side != 0 && side * n.gradient[k] <= noise) {
+      held[k] = side;
+      p[k] = side < 0 ? low[k] : high[k];
+    }
+  }
+  return held;
+}
+
+}  // namespace
+
+Solution solve_nearby(const Objective& objective, std::span<const double> start, std::span<const double> low,
+                      std::span<const double> high, const SolveOptions& options) {
+  Solution s;
+  s.p.assign(start.begin(), start.end());
+  for (std::size_t k = 0; k < s.p.size(); ++k) s.p[k] = std::clamp(s.p[k], low[k], high[k]);
+  NormalEquations here = objective(s.p);
+  s.passes = 1;
+  double damping = kFirstDamping;
+  s.termination = std::isfinite(here.cost) ? Termination::iteration_limit : Termination::failed;
+  for (; s.termination == Termination::iteration_limit && s.iterations < options.max_iterations;
+       ++s.iterations) {
+    if (options.interrupted && options.interrupted->load(std::memory_order_relaxed)) {
+      s.termination = Termination::interrupted;
+      break;
+    }
+    const Step step = step_of(here, s.p, low, high, damping);
+    std::vector<double> p = s.p;
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = std::clamp(p[k] + step.by[k], low[k], high[k]);
+    const bool small = damping < kStrongDamping && !(step.promised > options.tolerance * here.cost);
+    if (small || step.is_rounding(s.p)) {
+      s.p = std::move(p);  // what it changes of the cost is below the tolerance: not worth a pass
+      s.termination = Termination::converged;
+      break;
+    }
+    NormalEquations there = objective(p);
+    ++s.passes;
+    if (std::isfinite(there.cost) && there.cost <= here.cost) {
+      s.p = std::move(p);
+      here = std::move(there);
+      damping = std::max(damping / 10, kLeastDamping);
+    } else if ((damping *= 10) > kMostDamping) {
+      s.termination = Termination::failed;
+    }
+  }
+  s.at_bound = held_at(here, s.p, low, high);
+  s.cost = here.cost;
+  s.message = s.termination == Termination::converged         ? "The step promises no change."
+              : s.termination == Termination::iteration_limit ? "Too many iterations."
+                                                              : "No step lowers the cost.";
+  return s;
+}
+
+}  // namespace brdf::fit
