@@ -8,6 +8,8 @@
 #include "cli/verbs.h"
 #include "io/output.h"
 #include "synth/instrument.h"
+#include "synth/texels.h"
+#include "texel/stack.h"
 
 namespace brdf::cli {
 namespace {
@@ -18,8 +20,36 @@ struct Options {
   std::vector<double> azimuths;
   synth::Instrument instrument;
   micro::SampleSettings microsurface = {.surface = ""};
+  std::string texels;  // empty: one sample
+  synth::TexelOptions stack;
   std::string output;
 };
+
+// Of a stack, for which what a goniophotometer is told has no meaning.
+void add_texel_options(CLI::App& verb, Options& o) {
+  CLI::Option* texels = verb.add_option(
+      "--texels", o.texels,
+      "A stack of photographs of so many texels, WIDTHxHEIGHT, in place of one sample's table");
+  for (const char* other : {"--grid", "--theta-i", "--step", "--azimuths", "--blind-zone", "--aperture",
+                            "--source-aperture", "--clip-negatives", "--sigma-columns", "--microsurface"})
+    if (CLI::Option* option = verb.get_option_no_throw(other)) texels->excludes(option);
+  verb.add_option("--lights", o.stack.lights, "Lights of a stack, over the hemisphere to 75 degrees")
+      ->needs(texels);
+  verb.add_option("--viewers", o.stack.viewers,
+                  "Viewers of a stack; each sees every light (default: one, along z)")
+      ->needs(texels);
+  verb.add_option_function<std::vector<std::string>>(
+          "--vary",
+          [&o](const std::vector<std::string>& words) {
+            for (const std::string& word : words) o.stack.vary.push_back(synth::parse_variation(word));
+          },
+          "A parameter that varies smoothly over a stack: name=low:high")
+      ->allow_extra_args(false)
+      ->needs(texels);
+  verb.add_option("--tilt", o.stack.tilt, "Largest tilt of a stack's normals, which vary smoothly, degrees")
+      ->needs(texels);
+  verb.add_option("--dark-level", o.stack.dark_level, "Added to every pixel of a stack, 1/sr")->needs(texels);
+}
 
 void add_options(CLI::App& verb, Options& o) {
   synth::Instrument& instrument = o.instrument;
@@ -49,7 +79,8 @@ void add_options(CLI::App& verb, Options& o) {
   verb.add_flag("--sigma-columns", instrument.sigma_columns, "Write the standard deviation of every value");
   verb.add_option("--seed", instrument.seed, "Seed of the noise")->capture_default_str();
   add_microsurface_options(verb, o.microsurface);
-  verb.add_option("-o,--output", o.output, "CSV to write")->required();
+  add_texel_options(verb, o);
+  verb.add_option("-o,--output", o.output, "CSV to write; of a stack the folder")->required();
   verb.footer(
       "Examples: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
       "--noise 0.05 --seed 7 -o samples.csv\n"
@@ -64,7 +95,10 @@ void add_options(CLI::App& verb, Options& o) {
       "--threads 2 -o traced.csv\n"
       "          brdf synth --microsurface mirror_grooves --set alpha=0.2 --bounces 8 --orders --surfaces 64 "
       "--rays 4096 -o grooves.csv\n"
-      "          brdf synth --material brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv");
+      "          brdf synth --material brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv\n"
+      "          brdf synth --form cook_torrance --set kd=0.3,0.2,0.1 --texels 64x64 --lights 151 --viewers "
+      "1 --vary "
+      "alpha=0.08:0.5 --tilt 30 --noise 0.03 --dark-level 0.001 -o stack");
 }
 
 Exit write(const io::SampleTable& table, const std::string& path) {
@@ -83,7 +117,22 @@ Exit run_microsurface(const Options& o) {
   return write(trace_microsurface(std::move(settings), o.material.set), o.output);
 }
 
+Exit run_stack(const Options& o) {
+  synth::TexelOptions stack = o.stack;
+  synth::parse_texels(o.texels, stack);
+  stack.noise = o.instrument.noise;
+  stack.noise_floor = o.instrument.noise_floor;
+  stack.saturation = o.instrument.saturation;
+  stack.seed = o.instrument.seed;
+  io::check_folder_target({"-o", o.output}, {texel::kLightsFile}, {o.material.material});
+  synth::write_stack(o.output, io::choose_material(o.material), stack, progress_line("brdf synth: images"));
+  std::cerr << "brdf synth: " << stack.lights * stack.viewers << " images of " << stack.width << " x "
+            << stack.height << " texels to " << o.output << '\n';
+  return Exit::good;
+}
+
 Exit run(const Options& o) {
+  if (!o.texels.empty()) return run_stack(o);
   const std::vector<std::string> parts = synth::grid_parts(o.grid);
   std::vector<std::filesystem::path> inputs(parts.begin(), parts.end());
   inputs.push_back(o.material.material);

@@ -21,9 +21,9 @@ import textwrap
 ORDER = [
     ["libbrdf"],
     ["io"],
-    ["measured"],
+    ["measured", "texel"],
     ["synth", "fit", "validate", "render", "micro"],
-    ["study", "trade"],
+    ["study", "trade", "maps"],
     ["cli", "docs", "bench", "python"],
 ]
 # Arrows between rooms of one line.

@@ -1,0 +1,258 @@
+#include "synth/texels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "brdf/frame.h"
+#include "brdf/math.h"
+#include "io/error.h"
+#include "io/material_json.h"
+#include "io/output.h"
+#include "io/provenance.h"
+#include "io/settings.h"
+#include "io/text.h"
+#include "synth/random.h"
+#include "texel/stack.h"
+
+namespace brdf::synth {
+namespace {
+
+constexpr double kSteepestLight = 75;  // degrees
+constexpr std::size_t kMostTexels = 8192, kMostImages = 100000;
+
+void check(const TexelOptions& o) {
+  const auto between = [](const char* option, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+      throw InputError(std::string(option) + " " + io::to_text(value) + ": must be between " +
+                       io::to_text(low) + " and " + io::to_text(high));
+  };
+  between("--lights", o.lights, 1, double(kMostImages));
+  between("--viewers", o.viewers, 1, double(kMostImages));
+  between("--lights times --viewers", double(o.lights) * o.viewers, 1, double(kMostImages));
+  between("--tilt", o.tilt, 0, 60);
+  between("--noise", o.noise, 0, 2);
+  between("--noise-floor", o.noise_floor, 0, 1e6);
+  between("--saturation", o.saturation, 0, 1e30);
+  between("--dark-level", o.dark_level, 0, 1e6);
+}
+
+// Points on the cap of the hemisphere, evenly (Vogel 1979: the golden angle).
+void add_points(int count, std::vector<double>& theta, std::vector<double>& phi) {
+  constexpr double kGoldenAngle = 137.50776405003785;
+  const double cap = 1 - io::cos_degrees(kSteepestLight);
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - cap * (k + 0.5) / count, azimuth = std::fmod(k * kGoldenAngle, 360.0);
+    double polar = 0, ignored = 0;
+    io::polar_degrees({std::sqrt(1 - z * z), 0, z}, polar, ignored);
+    theta.push_back(std::round(1e6 * polar) / 1e6);
+    phi.push_back(std::round(1e6 * azimuth) / 1e6);
+  }
+}
+
+bool is_weight(const Material& material, const std::string& name) {
+  return std::ranges::any_of(material.terms, [&](const Term& term) {
+    return std::ranges::any_of(info(term.form).weights,
+                               [&](const ParameterInfo& w) { return w.name == name; });
+  });
+}
+
+std::string prefix(const Material& material, std::size_t term) {
+  return material.terms.size() == 1 ? "" : "terms[" + std::to_string(term) + "].";
+}
+
+}  // namespace
+
+Variation parse_variation(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':');
+  Variation v;
+  if (equals == std::string::npos || colon == std::string::npos || colon < equals ||
+      !io::parse_number(std::string_view(text).substr(equals + 1, colon - equals - 1), v.low) ||
+      !io::parse_number(std::string_view(text).substr(colon + 1), v.high) || !(v.low <= v.high))
+    throw InputError("--vary " + text + ": must be NAME=LOW:HIGH with LOW at most HIGH");
+  v.name = text.substr(0, equals);
+  return v;
+}
+
+void parse_texels(const std::string& text, TexelOptions& options) {
+  const std::size_t cross = text.find('x');
+  double width = 0, height = 0;
+  const auto fits = [](double n) { return n >= 1 && n <= double(kMostTexels) && n == std::floor(n); };
+  if (cross == std::string::npos || !io::parse_number(std::string_view(text).substr(0, cross), width) ||
+      !io::parse_number(std::string_view(text).substr(cross + 1), height) || !fits(width) || !fits(height))
+    throw InputError("--texels " + text + ": must be WIDTHxHEIGHT, whole numbers from 1 to " +
+                     std::to_string(kMostTexels));
+  options.width = std::size_t(width);
+  options.height = std::size_t(height);
+}
+
+Surface::Surface(const Material& material, const TexelOptions& options)
+    : material_(material), options_(options) {
+  for (const Variation& v : options_.vary) {
+    const ParameterInfo parameter = io::parameter_named(material_, v.name, "--vary");
+    for (const double end : {v.low, v.high})
+      if (end < parameter.min || end > parameter.max)
+        throw InputError("--vary " + v.name + ": " + io::to_text(end) + " must be between " +
+                         io::to_text(parameter.min) + " and " + io::to_text(parameter.max));
+  }
+}
+
+// Smooth, in [0, 1], another one for every `which`.
+double Surface::field(std::size_t which, std::size_t x, std::size_t y) const {
+  const double u = (double(x) + 0.5) / double(options_.width),
+               v = (double(y) + 0.5) / double(options_.height);
+  const double phase = std::fmod(double(which) * 0.6180339887498949, 1.0);
+  const double across = 0.5 + 0.25 * double(which % 3), down = 0.5 + 0.25 * double((which + 1) % 4);
+  return 0.5 + 0.5 * io::sin_degrees(360 * (across * u + down * v + phase));
+}
+
+Material Surface::material(std::size_t x, std::size_t y) const {
+  Material out = material_;
+  std::vector<io::Setting> settings;
+  for (std::size_t k = 0; k < options_.vary.size(); ++k) {
+    const Variation& v = options_.vary[k];
+    const bool geometric = v.low > 0 && io::parameter_named(material_, v.name, "--vary").log_scale;
+    io::Setting setting{v.name, {}};
+    for (std::size_t c = 0; c < (is_weight(out, v.name) ? out.channels.size() : 1); ++c) {
+      const double share = field(3 + 7 * k + c, x, y);
+      setting.values.push_back(geometric ? v.low * math::exp(share * math::log(v.high / v.low))
+                                         : v.low + share * (v.high - v.low));
+    }
+    settings.push_back(std::move(setting));
+  }
+  io::apply_settings(out, settings);
+  return out;
+}
+
+Vec3<double> Surface::normal(std::size_t x, std::size_t y) const {
+  // Both components reach the largest together at most at one corner of the square.
+  const double largest = io::sin_degrees(options_.tilt) * 0.7071067811865475;
+  const double a = largest * (2 * field(0, x, y) - 1), b = largest * (2 * field(1, x, y) - 1);
+  return {a, b, std::sqrt(1 - a * a - b * b)};
+}
+
+texel::Planes Surface::truth() const {
+  texel::Planes out{options_.width, options_.height, {}, {}};
+  const auto add = [&](std::string name) {
+    out.names.push_back(std::move(name));
+    out.values.emplace_back(out.width * out.height);
+  };
+  for (std::size_t t = 0; t < material_.terms.size(); ++t) {
+    const ReflectanceInfo& form = info(material_.terms[t].form);
+    for (const ParameterInfo& p : form.shape) add(prefix(material_, t) + std::string(p.name));
+    for (const std::string& channel : material_.channels)
+      for (const ParameterInfo& p : form.weights)
+        add(texel::plane_name(prefix(material_, t) + std::string(p.name), channel));
+  }
+  for (const char* name : {"normal.x", "normal.y", "normal.z"}) add(name);
+  for (std::size_t k = 0; k < out.width * out.height; ++k) {
+    const std::size_t x = k % out.width, y = k / out.width;
+    const Material here = material(x, y);
+    const Vec3<double> n = normal(x, y);
+    std::size_t plane = 0;
+    for (const Term& term : here.terms) {
+      for (const double p : term.shape[0]) out.values[plane++][k] = float(p);
+      for (const auto& channel : term.weights)
+        for (const double p : channel) out.values[plane++][k] = float(p);
+    }
+    for (const double component : {n.x, n.y, n.z}) out.values[plane++][k] = float(component);
+  }
+  return out;
+}
+
+io::SampleTable stack_directions(const TexelOptions& options) {
+  std::vector<double> theta_i, phi_i, theta_o, phi_o;
+  add_points(options.lights, theta_i, phi_i);
+  if (options.viewers == 1) {
+    theta_o = phi_o = {0};
+  } else {
+    add_points(options.viewers, theta_o, phi_o);
+  }
+  io::SampleTable table;
+  for (std::size_t o = 0; o < theta_o.size(); ++o)
+    for (std::size_t i = 0; i < theta_i.size(); ++i)
+      table.add_directions(theta_i[i], phi_i[i], theta_o[o], phi_o[o]);
+  return table;
+}
+
+namespace {
+
+std::string image_name(int k) {
+  char name[32];
+  std::snprintf(name, sizeof name, "image_%05d.exr", k);
+  return name;
+}
+
+// Images of another stack would be taken for this one's.
+void check_folder(const std::filesystem::path& folder, const TexelOptions& options) {
+  if (!std::filesystem::is_directory(folder)) return;
+  std::set<std::string> own;
+  for (int k = 0; k < options.lights * options.viewers; ++k) own.insert(image_name(k));
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".exr" && !own.contains(entry.path().filename().string()))
+      throw InputError("-o " + folder.string() + ": holds " + entry.path().filename().string() +
+                       ", which would be taken for an image of this stack");
+}
+
+// One reading: two numbers are drawn whatever is switched on, so that settings change only what they name.
+float reading(double value, const TexelOptions& o, NormalPairs& random) {
+  const NormalPairs::Pair z = random.next();
+  if (o.noise > 0) value *= math::exp(o.noise * z.first - 0.5 * o.noise * o.noise);
+  if (o.noise_floor > 0) value += o.noise_floor * z.second;
+  value += o.dark_level;
+  if (o.saturation > 0) value = std::min(value, o.saturation);
+  return float(value);
+}
+
+void record(const Material& material, const TexelOptions& o, io::SampleTable& lights) {
+  lights.add_comment("sample", "synthetic stack");
+  for (const auto& [key, value] : io::provenance_fields(io::provenance(o.seed)))
+    lights.add_comment(key, value);
+  lights.add_comment("material", io::to_line(io::to_json(material)));
+  lights.add_comment("dark_level", io::to_text(o.dark_level));
+  lights.add_comment("saturation", o.saturation > 0 ? io::to_text(o.saturation) : "none");
+}
+
+}  // namespace
+
+void write_stack(const std::filesystem::path& folder, const Material& material, const TexelOptions& options,
+                 const io::Progress& progress) {
+  check(options);
+  check_folder(folder, options);
+  const Surface surface(material, options);
+  const std::size_t texels = options.width * options.height, channels = material.channels.size();
+  std::vector<Material> materials;
+  std::vector<Vec3<double>> normals;
+  for (std::size_t k = 0; k < texels; ++k) {
+    materials.push_back(surface.material(k % options.width, k / options.width));
+    normals.push_back(surface.normal(k % options.width, k / options.width));
+  }
+  io::SampleTable lights = stack_directions(options);
+  record(material, options, lights);
+  const DirectionArrays<double> arrays = io::unit_directions(lights);
+  const Directions<double> directions = arrays.view();
+  io::make_folder(folder / "truth");
+  std::vector<std::string> layers = material.channels;
+  if (layers == std::vector<std::string>{"r", "g", "b"}) layers = {"R", "G", "B"};
+  io::parallel_in_order(
+      int(directions.count), int(io::all_processors()), progress,
+      [&](int k) {
+        NormalPairs random(options.seed + 0x9e3779b97f4a7c15u * std::uint64_t(k + 1));
+        texel::Planes image{options.width, options.height, layers,
+                            std::vector(channels, std::vector<float>(texels))};
+        std::vector<double> value(channels);
+        for (std::size_t t = 0; t < texels; ++t) {
+          eval_cos(materials[t], in_frame_of(normals[t], directions.wi(std::size_t(k))),
+                   in_frame_of(normals[t], directions.wo(std::size_t(k))), value);
+          for (std::size_t c = 0; c < channels; ++c) image.values[c][t] = reading(value[c], options, random);
+        }
+        texel::write_planes(folder / image_name(k), image);
+        return 0;
+      },
+      [](int) {});
+  texel::write_planes(folder / "truth" / "truth.exr", surface.truth());
+  io::write_samples(folder / texel::kLightsFile, lights);
+}
+
+}  // namespace brdf::synth

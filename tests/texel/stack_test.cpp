@@ -1,0 +1,100 @@
+// Stacks as folders: read as they were written, refused with the file's name where they are damaged.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "io/error.h"
+#include "tests/io/temporary_folder.h"
+#include "texel/stack.h"
+
+namespace brdf::texel {
+namespace {
+
+using testing::HasSubstr;
+
+class Stacks : public testing::Test {
+ protected:
+  Stacks() {
+    write_lights("");
+    for (int k = 0; k < 2; ++k) write_image(k, 3, 2);
+  }
+  void write_lights(const std::string& comments, int rows = 2) {
+    std::ofstream out(path() / "lights.csv");
+    out << comments << "theta_i,phi_i,theta_o,phi_o\n";
+    for (int k = 0; k < rows; ++k) out << 10 + 20 * k << ",30,0,0\n";
+  }
+  void write_image(int k, std::size_t width, std::size_t height) {
+    Planes image{width, height, {"R", "G", "B"}, {}};
+    for (int c = 0; c < 3; ++c) {
+      image.values.emplace_back();
+      for (std::size_t t = 0; t < width * height; ++t)
+        image.values.back().push_back(float(100 * k + 10 * c) + float(t));
+    }
+    write_planes(path() / ("image_" + std::to_string(k) + ".exr"), image);
+  }
+  std::string refusal() const {
+    try {
+      const Stack stack = open_stack(path());
+      read_region(stack, {0, 0, stack.width, stack.height});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  const std::filesystem::path& path() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Stacks, AreReadTexelByTexel) {
+  const Stack stack = open_stack(path());
+  EXPECT_EQ(stack.channels, (std::vector<std::string>{"r", "g", "b"}));
+  EXPECT_EQ(stack.width, 3u);
+  EXPECT_EQ(stack.height, 2u);
+  EXPECT_EQ(bytes_per_texel(stack), 24u);
+  // texel, then channel, then image
+  EXPECT_EQ(read_region(stack, {1, 1, 2, 1}),
+            (std::vector<float>{4, 104, 14, 114, 24, 124, 5, 105, 15, 115, 25, 125}));
+}
+
+TEST_F(Stacks, LoseTheDarkLevelAndWhatIsSaturated) {
+  write_lights("# dark_level: 0.5\n# saturation: 104\n");
+  const std::vector<float> pixels = read_region(open_stack(path()), {0, 1, 2, 1});
+  EXPECT_EQ(pixels[0], 2.5f);
+  EXPECT_EQ(pixels[1], 102.5f);
+  EXPECT_EQ(pixels[6], 3.5f);
+  EXPECT_TRUE(std::isnan(pixels[7]));
+}
+
+TEST_F(Stacks, AreRefusedWithTheFileThatIsWrong) {
+  write_lights("", 3);
+  EXPECT_THAT(refusal(), HasSubstr("lights.csv: 3 rows for 2 images"));
+  write_lights("# saturation: much\n");
+  EXPECT_THAT(refusal(), HasSubstr("saturation 'much': must be a number"));
+  write_lights("");
+  write_image(1, 2, 2);
+  EXPECT_THAT(refusal(), HasSubstr("image_1.exr: size or channels are not those of image_0.exr"));
+  std::filesystem::resize_file(path() / "image_1.exr", 200);
+  EXPECT_THAT(refusal(), HasSubstr("image_1.exr: "));
+  write_image(1, 3, 2);
+  write_planes(path() / "mask.exr", {2, 2, {"Y"}, {{1, 1, 1, 1}}});
+  EXPECT_THAT(refusal(), HasSubstr("mask.exr: must have one channel and 3 x 2 pixels"));
+}
+
+TEST_F(Stacks, KeepWhatPlanesHold) {
+  const Planes planes{2, 1, {"alpha", "kd.r"}, {{0.1f, NAN}, {1e-7f, 3e8f}}, {{"form", "a sum"}}};
+  write_planes(path() / "maps.exr", planes);
+  const Planes back = read_planes(path() / "maps.exr");
+  EXPECT_EQ(back.names, planes.names);
+  EXPECT_EQ(back.values[1], planes.values[1]);
+  EXPECT_EQ(back.values[0][0], 0.1f);
+  EXPECT_TRUE(std::isnan(back.values[0][1]));
+  EXPECT_THAT(back.attributes, testing::Contains(testing::Pair("form", "a sum")));
+  EXPECT_EQ(back.find("none"), nullptr);
+}
+
+}  // namespace
+}  // namespace brdf::texel

@@ -1,0 +1,122 @@
+#include "texel/stack.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/text.h"
+#include "texel/exr_input.h"
+
+namespace brdf::texel {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMaskFile = "mask.exr";
+
+std::vector<fs::path> images_in(const fs::path& folder) {
+  std::vector<fs::path> images;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".exr" && entry.path().filename() != kMaskFile)
+      images.push_back(entry.path());
+  std::sort(images.begin(), images.end());
+  return images;
+}
+
+// OpenEXR keeps R, G and B in the alphabet's order and in capitals.
+void name_channels(const std::vector<std::string>& found, Stack& stack) {
+  const std::array<std::string, 3> colours{"R", "G", "B"};
+  const bool coloured =
+      std::ranges::all_of(colours, [&](const auto& c) { return std::ranges::count(found, c) > 0; });
+  if (coloured) {
+    stack.layers.assign(colours.begin(), colours.end());
+    stack.channels = {"r", "g", "b"};
+    return;
+  }
+  stack.layers = stack.channels = found;
+}
+
+double number_in(const io::SampleTable& table, std::string_view key, double otherwise) {
+  const std::optional<std::string> text = table.find_metadata(key);
+  if (!text || *text == "none") return otherwise;
+  double number = 0;
+  if (!io::parse_number(*text, number))
+    throw InputError(table.name() + ": " + std::string(key) + " " + io::shown(*text) + ": must be a number");
+  return number;
+}
+
+void read_mask(Stack& stack) {
+  const fs::path path = stack.folder / kMaskFile;
+  if (!fs::exists(path)) return;
+  Planes mask = read_planes(path);
+  if (mask.width != stack.width || mask.height != stack.height || mask.values.size() != 1)
+    throw InputError(path.string() + ": must have one channel and " + std::to_string(stack.width) + " x " +
+                     std::to_string(stack.height) + " pixels, as the images have");
+  stack.mask = std::move(mask.values[0]);
+}
+
+}  // namespace
+
+bool is_stack(const fs::path& path) {
+  return fs::is_directory(path) && fs::exists(path / kLightsFile);
+}
+
+Stack open_stack(const fs::path& folder) {
+  Stack stack;
+  stack.folder = folder;
+  if (!is_stack(folder)) throw InputError(folder.string() + ": no stack: no folder with " + kLightsFile);
+  stack.lights = io::read_directions(folder / kLightsFile);
+  stack.images = images_in(folder);
+  const std::size_t rows = stack.lights.rows();
+  if (stack.images.size() != rows)
+    throw InputError(stack.lights.name() + ": " + std::to_string(rows) + " rows for " +
+                     std::to_string(stack.images.size()) + " images in " + folder.string());
+  for (std::size_t k = 0; k < rows; ++k)
+    if (stack.lights.theta_i[k] >= 90 || stack.lights.theta_o[k] >= 90)
+      throw InputError(stack.lights.where(k) +
+                       ": light and viewer must be above the sample's plane, both polar "
+                       "angles below 90 degrees");
+  const ExrInput first(stack.images.at(0));
+  stack.width = first.width();
+  stack.height = first.height();
+  name_channels(first.channels(), stack);
+  stack.dark_level = number_in(stack.lights, "dark_level", 0);
+  stack.saturation = number_in(stack.lights, "saturation", stack.saturation);
+  read_mask(stack);
+  return stack;
+}
+
+std::size_t bytes_per_texel(const Stack& stack) {
+  return stack.images.size() * stack.channels.size() * sizeof(float);
+}
+
+std::vector<float> read_region(const Stack& stack, const Region& region) {
+  const std::size_t images = stack.images.size(), channels = stack.channels.size();
+  std::vector<float> out(region.size() * channels * images);
+  std::vector<std::vector<float>> band;
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const float saturation = float(stack.saturation);  // rounded as the images' pixels are
+  for (std::size_t k = 0; k < images; ++k) {
+    ExrInput image(stack.images[k]);
+    const auto has = [&](const std::string& layer) {
+      return std::ranges::count(image.channels(), layer) > 0;
+    };
+    if (image.width() != stack.width || image.height() != stack.height ||
+        !std::ranges::all_of(stack.layers, has))
+      throw InputError(stack.images[k].string() + ": size or channels are not those of " +
+                       stack.images[0].filename().string());
+    image.read_rows(stack.layers, region.y, region.height, band);
+    for (std::size_t c = 0; c < channels; ++c)
+      for (std::size_t y = 0; y < region.height; ++y)
+        for (std::size_t x = 0; x < region.width; ++x) {
+          const float pixel = band[c][y * stack.width + region.x + x];
+          const bool known = std::isfinite(pixel) && pixel < saturation;
+          out[((y * region.width + x) * channels + c) * images + k] =
+              known ? float(double(pixel) - stack.dark_level) : none;
+        }
+  }
+  return out;
+}
+
+}  // namespace brdf::texel

@@ -1,0 +1,51 @@
+// A stack: photographs of one flat sample, each under one far light and from one far viewpoint, pixel upon pixel.
+//
+// As a folder: an OpenEXR image per light (every *.exr but mask.exr, in the order of their names) and lights.csv, which has
+// the four angles of one image in each row (theta_i, phi_i, theta_o, phi_o in degrees, in the sample's plane: x to the
+// right of the picture, y upwards, z out of it). A pixel is what the surface reflects towards the viewer over
+// the irradiance on a plane that faces the light: f_r cos_i in 1/sr, cos_i taken at the surface as it lies there, however
+// its normal is tilted. Comments of lights.csv may say `# dark_level: X`, which a pixel has without any light and which
+// is subtracted, and `# saturation: X`, from which on (as the file has it) a pixel says nothing. mask.exr, one channel, is 0
+// where there is no sample.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "io/samples.h"
+#include "texel/planes.h"
+
+namespace brdf::texel {
+
+struct Stack {
+  std::filesystem::path folder;
+  std::size_t width = 0, height = 0;
+  std::vector<std::string> channels;          // r, g, b; else as the images name them
+  std::vector<std::string> layers;            // the same in the images
+  std::vector<std::filesystem::path> images;  // [image]
+  io::SampleTable lights;                     // [image] directions alone
+  double dark_level = 0, saturation = std::numeric_limits<double>::infinity();
+  std::vector<float> mask;  // [texel]; empty: every texel is of the sample
+
+  bool holds(std::size_t x, std::size_t y) const { return mask.empty() || mask[y * width + x] != 0; }
+};
+
+inline constexpr const char* kLightsFile = "lights.csv";
+
+// Whether a path is such a folder.
+bool is_stack(const std::filesystem::path& path);
+
+// Reads the table and one image's header. Throws InputError where images and rows differ in number, a light or a viewer
+// is not above the plane, or the mask is of another size.
+Stack open_stack(const std::filesystem::path& folder);
+
+// The pixels of a region, [texel][channel][image], less the dark level; NaN where a pixel is saturated or no number.
+// Throws InputError where an image is missing, damaged, or of another size or other channels than the first.
+std::vector<float> read_region(const Stack& stack, const Region& region);
+// Bytes that takes for each texel.
+std::size_t bytes_per_texel(const Stack& stack);
+
+}  // namespace brdf::texel
