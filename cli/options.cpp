@@ -49,8 +49,8 @@ std::string to_bytes(std::string& text) {
 
 }  // namespace
 
-void add_memory_option(CLI::App& verb, std::uint64_t& bytes) {
-  verb.add_option("--memory-limit", bytes, "Most device memory, for instance 500M or 1G")
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of) {
+  verb.add_option("--memory-limit", bytes, "Most " + of + ", for instance 500M or 1G")
       ->transform(CLI::Validator(to_bytes, "SIZE"));
 }
 

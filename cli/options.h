@@ -36,7 +36,7 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
 
 // Adds an option that takes an amount of memory above 0 in bytes, or with K, M or G (powers of 1024).
-void add_memory_option(CLI::App& verb, std::uint64_t& bytes);
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of = "device memory");
 
 // Every option of the verbs that takes numbers takes them as files do: whole words, decimal, finite, and within
 // their type's range.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/fit_options.h"
+#include "cli/fit_stack.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fit/file_batch.h"
@@ -29,6 +30,7 @@ struct Options {
   bool json = false;
   unsigned jobs = 1;
   fit::FitChoice choice;
+  StackOptions stack;
 };
 
 Exit run_one(const Options& o, const fit::FitOptions& options) {
@@ -99,6 +101,10 @@ Exit run_many(const Options& o, const fit::FitOptions& options) {
 
 Exit run(Options& o) {
   const fit::FitOptions options = fit_options(o.choice, o.jobs);
+  if (o.samples.size() == 1 && std::filesystem::is_directory(o.samples[0]))
+    return run_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
+  if (o.stack.normals != StackOptions().normals || o.stack.memory != StackOptions().memory)
+    throw InputError("--normals and --memory-limit are for a stack of photographs");
   const bool folder =
       o.samples.size() > 1 || o.output.ends_with('/') || std::filesystem::is_directory(o.output);
   return folder ? run_many(o, options) : run_one(o, options);
@@ -110,13 +116,18 @@ void add_fit(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
   CLI::App* verb = app.add_subcommand("fit", "Fit forms to samples");
-  verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...)")->required();
+  verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or one stack of photographs")
+      ->required();
   add_fit_options(*verb, o.choice);
   verb->add_option("-o,--output", o.output,
-                   "Material file to write; with several sample files: the folder of the results");
+                   "Material file to write; with several sample files, and of a stack: the folder of the "
+                   "results");
   verb->add_option("--report", o.report, "HTML report to write");
-  verb->add_option("--jobs", o.jobs, "Files fitted at the same time")->check(CLI::Range(1u, 256u));
+  verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
+      ->check(CLI::Range(1u, 256u));
   verb->add_flag("--json", o.json, "JSON on stdout");
+  add_normals_option(*verb, o.stack);
+  add_stack_memory_option(*verb, o.stack.memory);
   verb->footer(
       "Examples: brdf fit samples.csv --form all -o material.json\n"
       "          brdf fit samples.csv --form auto --json\n"
@@ -128,7 +139,9 @@ void add_fit(CLI::App& app) {
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
-      "          brdf fit a.csv b.csv --free-scale --jobs 2 -o fits");
+      "          brdf fit a.csv b.csv --free-scale --jobs 2 -o fits\n"
+      "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
+      "maps.html -o maps/");
   on_run(*verb, [options] { return run(*options); });
 }
 

@@ -48,6 +48,8 @@ with tempfile.TemporaryDirectory() as folder:
                       "kd=0.1", "--metric", "log", "--free-scale", "--json"))
     check("fit", said("fit", synthetic / "phong_sparse.csv", synthetic / "README.md", "--form", "auto", "-o", "many",
                       "--json"))
+    subprocess.run([brdf, "synth", "--form", "ward", "--texels", "3x2", "--lights", "40", "-o", "stack"], cwd=folder, check=True)
+    check("fit", said("fit", "stack", "--form", "ward", "-o", "maps", "--json"))
     check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
     check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
     check("trade", json.loads((source / "data/ledger.json").read_text()))

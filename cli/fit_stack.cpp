@@ -1,0 +1,82 @@
+#include "cli/fit_stack.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/fit_options.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "io/error.h"
+#include "io/output.h"
+#include "io/provenance.h"
+
+namespace brdf::cli {
+
+void add_normals_option(CLI::App& verb, StackOptions& options) {
+  verb.add_option("--normals", options.normals,
+                  "Of a stack: flat, fit (two more parameters for each texel), or an EXR with normal.x, "
+                  "normal.y and normal.z")
+      ->capture_default_str();
+}
+
+void add_stack_memory_option(CLI::App& verb, std::uint64_t& bytes) {
+  add_memory_option(verb, bytes, "memory for a stack's pixels at a time");
+}
+
+maps::Settings settings_of(const StackOptions& stack_options, const fit::FitChoice& choice,
+                           const fit::FitOptions& options) {
+  const std::vector<std::vector<Reflectance>> models = fit::models_of(choice.form);
+  if (models.size() != 1)
+    throw InputError("--form " + choice.form + ": a stack is fitted with one form, or a sum, for all texels");
+  maps::Settings settings{models[0], options, stack_options.normals == "fit"};
+  maps::check(settings);
+  return settings;
+}
+
+std::string normals_file(const StackOptions& options) {
+  return options.normals == "flat" || options.normals == "fit" ? "" : options.normals;
+}
+
+Exit write_results(const StackFiles& files, const texel::Stack& stack, const maps::Making& making,
+                   const texel::Planes& maps, std::optional<double> seconds) {
+  const maps::Summary summary = maps::summary_of(maps);
+  const std::string json = maps::summary_json(stack, making, summary, maps);
+  io::make_folder(files.output);
+  maps::write_maps(files.output, maps, making, json);
+  if (!files.report.empty())
+    io::write_file_atomically(files.report, maps::html_page(stack, making.settings, summary, maps));
+  if (files.json)
+    std::cout << json;
+  else
+    maps::print(std::cout, stack, making.settings, summary, files.output, seconds);
+  return summary.usable() > 0 ? Exit::good : Exit::failed;
+}
+
+Exit run_stack(const StackFiles& files, const StackOptions& stack_options, const fit::FitChoice& choice,
+               const fit::FitOptions& options) {
+  const auto started = std::chrono::steady_clock::now();
+  maps::Settings settings = settings_of(stack_options, choice, options);
+  if (files.output.empty()) throw InputError("a stack needs -o FOLDER");
+  const std::string given = normals_file(stack_options);
+  io::check_folder_target({"-o", files.output}, {maps::kMapsFile, maps::kSummaryFile}, {given});
+  io::check_targets({{"--report", files.report}});
+  const texel::Stack stack = texel::open_stack(files.stack);
+  std::optional<maps::Normals> normals;
+  if (!given.empty()) normals = maps::read_normals(given, stack);
+  const maps::Normals* const known = normals ? &*normals : nullptr;
+  watch_for_interrupt();
+  settings.options.metric = maps::choose_metric(stack, settings, known);
+  const texel::Planes maps = maps::fit_stack(stack, settings, known, {stack_options.memory, files.jobs},
+                                             progress_line("brdf fit: parts of the stack"));
+  if (was_interrupted()) {
+    std::cerr << "brdf fit: interrupted: nothing is written\n";
+    return Exit::failed;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return write_results(files, stack, {settings, stack_options.normals, io::provenance().command}, maps,
+                       seconds);
+}
+
+}  // namespace brdf::cli

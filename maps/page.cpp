@@ -1,0 +1,201 @@
+#include "maps/page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/model/constraints.h"
+#include "io/html_report.h"
+#include "io/json.h"
+#include "io/numbers.h"
+#include "io/output.h"
+#include "io/png.h"
+#include "io/text.h"
+
+namespace brdf::maps {
+namespace {
+
+using io::Json;
+
+constexpr std::size_t kWorst = 10, kWidestPicture = 256;
+constexpr std::string_view kErrorPrefix = "standard_error.";
+
+struct Texel {
+  std::size_t x, y;
+  double error;
+  fit::Verdict verdict;
+};
+
+// Those whose residual is the largest, the unusable ones first.
+std::vector<Texel> worst_texels(const texel::Planes& maps) {
+  std::vector<Texel> all;
+  for (std::size_t k = 0; k < maps.width * maps.height; ++k)
+    if (const float verdict = (*maps.find("verdict"))[k]; !std::isnan(verdict))
+      all.push_back(
+          {k % maps.width, k / maps.width, double((*maps.find("error"))[k]), fit::Verdict(int(verdict))});
+  const std::size_t kept = std::min(kWorst, all.size());
+  std::partial_sort(
+      all.begin(), all.begin() + std::ptrdiff_t(kept), all.end(), [](const Texel& a, const Texel& b) {
+        if (fit::usable(a.verdict) != fit::usable(b.verdict)) return fit::usable(b.verdict);
+        return std::pair(-a.error, std::pair(a.y, a.x)) < std::pair(-b.error, std::pair(b.y, b.x));
+      });
+  all.resize(kept);
+  return all;
+}
+
+// The planes that hold parameters, not what is known of them.
+std::vector<std::size_t> parameter_planes(const texel::Planes& maps) {
+  std::vector<std::size_t> out;
+  for (std::size_t k = 0; k < maps.names.size(); ++k)
+    if (maps.find(std::string(kErrorPrefix) + maps.names[k])) out.push_back(k);
+  return out;
+}
+
+struct Range {
+  double low = 0, high = 1;
+};
+
+// From the first to the last percentile.
+Range range_of(const std::vector<float>& plane) {
+  std::vector<double> known;
+  for (const float v : plane)
+    if (std::isfinite(v)) known.push_back(double(v));
+  if (known.empty()) return {};
+  return {io::quantile(known, 0.01), io::quantile(known, 0.99)};
+}
+
+std::string picture_of(const texel::Planes& maps, std::size_t plane, const Range& range) {
+  const std::size_t step =
+      std::max<std::size_t>(1, (std::max(maps.width, maps.height) + kWidestPicture - 1) / kWidestPicture);
+  const std::size_t width = (maps.width + step - 1) / step, height = (maps.height + step - 1) / step;
+  std::vector<unsigned char> pixels(4 * width * height, 0);
+  for (std::size_t k = 0; k < width * height; ++k) {
+    const float value = maps.values[plane][(k / width) * step * maps.width + (k % width) * step];
+    if (!std::isfinite(value)) continue;
+    const double share =
+        range.high > range.low ? (double(value) - range.low) / (range.high - range.low) : 0.5;
+    io::map_colour(share, &pixels[4 * k]);
+    pixels[4 * k + 3] = 255;
+  }
+  return io::png_of_pixels(width, height, pixels);
+}
+
+std::string counted(const Summary& summary) {
+  std::string out;
+  for (std::size_t k = 0; k < summary.verdicts.size(); ++k)
+    if (summary.verdicts[k] > 0)
+      out += (out.empty() ? "" : ", ") + std::to_string(summary.verdicts[k]) + " " +
+             std::string(kNames<fit::Verdict>[k]);
+  return out;
+}
+
+// Version and command, as every output has them.
+std::vector<std::pair<std::string, std::string>> fields_of(const Making& making) {
+  io::Provenance made = io::provenance();
+  made.command = making.command;
+  return io::provenance_fields(made);
+}
+
+}  // namespace
+
+void write_maps(const std::filesystem::path& folder, const texel::Planes& maps, const Making& making,
+                const std::string& summary) {
+  texel::Planes file = maps;
+  std::string verdicts;
+  for (const std::string_view name : kNames<fit::Verdict>)
+    verdicts += (verdicts.empty() ? "" : " ") + std::string(name);
+  file.attributes = {{"form", fit::name_of_sum(making.settings.forms)},
+                     {"metric", std::string(name_of(making.settings.options.metric))},
+                     {"normals", making.normals},
+                     {"verdicts", verdicts}};
+  for (const auto& field : fields_of(making)) file.attributes.push_back(field);
+  texel::write_planes(folder / kMapsFile, file);
+  io::write_file_atomically(folder / kSummaryFile, summary);
+}
+
+std::string summary_json(const texel::Stack& stack, const Making& making, const Summary& summary,
+                         const texel::Planes& maps) {
+  Json verdicts = Json::object();
+  for (std::size_t k = 0; k < summary.verdicts.size(); ++k)
+    verdicts[std::string(kNames<fit::Verdict>[k])] = summary.verdicts[k];
+  Json planes = Json::array();
+  for (const std::size_t k : parameter_planes(maps)) {
+    const Range range = range_of(maps.values[k]);
+    planes.push_back({{"name", maps.names[k]}, {"low", range.low}, {"high", range.high}});
+  }
+  Json worst = Json::array();
+  for (const Texel& t : worst_texels(maps))
+    worst.push_back(
+        {{"x", t.x}, {"y", t.y}, {"error", t.error}, {"verdict", std::string(name_of(t.verdict))}});
+  Json out = {{"stack", stack.folder.string()},
+              {"width", stack.width},
+              {"height", stack.height},
+              {"images", stack.images.size()},
+              {"channels", stack.channels},
+              {"form", fit::name_of_sum(making.settings.forms)},
+              {"metric", std::string(name_of(making.settings.options.metric))},
+              {"normals", making.normals},
+              {"fitted", summary.fitted},
+              {"usable", summary.usable()},
+              {"from_grid", summary.from_grid},
+              {"verdicts", verdicts},
+              {"median_error", summary.median_error},
+              {"parameters", planes},
+              {"worst", worst}};
+  for (const auto& [key, value] : fields_of(making)) out[key] = value;
+  return io::to_text(out);
+}
+
+void print(std::ostream& out, const texel::Stack& stack, const Settings& settings, const Summary& summary,
+           const std::filesystem::path& folder, std::optional<double> seconds) {
+  out << stack.width << " x " << stack.height << " texels, " << stack.images.size() << " images, "
+      << stack.channels.size() << " channels; " << fit::name_of_sum(settings.forms) << ", metric "
+      << name_of(settings.options.metric) << '\n'
+      << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
+      << " from the grid of starts\n"
+      << "residual, in the middle: " << io::short_number(summary.median_error) << '\n';
+  if (seconds)
+    out << io::short_number(*seconds) << " s, "
+        << io::short_number(1e6 * *seconds / double(std::max<std::size_t>(summary.fitted, 1)))
+        << " us for each texel\n";
+  out << (folder / kMapsFile).string() << ", " << (folder / kSummaryFile).string() << '\n';
+}
+
+std::string html_page(const texel::Stack& stack, const Settings& settings, const Summary& summary,
+                      const texel::Planes& maps) {
+  const std::string name = io::file_name(std::filesystem::path(stack.folder / "").parent_path().string());
+  io::HtmlReport html("Maps of " + name);
+  const double share = double(summary.usable()) / double(std::max<std::size_t>(summary.fitted, 1));
+  html.verdict(share > 0.99  ? io::Mark::good
+               : share > 0.5 ? io::Mark::warn
+                             : io::Mark::bad,
+               std::to_string(summary.usable()) + " of " + std::to_string(summary.fitted) +
+                   " texels have a usable fit.");
+  html.paragraph(std::to_string(stack.width) + " x " + std::to_string(stack.height) + " texels under " +
+                 std::to_string(stack.images.size()) + " pairs of light and viewer, each fitted with " +
+                 fit::name_of_sum(settings.forms) + " (metric " +
+                 std::string(name_of(settings.options.metric)) + "): " + counted(summary) + ".");
+  html.heading("Maps");
+  std::vector<io::Figure> pictures;
+  std::vector<std::size_t> planes = parameter_planes(maps);
+  for (std::size_t k = 0; k < maps.names.size(); ++k)
+    if (maps.names[k] == "error" || maps.names[k] == "verdict") planes.push_back(k);
+  for (const std::size_t k : planes) {
+    const Range range = range_of(maps.values[k]);
+    pictures.push_back({picture_of(maps, k, range), maps.names[k],
+                        "dark " + io::short_number(range.low) + ", bright " + io::short_number(range.high)});
+  }
+  html.pictures(pictures);
+  html.heading("The worst texels");
+  std::vector<io::Row> rows;
+  for (const Texel& t : worst_texels(maps))
+    rows.push_back(
+        {{std::to_string(t.x)},
+         {std::to_string(t.y)},
+         {std::string(name_of(t.verdict)), fit::usable(t.verdict) ? io::Mark::good : io::Mark::bad},
+         {io::short_number(t.error)}});
+  html.table({"x", "y", "verdict", "residual"}, rows, true);
+  html.footnote("stack", stack.folder.string());
+  return html.document(io::provenance());
+}
+
+}  // namespace brdf::maps

@@ -1,0 +1,213 @@
+#include "maps/stack_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "fit/assess/metric_choice.h"
+#include "fit/assess/reported.h"
+#include "io/error.h"
+#include "io/noise.h"
+#include "io/numbers.h"
+
+namespace brdf::maps {
+namespace {
+
+constexpr std::size_t kLattice = 8;       // every 64th texel starts from the grid
+constexpr std::size_t kMetricTexels = 9;  // that are asked for the metric
+constexpr const char* kNormalNames[] = {"normal.x", "normal.y", "normal.z"};
+
+Vec3<double> normal_at(const Normals* normals, std::size_t texel) {
+  if (!normals) return {0, 0, 1};
+  const auto at = [&](std::size_t k) { return double((*normals->find(kNormalNames[k]))[texel]); };
+  const Vec3<double> n{at(0), at(1), at(2)};
+  return n * (1 / std::sqrt(dot(n, n)));
+}
+
+// The names of a fit's planes in their order; the estimates' come first, each with its standard error.
+std::vector<std::string> plane_names(const fit::Model& model) {
+  std::vector<std::string> names;
+  for (const fit::Reported& r : fit::reported_parameters(model, model.initial())) {
+    const std::string name = texel::plane_name(r.estimate.name, r.estimate.channel);
+    names.push_back(name);
+    names.push_back("standard_error." + name);
+  }
+  if (!model.fits_normal()) names.insert(names.end(), {kNormalNames[0], kNormalNames[1]});
+  names.insert(names.end(), {kNormalNames[2], "error", "images", "verdict", "grid"});
+  return names;
+}
+
+std::vector<double> plane_values(const TexelFit& fit, bool fits_normal, std::size_t channels) {
+  std::vector<double> values;
+  for (const fit::Estimate& e : fit.estimates) {
+    values.push_back(e.value);
+    values.push_back(e.status == fit::Status::unidentified ? fit::kUnknown
+                     : e.status == fit::Status::free       ? e.standard_error
+                                                           : 0);
+  }
+  if (!fits_normal) values.insert(values.end(), {fit.normal.x, fit.normal.y});
+  values.insert(values.end(), {fit.normal.z, fit.error(channels), double(fit.rows), double(fit.verdict),
+                               fit.from_grid ? 1.0 : 0.0});
+  return values;
+}
+
+texel::Planes unknown_planes(std::vector<std::string> names, std::size_t width, std::size_t height) {
+  texel::Planes out{width, height, std::move(names), {}};
+  out.values.assign(out.names.size(),
+                    std::vector<float>(width * height, std::numeric_limits<float>::quiet_NaN()));
+  return out;
+}
+
+// The pixels of a unit, a band of its rows at a time, read when they are asked for.
+class Bands {
+ public:
+  Bands(const texel::Stack& stack, const texel::Region& region, std::size_t memory)
+      : stack_(stack),
+        region_(region),
+        rows_(std::clamp(memory / (texel::bytes_per_texel(stack) * region.width), std::size_t{1},
+                         region.height)) {}
+
+  // [channel][image], until the next call.
+  std::span<const float> at(std::size_t x, std::size_t y) {
+    const std::size_t first = y / rows_ * rows_, values = stack_.channels.size() * stack_.images.size();
+    if (pixels_.empty() || first != first_) {
+      first_ = first;
+      pixels_ = texel::read_region(
+          stack_, {region_.x, region_.y + first, region_.width, std::min(rows_, region_.height - first)});
+    }
+    return {&pixels_[((y - first) * region_.width + x) * values], values};
+  }
+
+ private:
+  const texel::Stack& stack_;
+  texel::Region region_;
+  std::size_t rows_, first_ = 0;
+  std::vector<float> pixels_;
+};
+
+}  // namespace
+
+Normals read_normals(const std::filesystem::path& path, const texel::Stack& stack) {
+  Normals normals = texel::read_planes(path);
+  if (normals.width != stack.width || normals.height != stack.height)
+    throw InputError(path.string() + ": " + std::to_string(normals.width) + " x " +
+                     std::to_string(normals.height) + " normals for a stack of " +
+                     std::to_string(stack.width) + " x " + std::to_string(stack.height) + " texels");
+  for (const char* name : kNormalNames)
+    if (!normals.find(name)) throw InputError(path.string() + ": no channel " + name);
+  for (std::size_t k = 0; k < stack.width * stack.height; ++k) {
+    const Vec3<double> n = normal_at(&normals, k);
+    if (stack.holds(k % stack.width, k / stack.width) && !(n.z > 0))
+      throw InputError(path.string() + ": the normal at " + std::to_string(k % stack.width) + ", " +
+                       std::to_string(k / stack.width) + " must have a z above 0");
+  }
+  return normals;
+}
+
+std::vector<texel::Region> units_of(const texel::Stack& stack) {
+  std::vector<texel::Region> units;
+  for (std::size_t y = 0; y < stack.height; y += kUnit)
+    for (std::size_t x = 0; x < stack.width; x += kUnit)
+      units.push_back({x, y, std::min(kUnit, stack.width - x), std::min(kUnit, stack.height - y)});
+  return units;
+}
+
+texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, const Normals* normals,
+                       const texel::Region& region, std::size_t memory) {
+  TexelFitter fitter(stack, settings);
+  Bands bands(stack, region, memory);
+  texel::Planes out = unknown_planes(plane_names(fitter.model()), region.width, region.height);
+  std::vector<TexelFit> above(region.width);  // the last fit in each column
+  for (std::size_t k = 0; k < region.size() && !settings.options.stop(); ++k) {
+    const std::size_t x = k % region.width, y = k / region.width, column = region.x + x, row = region.y + y;
+    if (!stack.holds(column, row)) continue;
+    const TexelFit* neighbour = x > 0 && !above[x - 1].empty() ? &above[x - 1] : &above[x];
+    if (neighbour->empty() || (column % kLattice == 0 && row % kLattice == 0)) neighbour = nullptr;
+    TexelFit fit = fitter.fit(bands.at(x, y), normal_at(normals, row * stack.width + column), neighbour);
+    if (fit.empty()) continue;
+    const std::vector<double> numbers = plane_values(fit, settings.fits_normal, stack.channels.size());
+    for (std::size_t plane = 0; plane < numbers.size(); ++plane) out.values[plane][k] = float(numbers[plane]);
+    above[x] = std::move(fit);
+  }
+  return out;
+}
+
+texel::Planes empty_maps(const texel::Stack& stack, const Settings& settings) {
+  return unknown_planes(plane_names(TexelFitter(stack, settings).model()), stack.width, stack.height);
+}
+
+void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& maps) {
+  for (std::size_t k = 0; k < unit.values.size(); ++k)
+    for (std::size_t y = 0; y < region.height; ++y)
+      std::copy_n(&unit.values[k][y * region.width], region.width,
+                  &maps.values[k][(region.y + y) * maps.width + region.x]);
+}
+
+texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, const Normals* normals,
+                        const Resources& resources, const io::Progress& progress) {
+  texel::Planes maps = empty_maps(stack, settings);
+  const std::vector<texel::Region> units = units_of(stack);
+  std::mutex mutex;
+  int done = 0;
+  io::parallel_for(
+      units.size(),
+      [&](std::size_t k) {
+        if (settings.options.stop()) return;
+        const texel::Planes unit =
+            fit_unit(stack, settings, normals, units[k], resources.memory / std::max(resources.threads, 1u));
+        const std::lock_guard lock(mutex);
+        put(unit, units[k], maps);
+        if (progress) progress(++done, int(units.size()));
+      },
+      resources.threads);
+  return maps;
+}
+
+fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, const Normals* normals) {
+  if (settings.options.metric != fit::Metric::automatic) return settings.options.metric;
+  const std::size_t row = stack.height / 2, values = stack.channels.size() * stack.images.size();
+  std::vector<std::size_t> votes(fit::kResiduals.size(), 0);
+  for (std::size_t k = 0; k < std::min(kMetricTexels, stack.width); ++k) {
+    const std::size_t column = (2 * k + 1) * stack.width / (2 * std::min(kMetricTexels, stack.width));
+    if (!stack.holds(column, row)) continue;
+    const std::vector<float> pixels = texel::read_region(stack, {column, row, 1, 1});
+    const io::SampleTable table =
+        texel_table(stack, std::span(pixels).first(values), normal_at(normals, row * stack.width + column));
+    try {
+      const fit::FitData data = fit::prepare(table, settings.options);
+      const auto noise = io::relative_noise(table, data.row).value;
+      if (noise) ++votes[std::size_t(fit::choose_metric(table, data, noise, settings.options).metric)];
+    } catch (const InputError&) {
+      continue;  // a texel without light
+    }
+  }
+  const auto most = std::max_element(votes.begin(), votes.end());
+  return fit::Metric(most - votes.begin());  // the first of equals: log
+}
+
+std::size_t Summary::usable() const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < verdicts.size(); ++k)
+    if (fit::usable(fit::Verdict(k))) count += verdicts[k];
+  return count;
+}
+
+Summary summary_of(const texel::Planes& maps) {
+  Summary out;
+  out.texels = maps.width * maps.height;
+  out.verdicts.assign(kNames<fit::Verdict>.size(), 0);
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < out.texels; ++k) {
+    const float verdict = (*maps.find("verdict"))[k];
+    if (std::isnan(verdict)) continue;
+    ++out.fitted;
+    ++out.verdicts[std::size_t(verdict)];
+    out.from_grid += (*maps.find("grid"))[k] == 1;
+    errors.push_back(double((*maps.find("error"))[k]));
+  }
+  if (!errors.empty()) out.median_error = io::median(std::move(errors));
+  return out;
+}
+
+}  // namespace brdf::maps

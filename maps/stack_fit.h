@@ -1,0 +1,58 @@
+// Maps of parameters from a stack: every texel's fit, unit by unit.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/parallel.h"
+#include "maps/texel_fit.h"
+#include "texel/planes.h"
+
+namespace brdf::maps {
+
+// Units are what one process does at a time: texels of one know nothing of another's, so it does not matter who fits
+// them, and when.
+inline constexpr std::size_t kUnit = 64;  // texels to a side
+
+struct Resources {
+  std::size_t memory = std::size_t{1} << 29;  // bytes of pixels at a time, of all threads together
+  unsigned threads = 1;
+};
+
+// The surface's normals where they are given: planes normal.x, normal.y and normal.z of the stack's size.
+using Normals = texel::Planes;
+Normals read_normals(const std::filesystem::path& path, const texel::Stack& stack);
+
+std::vector<texel::Region> units_of(const texel::Stack& stack);
+
+// The planes of a region, over its own texels: every parameter under the name that a fit reports it by (kd.r), its
+// standard error (standard_error.kd.r; NaN where it is not identified, 0 where it is held or at a bound), normal.x, .y
+// and .z, `error`, the root mean square of the residuals, `images`, how many were used, `verdict`, the number of the
+// verdict in fit::Verdict, and `grid`, 1 where the fit came from the grid of starts. NaN where there is no sample, and
+// where no pixel of a texel is above 0. `normals` may be null.
+texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, const Normals* normals,
+                       const texel::Region& region, std::size_t memory);
+
+// The planes of the whole stack, put together from units.
+texel::Planes empty_maps(const texel::Stack& stack, const Settings& settings);
+void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& maps);
+
+texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, const Normals* normals,
+                        const Resources& resources, const io::Progress& progress = {});
+
+// The metric for all texels where none is asked for: the one that `auto` chooses most often of nine across the stack's
+// middle row; log where the noise of none is known.
+fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, const Normals* normals);
+
+// What maps are worth.
+struct Summary {
+  std::size_t texels = 0, fitted = 0, from_grid = 0;
+  std::vector<std::size_t> verdicts;  // by fit::Verdict
+  double median_error = 0;
+
+  std::size_t usable() const;
+};
+Summary summary_of(const texel::Planes& maps);
+
+}  // namespace brdf::maps

@@ -1,0 +1,300 @@
+#include "maps/texel_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "brdf/frame.h"
+#include "fit/assess/verdict.h"
+#include "fit/solve/equivalence.h"
+#include "fit/solve/nearby.h"
+#include "fit/solve/sample_stream.h"
+#include "fit/solve/starts.h"
+#include "io/error.h"
+#include "io/noise.h"
+
+namespace brdf::maps {
+namespace {
+
+constexpr std::size_t kCoarseRows = 4096;  // of more rows than twice these a start is solved on as many
+constexpr std::size_t kSolvedStarts = 6;   // of a grid, those that cost least
+constexpr double kJump = 2;                // of the cost per value, from one texel to the next
+constexpr double kExact = 1e-10;           // share of a black surface's cost below which there is no noise
+constexpr double kTolerance = 1e-12, kLoose = 1e-4;
+constexpr int kIterations = 100, kFewIterations = 30, kRowRounds = 4;
+
+}  // namespace
+
+void check(const Settings& s) {
+  if (s.forms.empty())
+    throw InputError("--form auto: a stack is fitted with one form, or a sum, for all texels");
+  if (s.options.loss != fit::Loss::none && s.options.loss_scale == 0)
+    throw InputError("--robust: a stack needs the loss's scale, as in huber:0.1, one for all texels");
+  if (s.options.physical == fit::Physical::either)
+    throw InputError(
+        "--physical: not for stacks, whose texels would each be taken for another kind of material");
+  if (s.options.free_scale)
+    throw InputError("--free-scale: not for stacks: divide the images by one scale before");
+  if (s.options.random_starts > 0 || !s.options.start.empty())
+    throw InputError(
+        "--start, --starts: not for stacks, whose texels start from the grid or their neighbours");
+  if (s.options.weighting == fit::Weighting::sigma)
+    throw InputError("--weights sigma: a stack has no standard deviations");
+}
+
+double TexelFit::error(std::size_t channels) const {
+  return std::sqrt(2 * cost / double(rows * channels));
+}
+
+io::SampleTable texel_table(const texel::Stack& stack, std::span<const float> pixels,
+                            const Vec3<double>& normal) {
+  io::SampleTable table;
+  table.source = stack.folder.string();
+  table.channels = stack.channels;
+  table.values.resize(stack.channels.size());
+  table.sigma.resize(stack.channels.size());
+  const DirectionArrays<double> arrays = io::unit_directions(stack.lights);
+  const std::size_t images = arrays.size();
+  for (std::size_t k = 0; k < images; ++k) {
+    const Vec3<double> wi = in_frame_of(normal, arrays.view().wi(k)),
+                       wo = in_frame_of(normal, arrays.view().wo(k));
+    bool known = wi.z > 0 && wo.z > 0;
+    for (std::size_t c = 0; c < stack.channels.size(); ++c)
+      known = known && std::isfinite(pixels[c * images + k]);
+    if (!known) continue;
+    double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;
+    io::polar_degrees(wi, theta_i, phi_i);
+    io::polar_degrees(wo, theta_o, phi_o);
+    table.add_directions(theta_i, phi_i, theta_o, phi_o);
+    for (std::size_t c = 0; c < stack.channels.size(); ++c)
+      table.values[c].push_back(double(pixels[c * images + k]) / wi.z);
+  }
+  return table;
+}
+
+namespace {
+
+fit::FitOptions with_normal(const Settings& settings) {
+  fit::FitOptions options = settings.options;
+  if (settings.fits_normal) options.normal = {0, 0};
+  return options;
+}
+
+}  // namespace
+
+TexelFitter::TexelFitter(const texel::Stack& stack, const Settings& settings)
+    : stack_(stack),
+      settings_(settings),
+      model_(settings.forms, stack.channels, with_normal(settings)),
+      arrays_(io::unit_directions(stack.lights)),
+      low_(model_.low()),
+      high_(model_.high()),
+      starts_(fit::grid_starts(model_)) {
+  data_.channels = stack.channels;
+  data_.values.resize(stack.channels.size());
+}
+
+// The images that see the surface at usable angles, in the frame of its normal, or where that is fitted in the stack's.
+void TexelFitter::select_rows(const Vec3<double>& normal) {
+  const Directions<double> all = arrays_.view();
+  const std::size_t channels = stack_.channels.size();
+  const double least = io::cos_degrees(settings_.options.max_theta) - 1e-12;
+  for (auto* column :
+       {&data_.wi_x, &data_.wi_y, &data_.wi_z, &data_.wo_x, &data_.wo_y, &data_.wo_z, &data_.weight})
+    column->clear();
+  for (auto& values : data_.values) values.clear();
+  data_.row.clear();
+  const bool weighted = settings_.options.weighting == fit::Weighting::solid_angle;
+  for (std::size_t k = 0; k < all.count; ++k) {
+    const Vec3<double> wi = in_frame_of(normal, all.wi(k)), wo = in_frame_of(normal, all.wo(k));
+    bool used = wi.z >= least && wo.z >= least && wi.z > 0 && wo.z > 0;
+    for (std::size_t c = 0; c < channels; ++c) used = used && std::isfinite(pixels_[c * all.count + k]);
+    if (!used) continue;
+    const double cos_i = settings_.fits_normal ? all.wi_z[k] : wi.z;
+    if (settings_.fits_normal)
+      data_.add_directions(all.wi(k), all.wo(k));
+    else
+      data_.add_directions(wi, wo);
+    for (std::size_t c = 0; c < channels; ++c)
+      data_.values[c].push_back(double(pixels_[c * all.count + k]) / cos_i);
+    if (weighted) data_.weight.push_back(std::hypot(wi.x, wi.y) * std::hypot(wo.x, wo.y));
+    data_.row.push_back(std::uint32_t(k));
+  }
+  data_.incidence = data_.row;
+  if (fit::FitData inside = fit::within_domain(data_, settings_.options.metric); inside.rows() > 0)
+    data_ = std::move(inside);
+  normal_ = normal;
+}
+
+fit::Solution TexelFitter::solve_from(const fit::FitData& data, std::span<const double> start,
+                                      double tolerance, int iterations) const {
+  const fit::SampleStream stream(data, model_, residual_, settings_.options.aperture);
+  fit::SolveOptions options;
+  options.tolerance = tolerance;
+  options.max_iterations = iterations;
+  options.interrupted = settings_.options.interrupted;
+  return fit::solve_nearby([&](std::span<const double> p) { return stream.normal_equations(p); }, start, low_,
+                           high_, options);
+}
+
+fit::Solution TexelFitter::solve_from_neighbour(const TexelFit& neighbour) {
+  if (data_.rows() <= 2 * kCoarseRows) return solve_from(data_, neighbour.p, kTolerance, kIterations);
+  const fit::FitData few = fit::thinned(data_, kCoarseRows);
+  return solve_from(data_, solve_from(few, neighbour.p, kLoose, kIterations).p, kTolerance, kIterations);
+}
+
+// Where a surface that scatters evenly would face, and where a mirror would that makes the brightest pixels.
+std::vector<Vec3<double>> TexelFitter::likely_normals() const {
+  std::vector<Vec3<double>> out{normal_};
+  const std::size_t rows = data_.rows();
+  std::vector<double> bright(rows, 0);
+  for (const auto& channel : data_.values)
+    for (std::size_t k = 0; k < rows; ++k) bright[k] += channel[k] * data_.wi_z[k];
+  std::vector<std::size_t> order(rows);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bright[a] > bright[b]; });
+  const auto add = [&](Vec3<double> n) {
+    const double length = std::sqrt(dot(n, n));
+    if (length > 0 && n.z > 0.5 * length) out.push_back(n * (1 / length));
+  };
+  Vec3<double> mirror{0, 0, 0};
+  for (std::size_t k = 0; k < std::min<std::size_t>(rows, 3 + rows / 100); ++k) {
+    const Vec3<double> h = data_.directions(order[k], 1).wi(0) + data_.directions(order[k], 1).wo(0);
+    mirror = mirror + h * (std::max(bright[order[k]], 0.0) / std::sqrt(dot(h, h)));
+  }
+  add(mirror);
+  // Photometric stereo (Woodham 1980) on what is neither highlight nor shadow: normal equations of v = n . l.
+  double a[3][4] = {};
+  for (std::size_t k = rows / 8; k < rows - rows / 4; ++k) {
+    const Vec3<double> l = data_.directions(order[k], 1).wi(0);
+    const double v[4] = {l.x, l.y, l.z, bright[order[k]]};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 4; ++j) a[i][j] += v[i] * v[j];
+  }
+  const Vec3<double> r0{a[0][0], a[0][1], a[0][2]}, r1{a[1][0], a[1][1], a[1][2]},
+      r2{a[2][0], a[2][1], a[2][2]};
+  const double determinant = dot(r0, cross(r1, r2));
+  if (determinant > 1e-9 * a[0][0] * a[1][1] * a[2][2])
+    add((cross(r1, r2) * a[0][3] + cross(r2, r0) * a[1][3] + cross(r0, r1) * a[2][3]) * (1 / determinant));
+  return out;
+}
+
+fit::Solution TexelFitter::solve_from_grid() {
+  const bool coarse = data_.rows() > 2 * kCoarseRows;
+  const fit::FitData few = coarse ? fit::thinned(data_, kCoarseRows) : fit::FitData();
+  const fit::FitData& first = coarse ? few : data_;
+  const fit::SampleStream stream(first, model_, residual_, settings_.options.aperture);
+  struct Start {
+    std::vector<double> p;
+    double cost;
+  };
+  std::vector<Start> starts;
+  for (const Vec3<double>& normal :
+       settings_.fits_normal ? likely_normals() : std::vector<Vec3<double>>{normal_})
+    for (std::vector<double> p : starts_) {
+      if (model_.fits_normal()) {
+        p[model_.normal_slot()] = normal.x;
+        p[model_.normal_slot() + 1] = normal.y;
+      }
+      fit::start_weights(stream, p);
+      const double cost = stream.normal_equations(p).cost;
+      if (std::isfinite(cost)) starts.push_back({std::move(p), cost});
+    }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Start& a, const Start& b) { return a.cost < b.cost; });
+  const std::size_t solved = model_.terms().size() > 1 ? starts.size() : kSolvedStarts;
+  fit::Solution best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < std::min(starts.size(), solved); ++k)
+    if (fit::Solution s = solve_from(first, starts[k].p, kLoose, kFewIterations); s.cost < best.cost)
+      best = std::move(s);
+  return best.p.empty() ? best : solve_from(data_, best.p, kTolerance, kIterations);
+}
+
+// A fitted normal decides which images see the surface: solved again until these stay the same.
+fit::Solution TexelFitter::settle_rows(fit::Solution s) {
+  for (int round = 0; round < kRowRounds && model_.fits_normal() && !s.p.empty(); ++round) {
+    const std::vector<std::uint32_t> before = data_.row;
+    select_rows(model_.normal(s.p));
+    if (data_.row == before || data_.rows() == 0) break;
+    s = solve_from(data_, s.p, kTolerance, kIterations);
+  }
+  return s;
+}
+
+bool TexelFitter::jumps(const fit::Solution& s, const TexelFit& neighbour) const {
+  if (s.termination != fit::Termination::converged) return true;
+  if (s.cost / double(data_.rows()) <= kJump * neighbour.cost / double(neighbour.rows)) return false;
+  double black = 0;
+  for (const auto& channel : data_.values)
+    for (std::size_t k = 0; k < data_.rows(); ++k) black += std::pow(channel[k] * data_.wi_z[k], 2);
+  return s.cost > kExact * black;
+}
+
+fit::Misfit TexelFitter::judged(const std::vector<std::vector<double>>& values,
+                                const Vec3<double>& normal) const {
+  fit::FitData local = data_;
+  std::vector<std::vector<double>> seen = values;
+  if (model_.fits_normal())
+    for (std::size_t k = 0; k < data_.rows(); ++k) {
+      const Vec3<double> wi = in_frame_of(normal, data_.directions(k, 1).wi(0)),
+                         wo = in_frame_of(normal, data_.directions(k, 1).wo(0));
+      const double ratio = data_.wi_z[k] / wi.z;
+      for (std::size_t c = 0; c < seen.size(); ++c) {
+        local.values[c][k] *= ratio;
+        seen[c][k] *= ratio;
+      }
+      local.wi_x[k] = wi.x, local.wi_y[k] = wi.y, local.wi_z[k] = wi.z;
+      local.wo_x[k] = wo.x, local.wo_y[k] = wo.y, local.wo_z[k] = wo.z;
+    }
+  fit::Misfit misfit = fit::judge(local, seen, std::nullopt);
+  if (!misfit.misfit) return misfit;
+  // Only now is it worth knowing how much the values scatter.
+  const io::SampleTable table = texel_table(stack_, pixels_, normal);
+  std::vector<std::uint32_t> used;
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    if (std::max(table.theta_i[k], table.theta_o[k]) <= settings_.options.max_theta)
+      used.push_back(std::uint32_t(k));
+  return fit::judge(local, seen, io::relative_noise(table, used).value);
+}
+
+void TexelFitter::assess(const fit::Solution& s, TexelFit& out) {
+  const fit::SampleStream stream(data_, model_, residual_, settings_.options.aperture);
+  fit::Minimum m{s.p, s.cost, 1, s.at_bound, s.termination, s.message};
+  fit::canonicalise(model_, m);
+  fit::drop_negligible_lobes(stream, m);
+  const fit::Uncertainty u = fit::uncertainty(stream, m, fit::Detail::estimates);
+  out.normal = model_.fits_normal() ? model_.normal(m.p) : normal_;
+  out.verdict = fit::verdict_of(m, u, judged(stream.values(m.p), out.normal));
+  out.estimates = u.estimates;
+  out.p = m.p;
+  out.cost = m.cost;
+  out.rows = data_.rows();
+}
+
+TexelFit TexelFitter::fit(std::span<const float> pixels, const Vec3<double>& normal,
+                          const TexelFit* neighbour) {
+  pixels_ = pixels;
+  TexelFit out;
+  select_rows(neighbour && settings_.fits_normal ? neighbour->normal : normal);
+  residual_ = fit::chosen_residual(data_, settings_.options);
+  const auto reflects = [](const std::vector<double>& column) {
+    return std::ranges::any_of(column, [](double value) { return value > 0; });
+  };
+  if (std::ranges::none_of(data_.values, reflects)) return out;
+  fit::Solution s;
+  s.cost = std::numeric_limits<double>::infinity();
+  if (neighbour) s = settle_rows(solve_from_neighbour(*neighbour));
+  out.from_grid = !neighbour || jumps(s, *neighbour);
+  if (out.from_grid) {
+    fit::Solution other = settle_rows(solve_from_grid());
+    if (!other.p.empty() && other.cost < s.cost)
+      s = std::move(other);
+    else if (!s.p.empty() && model_.fits_normal())
+      select_rows(model_.normal(s.p));
+  }
+  if (!s.p.empty()) assess(s, out);
+  return out;
+}
+
+}  // namespace brdf::maps

@@ -1,0 +1,82 @@
+// The fit of one texel after another: what all of them share is set up once.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fit/assess/assess.h"
+#include "fit/model/data.h"
+#include "fit/model/model.h"
+#include "fit/solve/solve.h"
+#include "io/samples.h"
+#include "texel/stack.h"
+
+namespace brdf::maps {
+
+struct Settings {
+  std::vector<Reflectance> forms;  // one, or several that are summed
+  fit::FitOptions options;         // the metric is chosen already
+  bool fits_normal = false;
+};
+
+// Throws InputError for what a fit of texels cannot do: choose a metric or a form, estimate a robust loss's scale.
+void check(const Settings& settings);
+
+struct TexelFit {
+  std::vector<double> p;  // the solver's parameters; empty: no pixel says anything
+  Vec3<double> normal{0, 0, 1};
+  double cost = 0;
+  std::size_t rows = 0;  // images that were used
+  bool from_grid = false;
+  fit::Verdict verdict = fit::Verdict::diverged;
+  std::vector<fit::Estimate> estimates;  // in the order of fit/assess/reported.h
+
+  bool empty() const { return p.empty(); }
+  // Root mean square of the residuals of `channels` channels.
+  double error(std::size_t channels) const;
+};
+
+// The texel's pixels, [channel][image], as samples of f_r in the frame of its normal: what `brdf fit` takes. Images below
+// that horizon, and those without a value, are left out.
+io::SampleTable texel_table(const texel::Stack& stack, std::span<const float> pixels,
+                            const Vec3<double>& normal);
+
+// Not for several threads at once: each has its own.
+class TexelFitter {
+ public:
+  TexelFitter(const texel::Stack& stack, const Settings& settings);
+
+  const fit::Model& model() const { return model_; }
+
+  // From the solution of a neighbour, and from a grid of shapes (and normals) where there is none or what it leads to
+  // costs more than the neighbour by more than noise explains. The minimum is that of fit::fit() on the texel's table.
+  // `normal` is the surface's, or where it is fitted a guess.
+  TexelFit fit(std::span<const float> pixels, const Vec3<double>& normal, const TexelFit* neighbour);
+
+ private:
+  void select_rows(const Vec3<double>& normal);
+  fit::Solution solve_from(const fit::FitData& data, std::span<const double> start, double tolerance,
+                           int iterations) const;
+  fit::Solution solve_from_neighbour(const TexelFit& neighbour);
+  fit::Solution solve_from_grid();
+  fit::Solution settle_rows(fit::Solution s);
+  std::vector<Vec3<double>> likely_normals() const;
+  bool jumps(const fit::Solution& s, const TexelFit& neighbour) const;
+  void assess(const fit::Solution& s, TexelFit& out);
+  fit::Misfit judged(const std::vector<std::vector<double>>& values, const Vec3<double>& normal) const;
+
+  const texel::Stack& stack_;
+  const Settings& settings_;
+  fit::Model model_;
+  fit::Residual residual_;
+  DirectionArrays<double> arrays_;
+  std::vector<double> low_, high_;
+  std::vector<std::vector<double>> starts_;
+  std::span<const float> pixels_;
+  Vec3<double> normal_{0, 0, 1};
+  fit::FitData data_;
+};
+
+}  // namespace brdf::maps

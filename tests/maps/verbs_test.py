@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""verbs_test.py BRDF: `synth --texels` and `fit STACK` as a user calls them: what is written, the same bytes whatever the
+number of threads and the memory, what is refused and in which words."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+brdf = pathlib.Path(sys.argv[1]).resolve()
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+
+    def run(words, code=0):
+        done = subprocess.run([brdf, *words.split()], cwd=folder, capture_output=True, text=True)
+        assert done.returncode == code, (words, done.returncode, done.stdout, done.stderr)
+        return done
+
+    def refused(words, text):
+        message = run(words, 2).stderr
+        assert text in message, (words, message)
+
+    def digest(path):
+        return {p.name: p.read_bytes() for p in sorted((folder / path).iterdir()) if p.is_file()}
+
+    synth = ("synth --form cook_torrance --set kd=0.3,0.2,0.1 --set ks=0.5 --texels 66x10 --lights 40 "
+             "--vary alpha=0.1:0.5 --tilt 20 --noise 0.02 --dark-level 0.001 --saturation 5 --seed 3 -o ")
+    said = run(synth + "stack").stderr
+    assert "40 images of 66 x 10 texels" in said, said
+    run(synth + "again")
+    first, second = digest("stack"), digest("again")
+    assert len(first) == 41 and first == second
+    lights = (folder / "stack/lights.csv").read_text()
+    assert "# dark_level: 0.001" in lights and "# saturation: 5" in lights, lights
+    assert (folder / "stack/truth/truth.exr").is_file()
+
+    fit = "fit stack --form cook_torrance --normals stack/truth/truth.exr "
+    printed = run(fit + "-o one --report maps.html").stdout
+    assert "660 fitted" in printed and "us for each texel" in printed, printed
+    run(fit + "-o two --jobs 2")
+    assert digest("one") == digest("two")
+    page = (folder / "maps.html").read_text()
+    assert "kd.r" in page and "The worst texels" in page
+    summary = json.loads((folder / "one/maps.json").read_text())
+    assert summary["usable"] <= summary["fitted"] == 660 and sum(summary["verdicts"].values()) == 660
+    assert {p["name"] for p in summary["parameters"]} >= {"alpha_x", "kd.g", "f0.b"}
+    # Another limit of memory is another command, and the same maps.
+    few = json.loads(run(fit + "-o few --memory-limit 100K --json").stdout)
+    assert {**few, "command": summary["command"]} == summary
+
+    refused("fit stack --form all -o maps", "--form all: a stack is fitted with one form")
+    refused("fit stack --form ward", "a stack needs -o FOLDER")
+    refused("fit stack --form ward --robust huber -o maps", "a stack needs the loss's scale")
+    refused("fit one --form ward -o maps", "one: no stack")
+    refused("fit stack/lights.csv --normals fit", "--normals and --memory-limit are for a stack")
+    refused("fit stack --form ward --normals stack/image_00000.exr -o maps", "image_00000.exr: no channel normal.x")
+    refused("synth --form ward --lights 3 -o x.csv", "--texels")
+    refused("synth --form ward --texels 8 --lights 3 -o x", "--texels 8: must be WIDTHxHEIGHT")
+    refused("synth --form ward --texels 8x8 -o x", "--lights 0: must be between 1")
+    refused("synth --form ward --texels 8x8 --lights 3 --vary alpha=0.1 -o x", "--vary alpha=0.1: must be NAME=LOW:HIGH")
+    refused("synth --form ward --texels 8x8 --lights 3 --vary rough=0:1 -o x", "rough")
+    refused("synth --form ward --texels 8x8 --lights 3 -o stack", "stack: holds image_000")
+    (folder / "stack/image_00007.exr").unlink()
+    refused(fit + "-o maps", "lights.csv: 40 rows for 39 images")
+print("stacks are made and fitted")
