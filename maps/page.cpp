@@ -50,26 +50,35 @@ std::vector<std::size_t> parameter_planes(const texel::Planes& maps) {
   return out;
 }
 
-struct Range {
-  double low = 0, high = 1;
-};
-
-// From the first to the last percentile.
-Range range_of(const std::vector<float>& plane) {
-  std::vector<double> known;
-  for (const float v : plane)
-    if (std::isfinite(v)) known.push_back(double(v));
-  if (known.empty()) return {};
-  return {io::quantile(known, 0.01), io::quantile(known, 0.99)};
+// A plane without what is not identified.
+std::vector<float> told(const texel::Planes& maps, std::size_t plane) {
+  std::vector<float> values = maps.values[plane];
+  if (const std::vector<float>* errors = maps.find(std::string(kErrorPrefix) + maps.names[plane]))
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (std::isnan((*errors)[k])) values[k] = (*errors)[k];
+  return values;
 }
 
-std::string picture_of(const texel::Planes& maps, std::size_t plane, const Range& range) {
+struct Range {
+  double low = 0, high = 0;  // the first and the last percentile; NaN of none
+  std::size_t count = 0;
+};
+
+Range range_of(const std::vector<float>& values) {
+  std::vector<double> known;
+  for (const float v : values)
+    if (std::isfinite(v)) known.push_back(double(v));
+  return {io::quantile(known, 0.01), io::quantile(known, 0.99), known.size()};
+}
+
+// Transparent where there is no value.
+std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
   const std::size_t step =
       std::max<std::size_t>(1, (std::max(maps.width, maps.height) + kWidestPicture - 1) / kWidestPicture);
   const std::size_t width = (maps.width + step - 1) / step, height = (maps.height + step - 1) / step;
   std::vector<unsigned char> pixels(4 * width * height, 0);
   for (std::size_t k = 0; k < width * height; ++k) {
-    const float value = maps.values[plane][(k / width) * step * maps.width + (k % width) * step];
+    const float value = values[(k / width) * step * maps.width + (k % width) * step];
     if (!std::isfinite(value)) continue;
     const double share =
         range.high > range.low ? (double(value) - range.low) / (range.high - range.low) : 0.5;
@@ -77,6 +86,17 @@ std::string picture_of(const texel::Planes& maps, std::size_t plane, const Range
     pixels[4 * k + 3] = 255;
   }
   return io::png_of_pixels(width, height, pixels);
+}
+
+io::Figure figure_of(const texel::Planes& maps, std::size_t plane, std::size_t fitted) {
+  const std::vector<float> values = told(maps, plane);
+  const Range range = range_of(values);
+  std::string text = "identified in no texel";
+  if (range.count > 0)
+    text =
+        "dark " + io::short_number(range.low) + ", bright " + io::short_number(range.high) +
+        (range.count < fitted ? "; identified in " + io::percent(double(range.count) / double(fitted)) : "");
+  return {picture_of(maps, values, range), maps.names[plane], text};
 }
 
 std::string counted(const Summary& summary) {
@@ -119,8 +139,11 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
     verdicts[std::string(kNames<fit::Verdict>[k])] = summary.verdicts[k];
   Json planes = Json::array();
   for (const std::size_t k : parameter_planes(maps)) {
-    const Range range = range_of(maps.values[k]);
-    planes.push_back({{"name", maps.names[k]}, {"low", range.low}, {"high", range.high}});
+    const Range range = range_of(told(maps, k));
+    planes.push_back({{"name", maps.names[k]},
+                      {"low", range.count > 0 ? Json(range.low) : Json()},
+                      {"high", range.count > 0 ? Json(range.high) : Json()},
+                      {"identified", range.count}});
   }
   Json worst = Json::array();
   for (const Texel& t : worst_texels(maps))
@@ -179,11 +202,7 @@ std::string html_page(const texel::Stack& stack, const Settings& settings, const
   std::vector<std::size_t> planes = parameter_planes(maps);
   for (std::size_t k = 0; k < maps.names.size(); ++k)
     if (maps.names[k] == "error" || maps.names[k] == "verdict") planes.push_back(k);
-  for (const std::size_t k : planes) {
-    const Range range = range_of(maps.values[k]);
-    pictures.push_back({picture_of(maps, k, range), maps.names[k],
-                        "dark " + io::short_number(range.low) + ", bright " + io::short_number(range.high)});
-  }
+  for (const std::size_t k : planes) pictures.push_back(figure_of(maps, k, summary.fitted));
   html.pictures(pictures);
   html.heading("The worst texels");
   std::vector<io::Row> rows;

@@ -7,6 +7,7 @@
 #include "brdf/frame.h"
 #include "fit/assess/verdict.h"
 #include "fit/solve/equivalence.h"
+#include "fit/solve/minima.h"
 #include "fit/solve/nearby.h"
 #include "fit/solve/sample_stream.h"
 #include "fit/solve/starts.h"
@@ -211,6 +212,14 @@ fit::Solution TexelFitter::solve_from_grid() {
   return best.p.empty() ? best : solve_from(data_, best.p, kTolerance, kIterations);
 }
 
+// The solver of a table's fit, for the few texels whose valley is too flat for quick steps.
+fit::Solution TexelFitter::solve_at_length(std::span<const double> start) const {
+  const fit::SampleStream stream(data_, model_, residual_, settings_.options.aperture);
+  fit::SolveOptions options;
+  options.interrupted = settings_.options.interrupted;
+  return fit::refine(stream, start, options);
+}
+
 // A fitted normal decides which images see the surface: solved again until these stay the same.
 fit::Solution TexelFitter::settle_rows(fit::Solution s) {
   for (int round = 0; round < kRowRounds && model_.fits_normal() && !s.p.empty(); ++round) {
@@ -293,7 +302,11 @@ TexelFit TexelFitter::fit(std::span<const float> pixels, const Vec3<double>& nor
     else if (!s.p.empty() && model_.fits_normal())
       select_rows(model_.normal(s.p));
   }
-  if (!s.p.empty()) assess(s, out);
+  if (!s.p.empty())
+    assess(s.termination == fit::Termination::iteration_limit || s.termination == fit::Termination::failed
+               ? solve_at_length(s.p)
+               : s,
+           out);
   return out;
 }
 

@@ -61,6 +61,7 @@ class TexelFitter {
                            int iterations) const;
   fit::Solution solve_from_neighbour(const TexelFit& neighbour);
   fit::Solution solve_from_grid();
+  fit::Solution solve_at_length(std::span<const double> start) const;
   fit::Solution settle_rows(fit::Solution s);
   std::vector<Vec3<double>> likely_normals() const;
   bool jumps(const fit::Solution& s, const TexelFit& neighbour) const;
