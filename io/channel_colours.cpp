@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/colour/in_colour.h"
 #include "io/error.h"
+#include "io/in_colour.h"
 #include "io/numbers.h"
 #include "io/text.h"
 

@@ -14,7 +14,7 @@ namespace brdf::io {
 struct ChannelColours {
   enum class By { grey, name, wavelength, spectrum, position };
   // The channels that are red, green and blue; all the same for one channel. Of a spectrum those next to them: a picture
-  // of it adds up all bands (colour/in_colour.h).
+  // of it adds up all bands (in_colour.h).
   std::array<std::size_t, 3> of;
   By by;
   // How that was decided where no name is a colour's, one clause for people; empty otherwise.

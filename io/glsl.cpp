@@ -6,8 +6,8 @@
 
 #include "brdf/trace.h"
 #include "io/channel_colours.h"
-#include "io/colour/in_colour.h"
 #include "io/error.h"
+#include "io/in_colour.h"
 #include "io/provenance.h"
 #include "io/text.h"
 

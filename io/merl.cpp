@@ -8,8 +8,8 @@
 
 #include "brdf/vec3.h"
 #include "io/channel_colours.h"
-#include "io/colour/in_colour.h"
 #include "io/error.h"
+#include "io/in_colour.h"
 #include "io/output.h"
 #include "io/text.h"
 

@@ -9,7 +9,7 @@
 namespace brdf::measured {
 
 // The samples as a picture shows them, beside a fitted material shown in the same way: a spectrum in colour
-// (io/colour/in_colour.h).
+// (io/in_colour.h).
 std::shared_ptr<const MeasuredReflectance> seen_in_colour(
     const io::SampleTable& table, const Material* fitted,
     MeasuredReflectance::Beside beside = MeasuredReflectance::Beside::fit);

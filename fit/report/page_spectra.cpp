@@ -6,7 +6,7 @@
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
 #include "io/channel_colours.h"
-#include "io/colour/in_colour.h"
+#include "io/in_colour.h"
 
 namespace brdf::fit {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "io/channel_colours.h"
-#include "io/colour/in_colour.h"
 #include "io/error.h"
+#include "io/in_colour.h"
 
 namespace brdf::io::sphere {
 namespace {

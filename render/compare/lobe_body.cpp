@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "io/channel_colours.h"
-#include "io/colour/in_colour.h"
+#include "io/in_colour.h"
 #include "io/numbers.h"
 #include "render/compare/lobe_points.h"
 #include "render/picture/canvas.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/colour/in_colour.h"
+#include "io/in_colour.h"
 #include "io/in_plane.h"
 #include "io/numbers.h"
 #include "render/compare/lobe_points.h"

@@ -1,5 +1,5 @@
 // Spectra and the colours that they are seen in.
-#include "io/colour/spectrum.h"
+#include "io/spectrum.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 
 #include "brdf/forms.h"
 #include "io/channel_colours.h"
-#include "io/colour/in_colour.h"
 #include "io/error.h"
+#include "io/in_colour.h"
 #include "tests/io/colour_checker.h"
 
 namespace brdf::io {

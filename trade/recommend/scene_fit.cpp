@@ -5,8 +5,8 @@
 
 #include "brdf/geometry.h"
 #include "fit/fit.h"
-#include "io/colour/in_colour.h"
 #include "io/error.h"
+#include "io/in_colour.h"
 #include "render/compare/measured.h"
 #include "trade/measure/domain.h"
 

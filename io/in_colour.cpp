@@ -1,12 +1,12 @@
-#include "io/colour/in_colour.h"
+#include "io/in_colour.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "io/channel_colours.h"
-#include "io/colour/spectrum.h"
 #include "io/error.h"
+#include "io/spectrum.h"
 
 namespace brdf::io {
 namespace {

@@ -1,9 +1,9 @@
-#include "io/colour/spectrum.h"
+#include "io/spectrum.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/colour/tables.h"
+#include "io/cie_tables.h"
 #include "io/text.h"
 
 namespace brdf::io {
