@@ -1,5 +1,6 @@
 #include "io/samples.h"
 
+#include "io/alta.h"
 #include "io/astm.h"
 #include "io/csv.h"
 #include "io/error.h"
@@ -48,6 +49,7 @@ SampleTable read_text(Content text, bool need_values) {
   const std::string transcoded = make_utf8(text);
   SampleTable table = need_values && zemax::recognises(text)  ? zemax::read(text)
                       : need_values && astm::recognises(text) ? astm::read(text)
+                      : need_values && alta::recognises(text) ? alta::read(text)
                                                               : read_csv(text, need_values);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;

@@ -33,7 +33,8 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--solo", Value::text},         {"--only", Value::text},
     {"--memory-limit", Value::text}, {"--environment", Value::light},
     {"--shape", Value::file},        {"--over", Value::parameter},
-    {"--microsurface", Value::text},
+    {"--microsurface", Value::text}, {"--texels", Value::text},
+    {"--vary", Value::parameter},    {"--normals", Value::picture},
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ HOMONYMS = {
     ("io/rgl.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verb_albedo.cpp", "albedo"): "the verb",
+    ("io/angle_names.cpp", "sigma"): "standard deviations",
     ("io/column_names.cpp", "sigma"): "standard deviations",
     ("python/samples.cpp", "sigma"): "standard deviations",
     ("python/materials.cpp", "albedo"): "the method",

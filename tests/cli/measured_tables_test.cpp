@@ -35,7 +35,7 @@ TEST_F(MeasuredTables, ALongTableIsReadOrNamed) {
   for (const char* verb : {"validate long.csv", "fit long.csv", "convert long.csv o.csv"}) {
     const Outcome refused = run(verb);
     EXPECT_EQ(refused.exit_code, 2) << verb;
-    EXPECT_THAT(refused.err, HasSubstr("line 3: these directions have no value at 550 nm")) << verb;
+    EXPECT_THAT(refused.err, HasSubstr("line 2: these directions have no value at 600 nm")) << verb;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   }
 }

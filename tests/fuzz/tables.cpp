@@ -13,7 +13,7 @@ void read_table(std::string_view input) {
 }
 
 const Registered csv("csv", read_table), astm("astm", read_table), lens("lens", read_table),
-    tensor("tensor", read_table);
+    alta("alta", read_table), tensor("tensor", read_table);
 
 const Registered directions("directions", [](std::string_view input) {
   check_samples(io::read_directions(content_of(input)), true);
