@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/table_rules.h"
 #include "io/text.h"
@@ -83,7 +84,7 @@ class AstmReader {
         column_[angle - kAngles] = static_cast<int>(k);
       } else {
         value_columns_.push_back(k);
-        table_.channels.push_back(names_[k]);
+        table_.channels.push_back(with_band_unit(names_[k]));
       }
     }
     check_channel_names(table_.channels, reader_.where());

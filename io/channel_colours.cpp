@@ -54,6 +54,12 @@ std::optional<Three> by_wavelength(const std::vector<std::string>& channels) {
 
 }  // namespace
 
+std::string with_band_unit(std::string_view name) {
+  double nm;
+  const bool is_band = parse_number(name, nm) && nm >= 100 && nm <= 1e5;
+  return std::string(name) + (is_band ? "nm" : "");
+}
+
 std::optional<double> wavelength_of(std::string_view channel) {
   const std::string name = lower_case(channel);
   std::string_view rest = name;

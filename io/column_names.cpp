@@ -7,6 +7,7 @@
 
 #include "brdf/angle.h"
 #include "io/angle_names.h"
+#include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/table_rules.h"
 #include "io/text.h"
@@ -190,8 +191,8 @@ class Reading {
 
   void add_channel(Column& column, const std::string& name) {
     column.index = out_.channels.size();
-    out_.channels.push_back(name);
-    announce(column.name, name);
+    out_.channels.push_back(with_band_unit(name));
+    announce(column.name, out_.channels.back());
   }
 
   static bool is_a_sigma(const std::string& key) {
@@ -201,8 +202,8 @@ class Reading {
 
   void place_sigma(Column& column) {
     const std::string name = without_unit(column.name);
-    const auto found =
-        std::find(out_.channels.begin(), out_.channels.end(), name.substr(kSigmaPrefix.size()));
+    const auto found = std::find(out_.channels.begin(), out_.channels.end(),
+                                 with_band_unit(name.substr(kSigmaPrefix.size())));
     if (found == out_.channels.end()) refuse("column " + shown(column.name) + " has no column of values");
     column.index = static_cast<std::size_t>(found - out_.channels.begin());
     announce(column.name, name);

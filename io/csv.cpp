@@ -5,6 +5,7 @@
 #include <ostream>
 #include <unordered_set>
 
+#include "io/channel_colours.h"
 #include "io/column_names.h"
 #include "io/dialect.h"
 #include "io/error.h"
@@ -81,12 +82,15 @@ class CsvReader {
 
   void read_header(std::string_view line) {
     if (!dialect_.split_header(line, fields_)) fail(kBadQuotation);
+    double number;
+    const bool has_names = std::any_of(fields_.begin(), fields_.end(),
+                                       [&](std::string_view name) { return !dialect_.parse(name, number); });
     std::unordered_set<std::string_view> seen;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
       const std::string at = "column " + std::to_string(k + 1);
-      double number;
       if (fields_[k].empty()) fail(at + " has no name");
-      if (dialect_.parse(fields_[k], number))
+      const bool is_band = has_names && with_band_unit(fields_[k]) != fields_[k];
+      if (!is_band && dialect_.parse(fields_[k], number))
         fail("the header row is missing: " + at + " is the number " + shown(fields_[k]) + ", not a name");
       if (!seen.insert(fields_[k]).second) fail("column " + shown(fields_[k]) + " twice");
     }

@@ -135,6 +135,16 @@ TEST(LongFormat, OfPairsThatShareNoWavelengthIsRefused) {
   EXPECT_THAT(message(text), HasSubstr("line 2: these directions have no value at 401 nm"));
 }
 
+TEST(Bands, MayBeNamedByTheirNumbers) {
+  const SampleTable got = read("theta_i,phi_i,theta_o,phi_o,400,410.5,sigma_400\n1,2,3,4,.5,.6,.1\n");
+  EXPECT_THAT(got.channels, ElementsAre("400nm", "410.5nm"));
+  EXPECT_EQ(got.sigma[0], std::vector<double>{.1});
+  const SampleTable astm = read("VARS theta_i,phi_i,theta_s,phi_s,400,410\n30,180,60,5,1,2\n");
+  EXPECT_THAT(astm.channels, ElementsAre("400nm", "410nm"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,5\n1,2,3,4,5\n"),
+              HasSubstr("is the number '5', not a name"));
+}
+
 TEST(LongFormat, WavelengthsMayBeInMicrometres) {
   const SampleTable got =
       read("theta_i,phi_i,theta_o,phi_o,lambda (um),fr\n1,2,3,4,0.6328,1\n1,2,3,4,1.064,2\n");
