@@ -16,7 +16,7 @@ namespace brdf::cli {
 struct OptionSurface {
   std::vector<std::string> names;  // "-o", "--output"; of a positional argument its one name in capitals
   bool positional = false, flag = false, required = false, repeats = false;
-  std::string value;  // placeholder of what it takes: "FLOAT"; empty for a flag
+  std::string value;  // what its help calls the value: "FLOAT"; empty for a flag
   std::string description, initial;
   Value takes = Value::text;
   std::vector<std::string> words;  // that it may be, where they are known

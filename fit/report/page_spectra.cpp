@@ -62,9 +62,7 @@ void add_spectra(io::HtmlReport& report, const FormFit& fit) {
   if (!io::is_spectrum(fit.material.channels)) return;
   report.heading("Over wavelength");
   report.paragraph(
-      "Each band with its 95 % interval; the bands share the shape. The sphere shows them as they are seen "
-      "under "
-      "D65 (CIE 1931).");
+      "Each band with its 95 % interval. The sphere shows them as they are seen under D65 (CIE 1931).");
   for (const Spectrum& spectrum : spectra_of(fit))
     report.plot(plot_of(spectrum, fit.lack_of_fit.beyond_scatter));
 }

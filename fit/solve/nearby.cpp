@@ -42,23 +42,6 @@ Step step_of(const NormalEquations& n, std::span<const double> p, std::span<cons
   return step;
 }
 
-// Held where the cost pushes outward, or does not care: as solve() has it.
-std::vector<int> held_at(const NormalEquations& n, std::vector<double>& p, std::span<const double> low,
-                         std::span<const double> high) {
-  std::vector<int> held(p.size(), 0);
-  const double scale = std::sqrt(2 * n.cost);
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
-    const int side = p[k] <= low[k] + reach ? -1 : p[k] >= high[k] - reach ? 1 : 0;
-    const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
-    if (side != 0 && side * n.gradient[k] <= noise) {
-      held[k] = side;
-      p[k] = side < 0 ? low[k] : high[k];
-    }
-  }
-  return held;
-}
-
 }  // namespace
 
 Solution solve_nearby(const Objective& objective, std::span<const double> start, std::span<const double> low,
@@ -95,7 +78,7 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
       s.termination = Termination::failed;
     }
   }
-  s.at_bound = held_at(here, s.p, low, high);
+  s.at_bound = hold_at_bounds(here, s.p, low, high);
   s.cost = here.cost;
   s.message = s.termination == Termination::converged         ? "The step promises no change."
               : s.termination == Termination::iteration_limit ? "Too many iterations."

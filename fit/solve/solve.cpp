@@ -163,6 +163,21 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
 
 }  // namespace
 
+std::vector<int> hold_at_bounds(const NormalEquations& n, std::vector<double>& p, std::span<const double> low,
+                                std::span<const double> high) {
+  std::vector<int> held(p.size(), 0);
+  const double scale = std::sqrt(2 * n.cost);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
+    const int side = p[k] <= low[k] + reach ? -1 : p[k] >= high[k] - reach ? 1 : 0;
+    const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
+    if (side == 0 || !(side * n.gradient[k] <= noise)) continue;
+    held[k] = side;
+    p[k] = side < 0 ? low[k] : high[k];
+  }
+  return held;
+}
+
 Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
                std::span<const double> high, const SolveOptions& options) {
   Solution s;
@@ -174,21 +189,7 @@ Solution solve(const Objective& objective, std::span<const double> start, std::s
     s.termination = Termination::converged;
     return s;
   }
-  // Held while the cost pushes outward, or does not care.
-  const auto held_now = [&] {
-    const NormalEquations& n = cost.equations(s.p);
-    std::vector<int> next(s.p.size(), 0);
-    const double scale = std::sqrt(2 * n.cost);
-    for (std::size_t k = 0; k < next.size(); ++k) {
-      const double reach = 1e-9 * std::min(1.0, high[k] - low[k]);
-      const int side = s.p[k] <= low[k] + reach ? -1 : s.p[k] >= high[k] - reach ? 1 : 0;
-      const double noise = 1e-12 * scale * std::sqrt(n.hessian(k, k));
-      if (side != 0 && side * n.gradient[k] <= noise) next[k] = side;
-    }
-    for (std::size_t k = 0; k < next.size(); ++k)
-      if (next[k] != 0) s.p[k] = next[k] < 0 ? low[k] : high[k];
-    return next;
-  };
+  const auto held_now = [&] { return hold_at_bounds(cost.equations(s.p), s.p, low, high); };
   std::vector<int> held = options.starts_at_solution ? held_now() : std::vector<int>(start.size(), 0);
   const int rounds = 2 * int(start.size()) + 4;
   for (int round = 0; round < rounds; ++round) {

@@ -30,6 +30,11 @@ struct Solution {
   int passes = 0, iterations = 0;
 };
 
+// Which parameters are held at a bound (-1 below, 1 above), and sets them to it: those at one where the cost pushes outward,
+// or does not care.
+std::vector<int> hold_at_bounds(const NormalEquations& n, std::vector<double>& p, std::span<const double> low,
+                                std::span<const double> high);
+
 // Levenberg-Marquardt (Ceres) on the p + 1 residuals that have the same cost,
 // gradient and Gauss-Newton matrix as the samples (Cholesky). Ceres stops early
 // where a bound is active, and calls it convergence: parameters at a bound that the
