@@ -114,6 +114,14 @@ double Rounding<T>::judge(const Vec3<double>& light, const Vec3<double>& view,
 }
 
 template <class T>
+bool Rounding<T>::noticeable(const Judged& judged, double error) const {
+  if (!judged.band) return false;
+  const double stated = row_.stated ? *row_.stated.*judged.band : 0,
+               few = numerics_budget(row_.scalar).body / 4;
+  return !(error < few) || (stated > 0 && error > stated);
+}
+
+template <class T>
 auto Rounding<T>::compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths,
                           std::size_t set, double peak) const -> Judged {
   const double size = std::max(std::abs(double(truths[set])), std::abs(double(f))), share = size / peak;

@@ -33,10 +33,8 @@ class Rounding {
     Truth scale{};
     double error = 0;
   };
-  // More than a quarter of the body's budget.
-  bool noticeable(const Judged& judged, double error) const {
-    return judged.band && !(error < numerics_budget(row_.scalar).body / 4);
-  }
+  // More than a quarter of the body's budget, or than what is stated for the band.
+  bool noticeable(const Judged& judged, double error) const;
   Judged compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths, std::size_t set,
                  double peak) const;
   double record(const Judged& judged, const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set);

@@ -17,8 +17,6 @@
 namespace brdf {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 // One sampler at one set of parameters.
 struct Subject {
   Reflectance form;

@@ -79,22 +79,23 @@ inline std::string write_sky_with_sun(const std::filesystem::path& file, int wid
   return file.string();
 }
 
-// Ten materials: of the conserving forms those with widths, from .05 to .6, anisotropic where they can be, then from the
-// first on at other widths.
+// Ten materials of ten forms that have a width, from .05 to .6, anisotropic where they can be: those that conserve energy, then
+// the first that do not.
 inline std::vector<std::pair<std::string, Material>> compared_materials() {
   constexpr std::array kWidths{0.05, 0.1, 0.2, 0.3, 0.45, 0.6};
+  std::vector<Reflectance> forms = conserving_forms();
+  for (const Reflectance& form : catalogue())
+    if (form.info().violates("energy")) forms.push_back(form);
   std::vector<std::pair<std::string, Material>> materials;
-  for (std::size_t round = 0; materials.size() < 10; ++round) {
-    for (const Reflectance& form : conserving_forms()) {
-      Material material = make_material(form);
-      const double width = kWidths[(materials.size() + round) % kWidths.size()];
-      const bool across = form.info().anisotropic();
-      if (!set_width(material.terms[0], width, across ? std::min(3 * width, 0.6) : width)) continue;
-      char text[64];
-      std::snprintf(text, sizeof text, " %.2f%s", width, across ? " and thrice that across" : "");
-      materials.emplace_back(std::string(form.info().name) + text, material);
-      if (materials.size() == 10) break;
-    }
+  for (const Reflectance& form : forms) {
+    Material material = make_material(form);
+    const double width = kWidths[materials.size() % kWidths.size()];
+    const bool across = form.info().anisotropic();
+    if (!set_width(material.terms[0], width, across ? std::min(3 * width, 0.6) : width)) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, " %.2f%s", width, across ? " and thrice that across" : "");
+    materials.emplace_back(std::string(form.info().name) + text, material);
+    if (materials.size() == 10) break;
   }
   return materials;
 }

@@ -20,7 +20,7 @@ Choice power_choice(std::string name, Power power, double n, std::string note) {
 
 template <int doublings>
 Question power_question() {
-  constexpr double n = 1 << doublings;
+  static constexpr double n = 1 << doublings;
   const auto at = [](double from, double to) { return cosines({"cos", from, to}, {"n", n, n}); };
   Question q{"power of a cosine, n = " + std::to_string(1 << doublings),
              "cos^n",
