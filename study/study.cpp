@@ -63,9 +63,9 @@ class Study {
     };
     try {
       if (options_.sample.fit.stop())
-        fail(Fault::interrupted, "interrupted");
+        fail(Fault::interrupted, row.file + ": interrupted");
       else if (!fill(row, names_[k], step))
-        fail(Fault::interrupted, "interrupted");
+        fail(Fault::interrupted, row.file + ": interrupted");
     } catch (const InputError& error) {
       fail(Fault::input, error.what());
     } catch (const std::bad_alloc&) {

@@ -222,6 +222,7 @@ TEST_F(StudyOfFiles, WhatWasInterruptedIsNotWritten) {
   EXPECT_EQ(rows[0].fault, Fault::none);
   EXPECT_EQ(rows[1].fault, Fault::interrupted);
   EXPECT_EQ(rows[2].fault, Fault::interrupted);
+  EXPECT_EQ(rows[2].json["error"], rows[2].file + ": interrupted");
   EXPECT_FALSE(fs::exists(options_.folder / "s1"));
   interrupted = false;
   options_.progress = {};
