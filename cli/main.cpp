@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -9,7 +10,9 @@
 #include <new>
 #include <string>
 
+#include "cli/help.h"
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #ifdef BRDF_HAS_FIT
 #include "fit/solve/quiet.h"
@@ -27,9 +30,11 @@ Exit exit_code = Exit::good;
 
 int report(std::string_view message, Exit code, std::string_view before = "") {
   std::cout.flush();
-  std::cerr << "brdf: " << before;
+  const bool colours = colours_on(STDERR_FILENO);
+  std::cerr << (colours ? "\x1b[31mbrdf:\x1b[0m " : "brdf: ") << before;
   try {
-    std::cerr << io::printable(message);
+    const std::string text = io::printable(message);
+    std::cerr << (isatty(STDERR_FILENO) ? folded(text, columns_of(STDERR_FILENO)) : text);
   } catch (const std::bad_alloc&) {  // memory may be what is missing
     std::cerr << "not enough memory";
   }
@@ -66,12 +71,6 @@ class StandardOutput {
   std::streambuf* before_;
 };
 
-// The verb that the command line was for, for the hint after a usage error.
-std::string verb_name(const CLI::App& app) {
-  for (const CLI::App* verb : app.get_subcommands()) return " " + verb->get_name();
-  return "";
-}
-
 int run(int argc, char** argv) try {
   CLI::App app(
       "Models of surface reflection: fitted to measurements, judged, rendered.\n"
@@ -79,18 +78,21 @@ int run(int argc, char** argv) try {
       "brdf");
   app.set_version_flag("--version", "brdf " BRDF_VERSION);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  const int columns = columns_of(STDOUT_FILENO);
+  app.formatter(help_layout(columns ? columns : 80));  // before the verbs, which take it over
   add_verbs(app);
   require_plain_numbers(app);
   io::record_command_line(argc, argv);
+  if (argc == 1) {
+    std::cout << app.help();
+    return static_cast<int>(Exit::good);
+  }
   try {
     app.parse(argc, argv);
     return static_cast<int>(exit_code);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-')
-      return report("'" + std::string(argv[1]) + "' is no verb (see brdf --help)", Exit::bad_input);
-    return report(std::string(error.what()) + " (see brdf" + verb_name(app) + " --help)", Exit::bad_input);
+    return report(usage_fault(app, error.what(), argv[1]), Exit::bad_input);
   }
 } catch (const InputError& error) {
   return report(error.what(), Exit::bad_input);
@@ -106,6 +108,11 @@ int run(int argc, char** argv) try {
 
 void on_run(CLI::App& verb, std::function<Exit()> run) {
   verb.callback([run = std::move(run)] { exit_code = run(); });
+}
+
+CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char* description) {
+  constexpr std::array kHeadings{"Look", "Measure", "Judge", "Ship"};
+  return app.add_subcommand(name, description)->group(kHeadings[static_cast<std::size_t>(purpose)]);
 }
 
 void add_missing(CLI::App& app, const char* name) {

@@ -29,7 +29,8 @@ void add_convert(CLI::App& app) {
     std::string in, out;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("convert", "Convert samples between formats; says what is lost");
+  CLI::App* verb =
+      add_verb(app, Purpose::measure, "convert", "Convert samples between formats; says what is lost");
   verb->add_option("IN", options->in,
                    "CSV, MERL .binary, RGL or lens-design .bsdf, ASTM E1392 text; or a material's JSON, "
                    "evaluated at the "

@@ -56,7 +56,7 @@ void add_eval(CLI::App& app) {
     bool cosine = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("eval", "Evaluate a material at given directions");
+  CLI::App* verb = add_verb(app, Purpose::look, "eval", "Evaluate a material at given directions");
   add_material_options(*verb, options->material);
   verb->add_option("DIRECTIONS", options->directions, "CSV with theta_i,phi_i,theta_o,phi_o in degrees")
       ->required();

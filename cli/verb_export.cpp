@@ -65,8 +65,8 @@ Exit export_formula(const Options& o) {
 
 void add_export(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb =
-      app.add_subcommand("export", "Write a form or a material as shader source, or samples as a table");
+  CLI::App* verb = add_verb(app, Purpose::ship, "export",
+                            "Write a form or a material as shader source, or samples as a table");
   add_material_options(*verb, options->material);
   verb->add_option("--measured", options->measured,
                    "Samples, with what lies between them; --material: the fit that they are interpolated "

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -7,6 +9,7 @@
 #include "cli/fit_options.h"
 #include "cli/fit_stack.h"
 #include "cli/progress.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/file_batch.h"
 #include "fit/fit.h"
@@ -33,6 +36,11 @@ struct Options {
   StackOptions stack;
 };
 
+void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options) {
+  PlainText out;
+  fit::print(out, result, table, options, {columns_of(STDOUT_FILENO), colours_on(STDOUT_FILENO)});
+}
+
 Exit run_one(const Options& o, const fit::FitOptions& options) {
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0]});
   io::SampleTable table = io::read_samples(o.samples[0]);
@@ -52,7 +60,7 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   if (o.json)
     std::cout << io::to_text(fit::to_json(result, table, options));
   else
-    fit::print(std::cout, result, table, options);
+    print(result, table, options);
   return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
 }
 
@@ -115,7 +123,7 @@ Exit run(Options& o) {
 void add_fit(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
-  CLI::App* verb = app.add_subcommand("fit", "Fit forms to samples");
+  CLI::App* verb = add_verb(app, Purpose::measure, "fit", "Fit forms to samples");
   verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or one stack of photographs")
       ->required();
   add_fit_options(*verb, o.choice);

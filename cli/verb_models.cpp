@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/info_json.h"
 #include "io/settings.h"
@@ -17,47 +18,48 @@ std::string range(const ParameterInfo& p) {
 }
 
 // One form of the list: parameters with range and unit, then one line of what is known to be violated.
-void print_line(const ReflectanceInfo& form) {
-  std::cout << "  " << std::left << std::setw(27) << form.name
-            << (form.fittable() ? "fittable  " : "          ");
+void print_line(std::ostream& out, const ReflectanceInfo& form) {
+  out << "  " << std::left << std::setw(27) << form.name << (form.fittable() ? "fittable  " : "          ");
   const char* separator = "";
   for (const auto table : {form.weights, form.shape})
     for (const ParameterInfo& p : table) {
-      std::cout << separator << range(p);
+      out << separator << range(p);
       separator = ", ";
     }
-  std::cout << "\n      violates: ";
+  out << "\n      violates: ";
   separator = "";
   for (const Violation& v : form.violations) {
-    std::cout << separator << v.check << " (" << v.statement << ")";
+    out << separator << v.check << " (" << v.statement << ")";
     separator = "; ";
   }
-  std::cout << (form.violations.empty() ? "nothing known" : "") << '\n';
+  out << (form.violations.empty() ? "nothing known" : "") << '\n';
 }
 
 // Forms under their families.
 void print_list() {
+  PlainText out;
   const char* separator = "";
   for (const std::vector<Reflectance>& family : families()) {
-    std::cout << separator << info(family.front()).family << '\n';
-    for (const Reflectance& form : family) print_line(info(form));
+    out << separator << info(family.front()).family << '\n';
+    for (const Reflectance& form : family) print_line(out, info(form));
     separator = "\n";
   }
 }
 
 void print_form(const ReflectanceInfo& form) {
-  std::cout << form.name << " (family " << form.family << (form.fittable() ? ", fittable" : "") << ")\n";
-  const auto print = [](const ParameterInfo& p, const char* kind) {
-    std::cout << "  " << std::left << std::setw(10) << p.name << std::setw(7) << kind << std::setw(25)
-              << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
-              << (io::to_text(p.initial) + (p.unit.empty() ? "" : " " + std::string(p.unit))) << ' ' << p.doc
-              << '\n';
+  PlainText out;
+  out << form.name << " (family " << form.family << (form.fittable() ? ", fittable" : "") << ")\n";
+  const auto print = [&out](const ParameterInfo& p, const char* kind) {
+    out << "  " << std::left << std::setw(10) << p.name << std::setw(7) << kind << std::setw(25)
+        << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
+        << (io::to_text(p.initial) + (p.unit.empty() ? "" : " " + std::string(p.unit))) << ' ' << p.doc
+        << '\n';
   };
   for (const ParameterInfo& p : form.weights) print(p, "weight");
   for (const ParameterInfo& p : form.shape) print(p, "shape");
   for (const Violation& v : form.violations)
-    std::cout << "  known violation, " << v.check << ": " << v.statement << " (" << v.witness << ": "
-              << io::to_text(v.value) << " at " << io::to_text(v.theta) << " degrees)\n";
+    out << "  known violation, " << v.check << ": " << v.statement << " (" << v.witness << ": "
+        << io::to_text(v.value) << " at " << io::to_text(v.theta) << " degrees)\n";
 }
 
 }  // namespace
@@ -68,7 +70,8 @@ void add_models(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("models", "List the forms, their parameters and known violations");
+  CLI::App* verb =
+      add_verb(app, Purpose::look, "models", "List the forms, their parameters and known violations");
   verb->add_option("FORM", options->form, "One form, in detail");
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/progress.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
@@ -52,7 +53,7 @@ Exit run_recommendation(const RecommendArguments& a) {
   if (a.json)
     std::cout << io::to_text(trade::to_json(r)) << '\n';
   else
-    std::cout << trade::to_text(r);
+    PlainText() << trade::to_text(r);
   return r.chosen ? Exit::good : Exit::failed;
 }
 
@@ -60,7 +61,7 @@ Exit run_recommendation(const RecommendArguments& a) {
 
 void add_recommend(CLI::App& app) {
   auto a = std::make_shared<RecommendArguments>();
-  CLI::App* verb = app.add_subcommand("recommend", "Find the cheapest model that a scene needs");
+  CLI::App* verb = add_verb(app, Purpose::judge, "recommend", "Find the cheapest model that a scene needs");
   verb->add_option("--scene", a->options.scene, "scene file");
   verb->add_option("--reference", a->options.reference, "material file, or samples (interpolated)");
   verb->add_option("--tolerance", a->options.tolerance, "largest error allowed")

@@ -275,7 +275,8 @@ Exit run(Options& o) {
 
 void add_render(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("render", "Render materials or a scene with the deferred renderer");
+  CLI::App* verb =
+      add_verb(app, Purpose::look, "render", "Render materials or a scene with the deferred renderer");
   add_scene_options(*verb, options->job);
   add_show_options(*verb, *options);
   add_comparison_options(*verb, *options);

@@ -7,6 +7,7 @@
 #include "cli/fit_options.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/numbers.h"
@@ -24,18 +25,19 @@ struct Options {
 };
 
 void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
+  PlainText out;
   std::size_t widest = 0;
   for (const study::Row& row : rows) widest = std::max(widest, row.json["name"].get<std::string>().size());
   for (const study::Row& row : rows) {
-    std::cout << std::left << std::setw(int(widest) + 2) << row.json["name"].get<std::string>();
+    out << std::left << std::setw(int(widest) + 2) << row.json["name"].get<std::string>();
     if (row.fault == study::Fault::none)
-      std::cout << row.json["statement"].get<std::string>() << (row.kept ? " (kept)" : "") << '\n';
+      out << row.json["statement"].get<std::string>() << (row.kept ? " (kept)" : "") << '\n';
     else
-      std::cout << "error\n";
+      out << "error\n";
     for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
-      std::cout << "  " << warning.get<std::string>() << '\n';
+      out << "  " << warning.get<std::string>() << '\n';
   }
-  std::cout << (folder / study::kPage).string() << '\n';
+  out << (folder / study::kPage).string() << '\n';
 }
 
 // Why samples have no study, a line for each.
@@ -85,8 +87,8 @@ Exit run(const Options& o) {
 void add_study(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
-  CLI::App* verb =
-      app.add_subcommand("study", "All of one sample's story on one page; of many with an overview");
+  CLI::App* verb = add_verb(app, Purpose::judge, "study",
+                            "All of one sample's story on one page; of many with an overview");
   verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...)")->required();
   add_fit_options(*verb, o.choice);
   verb->add_option("-o,--output", o.output,

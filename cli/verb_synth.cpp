@@ -149,7 +149,8 @@ Exit run(const Options& o) {
 
 void add_synth(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("synth", "Measure a known material with a virtual goniophotometer");
+  CLI::App* verb =
+      add_verb(app, Purpose::measure, "synth", "Measure a known material with a virtual goniophotometer");
   add_options(*verb, *options);
   on_run(*verb, [options] { return run(*options); });
 }

@@ -8,6 +8,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/shader_proof.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/content.h"
 #include "io/error.h"
@@ -118,6 +119,11 @@ void require_one_mode(const Options& o) {
                      ": --integrators, --microsurface, --numerics and --gpu write to stdout");
 }
 
+void print(const std::vector<validate::Finding>& findings) {
+  PlainText out;
+  validate::print_findings(out, findings, colours_on(STDOUT_FILENO));
+}
+
 Exit run(const Options& o) {
   require_one_mode(o);
   if (o.microsurface)
@@ -145,7 +151,7 @@ Exit run(const Options& o) {
   if (o.json)
     std::cout << io::to_text(validate::to_json(content.findings)) << '\n';
   else
-    validate::print_findings(std::cout, content.findings, isatty(STDOUT_FILENO) != 0);
+    print(content.findings);
   return validate::holds(content.findings, o.require) ? Exit::good : Exit::failed;
 }
 
@@ -153,7 +159,7 @@ Exit run(const Options& o) {
 
 void add_validate(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("validate", "Judge forms, materials and measured samples");
+  CLI::App* verb = add_verb(app, Purpose::judge, "validate", "Judge forms, materials and measured samples");
   verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
   verb->add_flag("--all", o->all, "every form");

@@ -48,7 +48,7 @@ void add_view(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   render::ViewerOptions& viewer = options->viewer;
-  CLI::App* verb = app.add_subcommand("view", "Look at materials and scenes in a window");
+  CLI::App* verb = add_verb(app, Purpose::look, "view", "Look at materials and scenes in a window");
   verb->add_option("MATERIAL", options->job.materials,
                    "Material JSON files: two are compared side by side; or samples");
   verb->add_option("--scene", options->job.scene, "A scene's JSON file");

@@ -13,6 +13,10 @@ namespace brdf::cli {
 
 enum class Exit { good = 0, failed = 1, bad_input = 2, environment = 3 };
 
+// What a verb is for: `brdf --help` lists them by it.
+enum class Purpose { look, measure, judge, ship };
+CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char* description);
+
 // `run` is called after the command line has been parsed; what it returns is the program's exit code.
 void on_run(CLI::App& verb, std::function<Exit()> run);
 

@@ -12,12 +12,14 @@
 #include <memory>
 
 #include "io/error.h"
+#include "io/near_name.h"
 
 namespace brdf::io {
 namespace {
 
 [[noreturn]] void cannot_be_read(const std::string& name, int error) {
-  const std::string message = name + ": cannot be read: " + std::strerror(error);
+  const std::string message =
+      name + ": cannot be read: " + std::strerror(error) + (error == ENOENT ? did_you_mean_file(name) : "");
   if (is_of_the_name(error)) throw InputError(message);
   throw EnvironmentError(message);
 }

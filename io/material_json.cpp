@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "io/error.h"
+#include "io/near_name.h"
 #include "io/output.h"
 #include "io/table_rules.h"
 #include "io/text.h"
@@ -96,9 +97,9 @@ void check_header(const JsonPlace& place) {
 Reflectance read_form(const JsonPlace& place) {
   const std::string name = place.text();
   if (const auto form = find_form(name)) return *form;
-  std::string known = "sum";
-  for (const Reflectance& form : catalogue()) (known += ", ") += info(form).name;
-  place.fail("is no form (known: " + known + ")");
+  std::vector<std::string> known{"sum"};
+  for (const Reflectance& form : catalogue()) known.emplace_back(info(form).name);
+  place.fail("is no form (" + known_names_text(name, known) + ")");
 }
 
 // A term of a sum: its channels may be left out.
@@ -163,6 +164,8 @@ MaterialFile material_from_json(const JsonPlace& place) {
 }
 
 MaterialFile read_material_file(const Content& content) {
+  if (!content.bytes.empty() && !is_json(content))
+    throw InputError(content.name + ": is no material, which is JSON; `brdf fit` makes materials of samples");
   const Json json = read_json(content);
   const JsonPlace place(json, content.name);
   if (!json.is_object()) place.fail("must be an object");

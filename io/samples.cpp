@@ -45,7 +45,12 @@ SampleTable read_text(Content text, bool need_values) {
   for (const auto& [magic, kind] : {std::pair("\x89PNG", "PNG"), std::pair("\xff\xd8\xff", "JPEG")})
     if (text.bytes.starts_with(magic))
       throw InputError(text.name + ": is a picture (" + kind + "), not a table of samples");
-  if (is_json(text)) throw InputError(text.name + ": is JSON, not a table of samples");
+  if (is_json(text)) {
+    const bool material = text.bytes.find("\"brdf-material\"") != text.bytes.npos;
+    throw InputError(text.name +
+                     (material ? ": is a material, not a table of samples; `brdf synth` measures materials"
+                               : ": is JSON, not a table of samples"));
+  }
   const std::string transcoded = make_utf8(text);
   SampleTable table = need_values && zemax::recognises(text)  ? zemax::read(text)
                       : need_values && astm::recognises(text) ? astm::read(text)

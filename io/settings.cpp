@@ -5,7 +5,7 @@
 
 #include "io/error.h"
 #include "io/limits.h"
-#include "io/numbers.h"
+#include "io/near_name.h"
 #include "io/text.h"
 
 namespace brdf::io {
@@ -83,10 +83,11 @@ bool apply(Term& term, const Setting& setting) {
   return false;
 }
 
-std::string known_parameters(const Material& material) {
+// What the material has, for messages about a name that it lacks.
+std::string known_parameters(std::string_view name, const Material& material) {
   std::vector<std::string> known;
-  const auto add = [&](std::string_view name) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) known.emplace_back(name);
+  const auto add = [&](std::string_view other) {
+    if (std::find(known.begin(), known.end(), other) == known.end()) known.emplace_back(other);
   };
   for (const Term& term : material.terms) {
     const ReflectanceInfo& table = info(term.form);
@@ -97,7 +98,7 @@ std::string known_parameters(const Material& material) {
       add(kTangent);
     }
   }
-  return joined(known);
+  return known_names_text(name, known);
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ Reflectance require_form(const std::string& name) {
   if (const auto form = find_form(name)) return *form;
   std::vector<std::string> known;
   for (const Reflectance& form : catalogue()) known.emplace_back(info(form).name);
-  throw InputError("'" + name + "' is no form (known: " + joined(known) + ")");
+  throw InputError("'" + name + "' is no form (" + known_names_text(name, known) + ")");
 }
 
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option) {
@@ -137,7 +138,7 @@ void apply_settings(Material& material, const std::vector<Setting>& settings) {
   for (const Setting& setting : settings) {
     bool known = false;
     for (Term& term : material.terms) known |= apply(term, setting);
-    if (!known) refuse(setting, "no such parameter (known: " + known_parameters(material) + ")");
+    if (!known) refuse(setting, "no such parameter (" + known_parameters(setting.name, material) + ")");
   }
 }
 
@@ -150,7 +151,7 @@ ParameterInfo parameter_named(const Material& material, const std::string& name,
     if (const int k = table.weight_index(name); k >= 0) return table.weights[std::size_t(k)];
     if (const int k = table.shape_index(name); k >= 0) return table.shape[std::size_t(k)];
   }
-  throw InputError(option + " " + name + ": no such parameter (known: " + known_parameters(material) + ")");
+  throw InputError(option + " " + name + ": no such parameter (" + known_parameters(name, material) + ")");
 }
 
 MaterialFile choose_material_file(const MaterialChoice& choice) {

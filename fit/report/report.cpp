@@ -44,35 +44,59 @@ std::string estimate_text(const Estimate& e, const std::string& name, bool wrong
   return text + ")";
 }
 
-void print_ranking(std::ostream& out, const FitResult& result) {
-  const auto row = [&out](std::initializer_list<std::pair<int, std::string>> cells) {
-    out << "  " << std::left;
-    for (const auto& [width, text] : cells) out << std::setw(width) << text;
-    out << '\n';
-  };
-  int widest = 26;  // a form of the catalogue; sums are longer
-  for (const FormFit& fit : result.ranking) widest = std::max(widest, int(fit.form.size()));
-  row({{widest + 2, "form"},
-       {18, "verdict"},
-       {11, "left out"},
-       {9, "median"},
-       {9, "90 %"},
-       {10, "off by 2"},
-       {11, "x scatter"},
-       {0, "parameters"}});
+// A column of the ranking: its heading, then its cells.
+struct Column {
+  int width;  // least, with the blanks to the next
+  std::string heading;
+  std::vector<std::string> cells;
+  int needed() const {
+    std::size_t widest = heading.size();
+    for (const std::string& cell : cells) widest = std::max(widest, cell.size());
+    return std::max(width, int(widest) + 2);
+  }
+};
+
+// Forms by what they are worth. Of a terminal too narrow for all columns the last ones stay out: the first three say most.
+void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& style) {
+  std::vector<Column> table{{0, "form", {}},       {18, "verdict", {}},  {11, "left out", {}},
+                            {9, "median", {}},     {9, "90 %", {}},      {10, "off by 2", {}},
+                            {11, "x scatter", {}}, {0, "parameters", {}}};
+  if (style.columns == 0) table[0].width = 28;  // a form of the catalogue; sums are longer
   for (const FormFit& fit : result.ranking) {
     const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
     const double value = fit.left_out ? fit.left_out->value : kUnknown,
                  over = fit.lack_of_fit.residual_over_scatter.value_or(kUnknown);
-    row({{widest + 2, fit.form},
-         {18, std::string(name_of(fit.verdict))},
-         {11, std::isfinite(value) ? io::short_number(value, 3) : "-"},
-         {9, error_text(e.median)},
-         {9, error_text(e.ninth_decile)},
-         {10, error_text(e.off_by_two)},
-         {11, std::isfinite(over) ? times_text(over) : "-"},
-         {0, std::to_string(fit.parameters)}});
+    const std::string cells[] = {fit.form,
+                                 std::string(name_of(fit.verdict)),
+                                 std::isfinite(value) ? io::short_number(value, 3) : "-",
+                                 error_text(e.median),
+                                 error_text(e.ninth_decile),
+                                 error_text(e.off_by_two),
+                                 std::isfinite(over) ? times_text(over) : "-",
+                                 std::to_string(fit.parameters)};
+    for (std::size_t k = 0; k < table.size(); ++k) table[k].cells.push_back(cells[k]);
   }
+  int width = 0;
+  for (const Column& column : table) width += column.needed();
+  for (; style.columns > 0 && width > style.columns && table.size() > 3; table.pop_back())
+    width -= table.back().needed();
+  out << std::left;
+  for (std::size_t row = 0; row <= result.ranking.size(); ++row) {
+    out << "  ";
+    for (const Column& column : table) {
+      const bool last = &column == &table.back();
+      out << std::setw(last ? 0 : column.needed()) << (row == 0 ? column.heading : column.cells[row - 1]);
+    }
+    out << '\n';
+  }
+}
+
+// "converged" in green, what may not be used in red, all between in amber.
+std::string shown(Verdict verdict, const TextStyle& style) {
+  const std::string name(name_of(verdict));
+  if (!style.colours) return name;
+  const char* colour = verdict == Verdict::converged ? "\x1b[32m" : usable(verdict) ? "\x1b[33m" : "\x1b[31m";
+  return colour + name + "\x1b[0m";
 }
 
 }  // namespace
@@ -133,7 +157,7 @@ std::string scatter_text(const FitResult& result) {
 }
 
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
-           const FitOptions& options) {
+           const FitOptions& options, const TextStyle& style) {
   out << table.source << ": " << result.rows << " rows, " << result.channels.size() << " channel"
       << (result.channels.size() == 1 ? "" : "s") << ", residual " << name_of(result.metric.metric) << '\n';
   if (!result.metric.asked) out << "  residual chosen (--metric auto): " << result.metric.reason << '\n';
@@ -149,10 +173,10 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   out << "  " << scatter_text(result) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
   for (const Step& step : result.steps) out << "  " << in_words(step) << '\n';
-  print_ranking(out, result);
+  print_ranking(out, result, style);
   if (result.ranking.empty()) return;
   const FormFit& best = result.ranking.front();
-  out << best.form << ", " << name_of(best.verdict) << '\n';
+  out << best.form << ", " << shown(best.verdict, style) << '\n';
   for (const std::string& finding : best.findings) out << "  " << finding << '\n';
   if (const std::string weak = weakness_text(best); !weak.empty()) out << "  " << weak << '\n';
   if (best.solved()) out << "  " << in_words(best.lack_of_fit) << '\n';

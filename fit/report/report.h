@@ -33,8 +33,13 @@ io::Json to_json(const FitResult& result, const io::SampleTable& table, const Fi
 // The `fit` block of a material file: provenance and statistics of this one fit.
 io::Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
                         const FitOptions& options);
+// How text is laid out: `columns` characters in a line (0: as many as it needs), with a terminal's colours or without.
+struct TextStyle {
+  int columns = 0;
+  bool colours = false;
+};
 // Ranking, and the parameters of the form at the top.
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
-           const FitOptions& options);
+           const FitOptions& options, const TextStyle& style = {});
 
 }  // namespace brdf::fit

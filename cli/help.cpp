@@ -1,0 +1,108 @@
+#include "cli/help.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/surface/surface.h"
+#include "cli/terminal.h"
+#include "io/near_name.h"
+
+namespace brdf::cli {
+namespace {
+
+// A line of a command, with a backslash where it goes on.
+std::string folded_command(const std::string& line, int columns) {
+  std::string text = folded(line, columns - 2), out;
+  for (const char c : text) out += c == '\n' ? std::string(" \\\n") : std::string(1, c);
+  return out;
+}
+
+// "brdf fit samples.csv ...": the first command of a footer.
+std::string first_example(const std::string& footer) {
+  const std::size_t begin = footer.find("brdf ", footer.find("Example"));
+  return begin == footer.npos ? "" : footer.substr(begin, footer.find('\n', begin) - begin);
+}
+
+class Layout : public CLI::Formatter {
+ public:
+  explicit Layout(int columns) : columns_(columns) {
+    column_width(std::size_t(std::min(34, columns * 2 / 5)));
+  }
+
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    return folded(Formatter::make_usage(app, name), columns_);
+  }
+  std::string make_description(const CLI::App* app) const override {
+    const std::string text = app->get_description();
+    return text.empty() ? text : folded(text, columns_) + "\n";
+  }
+  std::string make_option(const CLI::Option* option, bool positional) const override {
+    return folded(Formatter::make_option(option, positional), columns_);
+  }
+  std::string make_subcommand(const CLI::App* verb) const override {
+    const std::string example = first_example(verb->get_footer());
+    return folded(Formatter::make_subcommand(verb), columns_) +
+           (example.empty() ? "" : folded_command("      " + example, columns_) + "\n");
+  }
+  // A group of options, which the base class indents.
+  std::string make_expanded(const CLI::App* group) const override {
+    return folded(Formatter::make_expanded(group), columns_);
+  }
+  std::string make_footer(const CLI::App* app) const override {
+    std::string out;
+    const std::string text = app->get_footer();
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      const std::string line = text.substr(begin, end - begin);
+      out += line.find(" brdf ") == line.npos ? folded(line, columns_) : folded_command(line, columns_);
+      out += '\n';
+      begin = end + 1;
+    }
+    return out;
+  }
+
+ private:
+  int columns_;
+};
+
+std::vector<std::string> verb_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const VerbSurface& verb : surface_of(app)) names.push_back(verb.name);
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app, const std::string& verb) {
+  std::vector<std::string> names;
+  for (const VerbSurface& v : surface_of(app))
+    for (const OptionSurface& option : v.options)
+      if (v.name == verb && !option.positional)
+        names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_layout(int columns) {
+  return std::make_shared<Layout>(columns);
+}
+
+std::string usage_fault(const CLI::App& app, const std::string& parsers_words,
+                        const std::string& first_word) {
+  if (app.get_subcommands().empty() && !first_word.empty() && first_word[0] != '-') {
+    const std::string guess = io::did_you_mean(first_word, verb_names(app));
+    return "'" + first_word + "' is no verb (" + guess + "see brdf --help)";
+  }
+  std::string verb;
+  for (const CLI::App* parsed : app.get_subcommands()) {
+    verb = " " + parsed->get_name();
+    for (const std::string& word : parsed->remaining()) {
+      if (!word.starts_with("-") || word == "-") continue;
+      const std::string name = word.substr(0, word.find('='));
+      return name + " is no option of brdf" + verb + " (" +
+             io::did_you_mean(name, option_names(app, parsed->get_name())) + "see brdf" + verb + " --help)";
+    }
+  }
+  return parsers_words + " (see brdf" + verb + " --help)";
+}
+
+}  // namespace brdf::cli
