@@ -101,9 +101,9 @@ double Rounding<T>::judge(const Vec3<double>& light, const Vec3<double>& view,
     count(evaluate(wi, wo, k, true));
     if (!std::isfinite(f)) continue;
     Judged judged = compare(wi, wo, f, unit, k, peaks[k]);
-    if (noticeable(judged, judged.error)) {
+    if (noticeable(judged, judged.error) || exceeds_statement(judged)) {
       if (stored.empty()) stored = truths(as_it_stands(wi), as_it_stands(wo));
-      if (noticeable(judged, relative(stored[k], unit[k], judged.scale))) {
+      if (due_to_storing(judged, relative(stored[k], unit[k], judged.scale))) {
         judged = compare(wi, wo, f, stored, k, peaks[k]);
         ++row_.as_stored;
       }
@@ -114,11 +114,15 @@ double Rounding<T>::judge(const Vec3<double>& light, const Vec3<double>& view,
 }
 
 template <class T>
-bool Rounding<T>::noticeable(const Judged& judged, double error) const {
-  if (!judged.band) return false;
-  const double stated = row_.stated ? *row_.stated.*judged.band : 0,
-               few = numerics_budget(row_.scalar).body / 4;
-  return !(error < few) || (stated > 0 && error > stated);
+bool Rounding<T>::due_to_storing(const Judged& judged, double storing) const {
+  if (noticeable(judged, storing)) return noticeable(judged, judged.error);
+  return exceeds_statement(judged) && storing > *row_.stated.*judged.band / 4;
+}
+
+template <class T>
+bool Rounding<T>::exceeds_statement(const Judged& judged) const {
+  const double stated = judged.band && row_.stated ? *row_.stated.*judged.band : 0;
+  return stated > 0 && judged.error > stated;
 }
 
 template <class T>

@@ -33,8 +33,14 @@ class Rounding {
     Truth scale{};
     double error = 0;
   };
-  // More than a quarter of the body's budget, or than what is stated for the band.
-  bool noticeable(const Judged& judged, double error) const;
+  // More than a quarter of the body's budget.
+  bool noticeable(const Judged& judged, double error) const {
+    return judged.band && !(error < numerics_budget(row_.scalar).body / 4);
+  }
+  bool exceeds_statement(const Judged& judged) const;
+  // An error that is noticeable, or more than is stated, of which this much comes from directions that are not quite unit vectors
+  // as they are stored.
+  bool due_to_storing(const Judged& judged, double storing) const;
   Judged compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths, std::size_t set,
                  double peak) const;
   double record(const Judged& judged, const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set);

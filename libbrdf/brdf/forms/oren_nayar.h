@@ -150,7 +150,7 @@ struct UnitRoughness {
 struct oren_nayar_energy : Takes<Reflectivity, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_energy";
   static constexpr std::string_view family = "oren_nayar";
-  static constexpr Accuracy accuracy{.in_float = {6.5e-7, 6.4e-7, 5.6e-8},
+  static constexpr Accuracy accuracy{.in_float = {6.5e-7, 6.4e-7, 4e-7},
                                      .in_double = {9.9e-16, 1.3e-15, 1.1e-15}};
   static constexpr Kink kink = Kink::azimuth;
   static constexpr std::array albedos{ClosedAlbedo{0, 90, whole_albedo, "white surfaces lose nothing"}};
