@@ -49,6 +49,10 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
       ->check(CLI::Range(0.0, 90.0));
 }
 
+void add_pictures_option(CLI::App& verb, bool& no_pictures) {
+  verb.add_flag("--no-pictures", no_pictures, "Leave out the spheres, which take most of the time");
+}
+
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs) {
   fit::FitOptions options = fit::options_of(choice);
   options.interrupted = &interrupted;

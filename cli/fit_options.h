@@ -12,6 +12,9 @@ namespace brdf::cli {
 // Adds --form, --metric and what else shapes a fit. The choice must outlive the parsing.
 void add_fit_options(CLI::App& verb, fit::FitChoice& choice);
 
+// Adds --no-pictures.
+void add_pictures_option(CLI::App& verb, bool& no_pictures);
+
 // What the choice means; its `interrupted` is watch_for_interrupt()'s. Where no more than one of `jobs` files is fitted at a
 // time, its models are fitted side by side. Throws InputError.
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs);

@@ -1,17 +1,17 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "cli/fit_files.h"
 #include "cli/fit_options.h"
 #include "cli/fit_stack.h"
+#include "cli/inputs.h"
 #include "cli/progress.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
-#include "fit/file_batch.h"
 #include "fit/fit.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
@@ -20,9 +20,6 @@
 #include "io/output.h"
 #include "io/provenance.h"
 #include "io/relative_scale.h"
-#ifdef BRDF_HAS_RENDER
-#include "render/job.h"
-#endif
 
 namespace brdf::cli {
 namespace {
@@ -30,7 +27,7 @@ namespace {
 struct Options {
   std::vector<std::string> samples;
   std::string output, report;
-  bool json = false;
+  bool json = false, no_pictures = false;
   unsigned jobs = 1;
   fit::FitChoice choice;
   StackOptions stack;
@@ -64,58 +61,27 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
 }
 
-// A sphere of every new material, where this build and this machine can draw.
-void draw_spheres(const std::vector<fit::BatchRow>& rows, const std::filesystem::path& folder) {
-#ifdef BRDF_HAS_RENDER
-  for (const fit::BatchRow& row : rows) {
-    const std::filesystem::path picture = folder / (row.name + ".png");
-    if (!row.error.empty() || was_interrupted() || (row.reused && std::filesystem::exists(picture))) continue;
-    render::Job job;
-    job.materials = {folder / (row.name + ".json")};
-    job.output = picture;
-    job.width = job.height = 256;
-    try {
-      for (const std::string& note : render::run(job).notes)
-        std::cerr << picture.string() << ": " << note << '\n';
-    } catch (const EnvironmentError& error) {
-      std::cerr << "brdf: no pictures: " << error.what() << '\n';
-      return;
-    }
-  }
-#else
-  (void)rows, (void)folder;
-#endif
-}
-
-Exit run_many(const Options& o, const fit::FitOptions& options) {
+Exit run_many(const Options& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
   if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
-  const std::filesystem::path folder = o.output;
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
-  const std::vector<fit::BatchRow> rows =
-      fit::run_batch(o.samples, fit::models_of(o.choice.form), options,
-                     {folder, o.jobs, io::provenance().version + fit::words_of(o.choice), progress});
-  draw_spheres(rows, folder);
-  fit::write_summary(rows, folder);
-  const bool good = std::ranges::all_of(rows, [](const fit::BatchRow& row) { return fit::usable(row); });
-  if (o.json)
-    std::cout << io::to_text(fit::to_json(rows, folder));
-  else
-    std::cout << (folder / "summary.csv").string() << ", " << (folder / "summary.html").string() << '\n';
-  if (std::ranges::any_of(rows, &fit::BatchRow::environment_failed)) return Exit::environment;
-  return good ? Exit::good : Exit::failed;
+  return summarise(fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, progress),
+                   o.output, o.json);
 }
 
 Exit run(Options& o) {
   const fit::FitOptions options = fit_options(o.choice, o.jobs);
-  if (o.samples.size() == 1 && std::filesystem::is_directory(o.samples[0]))
+  if (o.samples.size() == 1 && texel::is_stack(o.samples[0]))
     return run_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
   if (o.stack.normals != StackOptions().normals || o.stack.memory != StackOptions().memory)
     throw InputError("--normals and --memory-limit are for a stack of photographs");
-  const bool folder =
-      o.samples.size() > 1 || o.output.ends_with('/') || std::filesystem::is_directory(o.output);
-  return folder ? run_many(o, options) : run_one(o, options);
+  const std::vector<std::string> files = sample_files(o.samples);
+  const bool folder = files.size() > 1 || names_folder(o.samples) || o.output.ends_with('/') ||
+                      std::filesystem::is_directory(o.output);
+  if (folder) return run_many(o, files, options);
+  if (o.no_pictures) throw InputError("--no-pictures is for several sample files: one file's fit draws none");
+  return run_one(o, options);
 }
 
 }  // namespace
@@ -124,7 +90,8 @@ void add_fit(CLI::App& app) {
   auto options = std::make_shared<Options>();
   Options& o = *options;
   CLI::App* verb = add_verb(app, Purpose::measure, "fit", "Fit forms to samples");
-  verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or one stack of photographs")
+  verb->add_option("SAMPLES", o.samples,
+                   "Sample tables (CSV, MERL, ...), folders of them, or one stack of photographs")
       ->required();
   add_fit_options(*verb, o.choice);
   verb->add_option("-o,--output", o.output,
@@ -133,6 +100,7 @@ void add_fit(CLI::App& app) {
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));
+  add_pictures_option(*verb, o.no_pictures);
   verb->add_flag("--json", o.json, "JSON on stdout");
   add_normals_option(*verb, o.stack);
   add_stack_memory_option(*verb, o.stack.memory);
@@ -147,7 +115,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
-      "          brdf fit a.csv b.csv --free-scale --jobs 2 -o fits\n"
+      "          brdf fit a.csv b.csv --free-scale --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/");
   on_run(*verb, [options] { return run(*options); });

@@ -33,6 +33,9 @@ void add_convert(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_recommend(CLI::App& app);
 void add_study(CLI::App& app);
+void add_plan(CLI::App& app);
+void add_work(CLI::App& app);
+void add_collect(CLI::App& app);
 void add_describe(CLI::App& app);  // hidden: man pages and completions are made by it
 
 // A verb that this build lacks: exit code 3.

@@ -112,7 +112,8 @@ endfunction()
 # for a package names the one of its distribution).
 function(brdf_install_program target)
   install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/brdf COMPONENT program)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ ${PROJECT_SOURCE_DIR}/share/brdf/
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/brdf COMPONENT program)
   file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.schema.json)
   install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/brdf/schemas COMPONENT program)
   if(CHART_JS)

@@ -68,10 +68,17 @@ std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
 }
 
 std::string words_of(const FitChoice& o) {
-  const FitChoice plain;
   std::string text;
+  for (const std::string& word : arguments_of(o)) text += " " + io::shell_word(word);
+  return text;
+}
+
+std::vector<std::string> arguments_of(const FitChoice& o) {
+  const FitChoice plain;
+  std::vector<std::string> words;
   const auto add = [&](const char* option, const std::string& value) {
-    text += std::string(" ") + option + " " + io::shell_word(value);
+    words.emplace_back(option);
+    words.push_back(value);
   };
   const auto add_number = [&](const char* option, double value, double left_out) {
     if (value != left_out) add(option, io::to_text(value));
@@ -85,15 +92,14 @@ std::string words_of(const FitChoice& o) {
                                      std::pair{"--bounds", &o.bounds}, std::pair{"--tie", &o.options.tie}})
     for (const std::string& word : *list) add(option, word);
   for (const auto& [option, flag] :
-       {std::pair{" --anisotropic", o.options.anisotropic},
-        std::pair{" --per-channel", o.options.per_channel}, std::pair{" --free-scale", o.options.free_scale},
-        std::pair{" --physical", o.physical}})
-    if (flag) text += option;
+       {std::pair{"--anisotropic", o.options.anisotropic}, std::pair{"--per-channel", o.options.per_channel},
+        std::pair{"--free-scale", o.options.free_scale}, std::pair{"--physical", o.physical}})
+    if (flag) words.emplace_back(option);
   add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
   add_number("--aperture", o.options.aperture, plain.options.aperture);
   add_number("--starts", o.options.random_starts, plain.options.random_starts);
   if (o.options.seed != plain.options.seed) add("--seed", std::to_string(o.options.seed));
-  return text;
+  return words;
 }
 
 }  // namespace brdf::fit

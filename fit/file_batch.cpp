@@ -32,27 +32,6 @@ std::vector<std::string> outputs_of(const std::string& name) {
   return {name + ".json", name + ".fit.json", name + ".html", name + ".png"};
 }
 
-// "copper.csv" and "copper.fit" differ in suffix only: the whole name is kept where that happens, and where a
-// result would be called like another file's or like the summary.
-std::vector<std::string> output_names(const std::vector<std::string>& files) {
-  std::map<std::string, std::string> taken;
-  for (const char* summary : kSummaries) taken.emplace(summary, "the summary");
-  const auto is_free = [&](const std::string& name) {
-    const std::vector<std::string> outputs = outputs_of(name);
-    return std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return taken.count(o) > 0; });
-  };
-  std::vector<std::string> names;
-  for (const std::string& file : files) {
-    std::string name = fs::path(file).stem().string();
-    if (!is_free(name)) name = fs::path(file).filename().string();
-    for (const std::string& output : outputs_of(name))
-      if (const auto [it, added] = taken.emplace(output, file); !added)
-        throw InputError(file + " and " + it->second + ": results of both would be called " + output);
-    names.push_back(std::move(name));
-  }
-  return names;
-}
-
 // Refuses a folder that cannot be written, or where a result would replace one of the files.
 void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& names,
                    const fs::path& folder) {
@@ -76,23 +55,24 @@ class Batch {
  public:
   Batch(const std::vector<std::string>& files, const std::vector<std::vector<Reflectance>>& models,
         const FitOptions& options, const BatchOptions& batch)
-      : files_(files), models_(models), options_(options), batch_(batch), names_(output_names(files)) {
-    rows_.resize(files.size());
+      : files_(files), models_(models), options_(options), batch_(batch), names_(batch_names(files)) {
+    first_ = std::min(batch.first, files.size());
+    rows_.resize(std::min(batch.count, files.size() - first_));
     check_outputs(files_, names_, batch_.folder);
   }
 
   std::vector<BatchRow> run() {
     io::make_folder(batch_.folder);
     io::parallel_for(
-        files_.size(), [this](std::size_t k) { work(k); }, batch_.jobs);
+        rows_.size(), [this](std::size_t k) { work(k); }, batch_.jobs);
     return std::move(rows_);
   }
 
  private:
   void work(std::size_t k) {
     BatchRow& row = rows_[k];
-    row.file = files_[k];
-    row.name = names_[k];
+    row.file = files_[first_ + k];
+    row.name = names_[first_ + k];
     if (options_.stop()) {
       row.error = "interrupted";
       return;
@@ -156,7 +136,7 @@ class Batch {
   void say(const BatchRow& row) {
     if (!batch_.progress) return;
     const std::lock_guard lock(mutex_);
-    const std::string number = "[" + std::to_string(++done_) + "/" + std::to_string(files_.size()) + "] ";
+    const std::string number = "[" + std::to_string(++done_) + "/" + std::to_string(rows_.size()) + "] ";
     if (!row.error.empty())
       return batch_.progress(number + (begins_with_name(row.error, row.file) ? "" : row.file + ": ") +
                              row.error);
@@ -169,6 +149,7 @@ class Batch {
   const FitOptions& options_;
   const BatchOptions& batch_;
   std::vector<std::string> names_;
+  std::size_t first_ = 0;  // of names_, whose row is the first
   std::vector<BatchRow> rows_;
   std::mutex mutex_;
   std::size_t done_ = 0;
@@ -191,6 +172,27 @@ std::string first_finding(const BatchRow& row) {
 }
 
 }  // namespace
+
+// "copper.csv" and "copper.fit" differ in suffix only: the whole name is kept where that happens, and where a
+// result would be called like another file's or like the summary.
+std::vector<std::string> batch_names(const std::vector<std::string>& files) {
+  std::map<std::string, std::string> taken;
+  for (const char* summary : kSummaries) taken.emplace(summary, "the summary");
+  const auto is_free = [&](const std::string& name) {
+    const std::vector<std::string> outputs = outputs_of(name);
+    return std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return taken.count(o) > 0; });
+  };
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    std::string name = fs::path(file).stem().string();
+    if (!is_free(name)) name = fs::path(file).filename().string();
+    for (const std::string& output : outputs_of(name))
+      if (const auto [it, added] = taken.emplace(output, file); !added)
+        throw InputError(file + " and " + it->second + ": results of both would be called " + output);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
 
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
                                 const std::vector<std::vector<Reflectance>>& models,

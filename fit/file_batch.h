@@ -16,6 +16,8 @@ struct BatchOptions {
   unsigned jobs = 1;
   // Everything that decides the result, as text: a finished file is kept only if it was made with the same.
   std::string settings;
+  // Only these are done, and have rows; results are called as if all were.
+  std::size_t first = 0, count = std::size_t(-1);
   // Called, one at a time, when a file is done.
   std::function<void(const std::string& message)> progress;
 };
@@ -28,6 +30,9 @@ struct BatchRow {
   io::Json best;  // first of the ranking
   std::string recommended;
 };
+
+// What the results of each file are called. Throws InputError where two would have the same name.
+std::vector<std::string> batch_names(const std::vector<std::string>& files);
 
 // Fits every file into the folder. A file whose name.fit.json was written by the same settings from the same
 // content is kept, so that a run that was killed redoes only what was in flight. What goes wrong with a

@@ -10,8 +10,8 @@ namespace brdf::io {
 namespace {
 
 // Where to write and how many at a time: no value depends on it.
-constexpr std::array<std::string_view, 5> kOfNoConsequence{"-o", "--output", "--report", "--jobs",
-                                                           "--threads"};
+constexpr std::array<std::string_view, 6> kOfNoConsequence{"-o",     "--output",  "--report",
+                                                           "--jobs", "--threads", "--unit-size"};
 
 std::string& recorded_command() {
   static std::string command;
@@ -32,7 +32,11 @@ void record_command_line(int argc, const char* const* argv) {
     if (word.starts_with("-o")) continue;
     command += ' ' + shell_word(word);
   }
-  recorded_command() = command;
+  record_command(std::move(command));
+}
+
+void record_command(std::string command) {
+  recorded_command() = std::move(command);
 }
 
 Provenance provenance(std::optional<std::uint64_t> seed) {

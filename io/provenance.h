@@ -19,6 +19,9 @@ struct Provenance {
 // Called once by main; programs that never call it have an empty command.
 void record_command_line(int argc, const char* const* argv);
 
+// For what one command planned and others do: outputs name this one.
+void record_command(std::string command);
+
 Provenance provenance(std::optional<std::uint64_t> seed = std::nullopt);
 
 // The same as key and value ("brdf_version", "command", "seed"), for CSV headers and JSON objects.

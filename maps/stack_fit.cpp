@@ -14,7 +14,6 @@
 namespace brdf::maps {
 namespace {
 
-constexpr std::size_t kLattice = 8;       // every 64th texel starts from the grid
 constexpr std::size_t kMetricTexels = 9;  // that are asked for the metric
 constexpr const char* kNormalNames[] = {"normal.x", "normal.y", "normal.z"};
 
@@ -105,11 +104,11 @@ Normals read_normals(const std::filesystem::path& path, const texel::Stack& stac
   return normals;
 }
 
-std::vector<texel::Region> units_of(const texel::Stack& stack) {
+std::vector<texel::Region> units_of(const texel::Region& grid, std::size_t width, std::size_t height) {
   std::vector<texel::Region> units;
-  for (std::size_t y = 0; y < stack.height; y += kUnit)
-    for (std::size_t x = 0; x < stack.width; x += kUnit)
-      units.push_back({x, y, std::min(kUnit, stack.width - x), std::min(kUnit, stack.height - y)});
+  for (std::size_t y = 0; y < grid.height; y += height)
+    for (std::size_t x = 0; x < grid.width; x += width)
+      units.push_back({x, y, std::min(width, grid.width - x), std::min(height, grid.height - y)});
   return units;
 }
 
@@ -118,12 +117,14 @@ texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, cons
   TexelFitter fitter(stack, settings);
   Bands bands(stack, region, memory);
   texel::Planes out = unknown_planes(plane_names(fitter.model()), region.width, region.height);
-  std::vector<TexelFit> above(region.width);  // the last fit in each column
+  std::vector<TexelFit> above(region.width);  // the last fit in each column of a row of tiles
   for (std::size_t k = 0; k < region.size() && !settings.options.stop(); ++k) {
     const std::size_t x = k % region.width, y = k / region.width, column = region.x + x, row = region.y + y;
+    if (row % kTile == 0) above[x] = {};
     if (!stack.holds(column, row)) continue;
-    const TexelFit* neighbour = x > 0 && !above[x - 1].empty() ? &above[x - 1] : &above[x];
-    if (neighbour->empty() || (column % kLattice == 0 && row % kLattice == 0)) neighbour = nullptr;
+    const bool has_left = column % kTile != 0 && !above[x - 1].empty();
+    const TexelFit* neighbour = has_left ? &above[x - 1] : &above[x];
+    if (neighbour->empty()) neighbour = nullptr;
     TexelFit fit = fitter.fit(bands.at(x, y), normal_at(normals, row * stack.width + column), neighbour);
     if (fit.empty()) continue;
     const std::vector<double> numbers = plane_values(fit, settings.fits_normal, stack.channels.size());
@@ -147,7 +148,10 @@ void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& 
 texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, const Normals* normals,
                         const Resources& resources, const io::Progress& progress) {
   texel::Planes maps = empty_maps(stack, settings);
-  const std::vector<texel::Region> units = units_of(stack);
+  // As wide as the images, whose rows are read as a whole; narrower where there is not one for each thread.
+  const bool wide = (stack.height + kUnit - 1) / kUnit >= resources.threads;
+  const std::vector<texel::Region> units =
+      units_of({0, 0, stack.width, stack.height}, wide ? stack.width : kUnit, kUnit);
   std::mutex mutex;
   int done = 0;
   io::parallel_for(

@@ -11,9 +11,10 @@
 
 namespace brdf::maps {
 
-// Units are what one process does at a time: texels of one know nothing of another's, so it does not matter who fits
-// them, and when.
-inline constexpr std::size_t kUnit = 64;  // texels to a side
+// Texels of a tile of kTile x kTile know nothing of another's: it does not matter who fits them, with which others, and
+// when. A unit, what one process does at a time, is of whole tiles.
+inline constexpr std::size_t kTile = 8;
+inline constexpr std::size_t kUnit = 64;  // texels to a side, where nothing else is asked for
 
 struct Resources {
   std::size_t memory = std::size_t{1} << 29;  // bytes of pixels at a time, of all threads together
@@ -24,7 +25,8 @@ struct Resources {
 using Normals = texel::Planes;
 Normals read_normals(const std::filesystem::path& path, const texel::Stack& stack);
 
-std::vector<texel::Region> units_of(const texel::Stack& stack);
+// The grid cut into units of this size, row by row, smaller ones at its right and lower edges.
+std::vector<texel::Region> units_of(const texel::Region& grid, std::size_t width, std::size_t height);
 
 // The planes of a region, over its own texels: every parameter under the name that a fit reports it by (kd.r), its
 // standard error (standard_error.kd.r; NaN where it is not identified, 0 where it is held or at a bound), normal.x, .y

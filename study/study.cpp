@@ -18,9 +18,15 @@ using io::Json;
 class Study {
  public:
   Study(const std::vector<std::string>& samples, const StudyOptions& options)
-      : options_(options), names_(folder_names(samples)), rows_(samples.size()) {
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      rows_[k].file = samples[k];
+      : options_(options), names_(folder_names(samples)) {
+    const std::size_t first = std::min(options.first, samples.size());
+    names_.erase(names_.begin(), names_.begin() + std::ptrdiff_t(first));
+    names_.resize(std::min(options.count, names_.size()));
+    alone_ = samples.size() == 1;
+    is_part_ = names_.size() < samples.size();
+    rows_.resize(names_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      rows_[k].file = samples[first + k];
       rows_[k].folder = alone() ? options.folder : options.folder / names_[k];
     }
     check_outputs();
@@ -29,6 +35,7 @@ class Study {
   std::vector<Row> run() {
     io::parallel_for(
         rows_.size(), [this](std::size_t k) { work(k); }, options_.jobs);
+    if (is_part_) return std::move(rows_);
     const auto unreadable = [](const Row& row) { return row.fault == Fault::input; };
     if (std::all_of(rows_.begin(), rows_.end(), unreadable)) {
       const std::string first = rows_.front().json["error"];
@@ -39,7 +46,7 @@ class Study {
   }
 
  private:
-  bool alone() const { return rows_.size() == 1; }
+  bool alone() const { return alone_; }
 
   // Refuses a folder that cannot be written, or where a result would replace one of the samples.
   void check_outputs() const {
@@ -106,7 +113,8 @@ class Study {
   }
 
   const StudyOptions& options_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_;        // of the folders of what is done
+  bool alone_ = false, is_part_ = false;  // the sample, of the samples
   std::vector<Row> rows_;
   std::mutex mutex_;
   int done_ = 0;

@@ -17,6 +17,8 @@ struct StudyOptions {
   // Everything that decides the results, as text: finished ones are kept only if they were made with the same.
   std::string settings;
   unsigned jobs = 1;
+  // Only these are done, and have rows, without an overview; folders are called as if all were.
+  std::size_t first = 0, count = std::size_t(-1);
   io::Progress progress;  // steps done, of all
 };
 

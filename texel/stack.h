@@ -34,6 +34,7 @@ struct Stack {
 };
 
 inline constexpr const char* kLightsFile = "lights.csv";
+inline constexpr const char* kMaskFile = "mask.exr";
 
 // Whether a path is such a folder.
 bool is_stack(const std::filesystem::path& path);

@@ -35,6 +35,7 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--shape", Value::file},        {"--over", Value::parameter},
     {"--microsurface", Value::text}, {"--texels", Value::text},
     {"--vary", Value::parameter},    {"--normals", Value::picture},
+    {"JOB", Value::folder},          {"--unit-size", Value::text},
 };
 
 }  // namespace

@@ -50,6 +50,17 @@ with temporary_folder() as folder:
     # Exit code 3: this build or this machine cannot draw, and the scene was found all the same.
     assert drawn.returncode == 0 and (elsewhere / "vase.png").is_file() or drawn.returncode == 3, drawn.stderr
 
+    # Planned work, a unit of it by the script for job arrays.
+    (elsewhere / "tables").mkdir()
+    for k in range(2):
+        shutil.copy(share / "brdf/synthetic/lambert.csv", elsewhere / f"tables/{k}.csv")
+    say("plan", "fit", "tables", "--form", "lambert", "--unit-size", "1", "-o", "job")
+    for k in range(2):
+        run(["bash", share / "brdf/slurm/brdf-array.sbatch", "job"], cwd=elsewhere,
+            env={**os.environ, "BRDF_PROGRAM": str(brdf), "SLURM_ARRAY_TASK_ID": str(k)})
+    say("collect", "job", "-o", "fits")
+    assert (elsewhere / "fits/summary.csv").read_text().count("tables/") == 2
+
     pages = sorted((share / "man/man1").glob("*.gz"))
     assert len(pages) > 10, pages
     text = gzip.decompress((share / "man/man1/brdf-fit.1.gz").read_bytes()).decode()

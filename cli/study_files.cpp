@@ -1,0 +1,78 @@
+#include "cli/study_files.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+#include "cli/fit_options.h"
+#include "cli/progress.h"
+#include "cli/terminal.h"
+#include "io/provenance.h"
+
+namespace brdf::cli {
+namespace {
+
+void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
+  PlainText out;
+  std::size_t widest = 0;
+  for (const study::Row& row : rows) widest = std::max(widest, row.json["name"].get<std::string>().size());
+  for (const study::Row& row : rows) {
+    out << std::left << std::setw(int(widest) + 2) << row.json["name"].get<std::string>();
+    if (row.fault == study::Fault::none)
+      out << row.json["statement"].get<std::string>() << (row.kept ? " (kept)" : "") << '\n';
+    else
+      out << "error\n";
+    for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
+      out << "  " << warning.get<std::string>() << '\n';
+  }
+  out << (folder / study::kPage).string() << '\n';
+}
+
+// Why samples have no study, a line for each.
+void say_faults(const std::vector<study::Row>& rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].fault != study::Fault::none)
+      std::cerr << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>()
+                << '\n';
+}
+
+void print_json(const std::vector<study::Row>& rows) {
+  io::Json out = io::to_json(io::provenance());
+  out["results"] = io::Json::array();
+  for (const study::Row& row : rows) {
+    io::Json json = row.json;
+    json["kept"] = row.kept;
+    out["results"].push_back(std::move(json));
+  }
+  std::cout << io::to_text(out);
+}
+
+}  // namespace
+
+study::StudyOptions study_options(const fit::FitChoice& choice, bool pictures,
+                                  const std::filesystem::path& folder, unsigned jobs) {
+  study::StudyOptions options;
+  options.folder = folder;
+  options.sample.models = fit::models_of(choice.form);
+  options.sample.fit = fit_options(choice, jobs);
+  options.sample.fit_words = fit::words_of(choice);
+  options.settings = io::provenance().version + options.sample.fit_words;
+  options.sample.pictures = pictures;
+  options.jobs = jobs;
+  options.progress = progress_line("brdf study");
+  return options;
+}
+
+Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json) {
+  say_faults(rows);
+  json ? print_json(rows) : print_text(rows, folder);
+  const auto has = [&](study::Fault fault) {
+    return std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) { return row.fault == fault; });
+  };
+  if (has(study::Fault::environment)) return Exit::environment;
+  return std::all_of(rows.begin(), rows.end(), [](const study::Row& row) { return row.usable(); })
+             ? Exit::good
+             : Exit::failed;
+}
+
+}  // namespace brdf::cli

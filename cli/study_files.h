@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/verbs.h"
+#include "fit/choice.h"
+#include "study/study.h"
+
+namespace brdf::cli {
+
+study::StudyOptions study_options(const fit::FitChoice& choice, bool pictures,
+                                  const std::filesystem::path& folder, unsigned jobs);
+
+// Prints a line for each sample, or `json`, and on stderr why samples have no study.
+Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json);
+
+}  // namespace brdf::cli

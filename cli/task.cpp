@@ -1,0 +1,163 @@
+#include "cli/task.h"
+
+#include <utf8.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/fit_options.h"
+#include "cli/inputs.h"
+#include "fit/file_batch.h"
+#include "io/error.h"
+#include "io/provenance.h"
+#include "io/text.h"
+#include "texel/stack.h"
+
+namespace brdf::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFilesInUnit = 16;  // where nothing else is asked for
+
+// The command without its `plan`.
+std::string command_at_once() {
+  std::string command = io::provenance().command;
+  constexpr std::string_view kVerb = " plan ";
+  if (const std::size_t found = command.find(kVerb); found != std::string::npos)
+    command.replace(found, kVerb.size(), " ");
+  return command;
+}
+
+std::vector<std::string> arguments_of(const TaskOptions& options) {
+  std::vector<std::string> words = fit::arguments_of(options.choice);
+  const TaskOptions plain;
+  if (options.stack.normals != plain.stack.normals)
+    words.insert(words.end(), {"--normals", options.stack.normals});
+  if (options.no_pictures) words.emplace_back("--no-pictures");
+  return words;
+}
+
+TaskOptions options_of(const maps::Plan& plan) {
+  CLI::App app;
+  TaskOptions options;
+  add_task_options(app, options);
+  std::vector<std::string> words(plan.options.rbegin(), plan.options.rend());  // as CLI11 takes them
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    throw InputError("the plan's options cannot be read: " + std::string(error.what()));
+  }
+  return options;
+}
+
+std::size_t count_in(std::string_view text) {
+  double number = 0;
+  return io::parse_number(text, number) && number >= 1 && number <= 1e9 &&
+                 number == double(std::size_t(number))
+             ? std::size_t(number)
+             : 0;
+}
+
+// "64x64", of whole tiles.
+void divide_texels(const std::string& size, maps::Plan& plan) {
+  plan.unit_width = plan.unit_height = maps::kUnit;
+  if (size.empty()) return;
+  const std::size_t cross = size.find('x');
+  plan.unit_width = count_in(size.substr(0, cross));
+  plan.unit_height = cross == std::string::npos ? 0 : count_in(size.substr(cross + 1));
+  const auto whole = [](std::size_t side) { return side > 0 && side % maps::kTile == 0; };
+  if (!whole(plan.unit_width) || !whole(plan.unit_height))
+    throw InputError("--unit-size " + size + ": of a stack it must be WIDTHxHEIGHT, both multiples of " +
+                     std::to_string(maps::kTile));
+}
+
+void divide_files(const std::string& size, maps::Plan& plan) {
+  plan.unit_height = 1;
+  plan.unit_width = size.empty() ? kFilesInUnit : count_in(size);
+  if (plan.unit_width == 0)
+    throw InputError("--unit-size " + size + ": of tables it must be a number of files, 1 or more");
+}
+
+std::vector<std::string> files_of(const texel::Stack& stack, const std::string& normals) {
+  std::vector<std::string> files{(stack.folder / texel::kLightsFile).string()};
+  for (const fs::path& image : stack.images) files.push_back(image.string());
+  if (!stack.mask.empty()) files.push_back((stack.folder / texel::kMaskFile).string());
+  if (!normals.empty()) files.push_back(normals);
+  return files;
+}
+
+StackTask stack_task(const std::string& folder, const TaskOptions& options) {
+  StackTask out{texel::open_stack(folder),
+                settings_of(options.stack, options.choice, fit_options(options.choice, 1)),
+                {}};
+  if (const std::string given = normals_file(options.stack); !given.empty())
+    out.normals = maps::read_normals(given, out.stack);
+  return out;
+}
+
+}  // namespace
+
+void add_task_options(CLI::App& verb, TaskOptions& options) {
+  add_fit_options(verb, options.choice);
+  add_normals_option(verb, options.stack);
+  add_pictures_option(verb, options.no_pictures);
+}
+
+maps::Plan plan_of(const std::string& verb, const std::vector<std::string>& named,
+                   const std::string& unit_size, TaskOptions options) {
+  const bool is_fit = verb == "fit";
+  maps::Plan plan{.verb = verb, .command = command_at_once(), .directory = fs::current_path().string()};
+  std::vector<std::string> files;
+  if (is_fit && named.size() == 1 && texel::is_stack(named[0])) {
+    if (options.no_pictures) throw InputError("--no-pictures is for tables");
+    plan.stack = named[0];
+    divide_texels(unit_size, plan);
+    const StackTask task = stack_task(named[0], options);
+    options.choice.options.metric =
+        maps::choose_metric(task.stack, task.settings, task.normals ? &*task.normals : nullptr);
+    plan.width = task.stack.width;
+    plan.height = task.stack.height;
+    files = files_of(task.stack, normals_file(options.stack));
+  } else {
+    if (options.stack.normals != StackOptions().normals)
+      throw InputError("--normals is for a stack of photographs");
+    fit_options(options.choice, 1);
+    fit::models_of(options.choice.form);
+    files = sample_files(named);
+    if (files.size() < 2) throw InputError(files[0] + ": one table is no work to divide: use brdf " + verb);
+    if (is_fit) fit::batch_names(files);
+    divide_files(unit_size, plan);
+    plan.width = files.size();
+    plan.height = 1;
+  }
+  for (const std::string& file : files)
+    if (!utf8::is_valid(file)) throw InputError(io::shown(file) + ": names of planned inputs must be UTF-8");
+  plan.options = arguments_of(options);
+  return maps::completed(std::move(plan), files);
+}
+
+std::string absolute(const std::string& path) {
+  return path.empty() ? "" : fs::absolute(path).lexically_normal().string();
+}
+
+Task::Task(const std::string& job)
+    : job_(absolute(job)), plan_(maps::read_plan(job_)), options_(options_of(plan_)) {
+  std::error_code error;
+  fs::current_path(plan_.directory, error);
+  if (error) throw InputError(job + ": planned in " + plan_.directory + ": " + error.message());
+  io::record_command(plan_.command);
+}
+
+StackTask Task::stack() const {
+  return stack_task(plan_.stack, options_);
+}
+
+std::vector<std::string> Task::samples() const {
+  std::vector<std::string> files;
+  for (const maps::Input& input : plan_.inputs) files.push_back(input.file);
+  return files;
+}
+
+}  // namespace brdf::cli

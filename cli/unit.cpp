@@ -1,0 +1,172 @@
+#include "cli/unit.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/fit_files.h"
+#include "cli/fit_options.h"
+#include "cli/study_files.h"
+#include "io/content.h"
+#include "io/error.h"
+#include "io/output.h"
+
+namespace brdf::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder in the job's, for what is made on the way. What a killed process leaves does no harm.
+class Scratch {
+ public:
+  explicit Scratch(const fs::path& job) {
+    const fs::path above = job / "scratch";
+    io::make_folder(above);
+    std::string pattern = (above / "XXXXXX").string();
+    if (!mkdtemp(pattern.data())) io::cannot_write(above, errno);
+    path_ = pattern;
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    fs::remove(path_.parent_path(), ignored);  // the last one
+  }
+
+  const fs::path& path() const { return path_; }
+
+  // The files in it with their names below it, in the order of these.
+  std::vector<maps::UnitFile> files() const {
+    std::vector<maps::UnitFile> out;
+    for (const auto& entry : fs::recursive_directory_iterator(path_))
+      if (entry.is_regular_file())
+        out.push_back(
+            {entry.path().lexically_relative(path_).string(), io::read_content(entry.path()).bytes});
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return out;
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::vector<maps::UnitFile> files_of(const texel::Planes& planes) {
+  std::vector<maps::UnitFile> files;
+  for (std::size_t k = 0; k < planes.names.size(); ++k) {
+    const std::vector<float>& values = planes.values[k];
+    files.push_back({planes.names[k], std::string(reinterpret_cast<const char*>(values.data()),
+                                                  values.size() * sizeof(float))});
+  }
+  return files;
+}
+
+texel::Planes planes_of(const std::vector<maps::UnitFile>& files, const texel::Region& region) {
+  texel::Planes planes{region.width, region.height, {}, {}};
+  for (const maps::UnitFile& file : files) {
+    if (file.bytes.size() != region.size() * sizeof(float))
+      throw InputError(file.name + ": not of the unit's size");
+    planes.names.push_back(file.name);
+    std::vector<float>& values = planes.values.emplace_back(region.size());
+    std::memcpy(values.data(), file.bytes.data(), file.bytes.size());
+  }
+  return planes;
+}
+
+const maps::Normals* known(const StackTask& task) {
+  return task.normals ? &*task.normals : nullptr;
+}
+
+std::vector<maps::UnitFile> fit_texels(const Task& task, const texel::Region& region, std::uint64_t memory) {
+  const StackTask stack = task.stack();
+  return files_of(maps::fit_unit(stack.stack, stack.settings, known(stack), region, memory));
+}
+
+// What is no fault of a sample ends the unit: it is done again.
+std::vector<maps::UnitFile> fit_tables(const Task& task, const texel::Region& region) {
+  const Scratch scratch(task.job());
+  const FileFits files{task.samples(), scratch.path(), 1, !task.options().no_pictures,
+                       region.x,       region.width};
+  const auto rows = fit_files(files, task.options().choice, fit_options(task.options().choice, 2), {});
+  for (const fit::BatchRow& row : rows)
+    if (row.environment_failed) throw EnvironmentError(row.error);
+  return scratch.files();
+}
+
+std::vector<maps::UnitFile> study_tables(const Task& task, const texel::Region& region) {
+  const Scratch scratch(task.job());
+  study::StudyOptions options =
+      study_options(task.options().choice, !task.options().no_pictures, scratch.path(), 2);
+  options.jobs = 1;
+  options.first = region.x;
+  options.count = region.width;
+  for (const study::Row& row : study::study(task.samples(), options))
+    if (row.fault == study::Fault::environment) throw EnvironmentError(row.json["error"].get<std::string>());
+  return scratch.files();
+}
+
+Exit collect_stack(const Task& task, const CollectFiles& files) {
+  const StackTask stack = task.stack();
+  io::check_folder_target({"-o", files.output}, {maps::kMapsFile, maps::kSummaryFile});
+  texel::Planes maps = maps::empty_maps(stack.stack, stack.settings);
+  const std::vector<texel::Region> units = task.plan().units();
+  for (std::size_t k = 0; k < units.size(); ++k)
+    if (const auto content = maps::read_unit(task.job(), task.plan(), k))
+      maps::put(planes_of(*content, units[k]), units[k], maps);
+  const maps::Making making{stack.settings, task.options().stack.normals, task.plan().command};
+  return write_results({task.plan().stack, files.output, files.report, 1, false}, stack.stack, making, maps,
+                       std::nullopt);
+}
+
+// The results of samples, where the verb finds and keeps them.
+void unpack_units(const Task& task, const fs::path& folder) {
+  for (const maps::Input& input : task.plan().inputs) check_input(input, true);
+  io::check_folder_target({"-o", folder}, {}, {});
+  for (std::size_t k = 0; k < task.plan().units().size(); ++k) {
+    const auto files = maps::read_unit(task.job(), task.plan(), k);
+    for (std::size_t q = 0; files && q < files->size(); ++q) {
+      const fs::path target = folder / (*files)[q].name;
+      io::make_folder(target.parent_path());
+      io::write_file_atomically(target, (*files)[q].bytes);
+    }
+  }
+}
+
+Exit collect_tables(const Task& task, const CollectFiles& files) {
+  if (!files.report.empty()) throw InputError("--report is for a stack of photographs");
+  unpack_units(task, files.output);
+  const fit::FitChoice& choice = task.options().choice;
+  if (task.plan().verb == "study") {
+    const study::StudyOptions options = study_options(choice, !task.options().no_pictures, files.output, 1);
+    return print_study(study::study(task.samples(), options), files.output, false);
+  }
+  const auto rows = fit_files({task.samples(), files.output, 1, !task.options().no_pictures}, choice,
+                              fit_options(choice, 1), {});
+  for (const fit::BatchRow& row : rows)
+    if (!row.error.empty()) std::cerr << row.error << '\n';
+  return summarise(rows, files.output, false);
+}
+
+}  // namespace
+
+void do_unit(const Task& task, std::size_t unit, std::uint64_t memory, bool check) {
+  const maps::Plan& plan = task.plan();
+  if (maps::state_of(task.job(), plan, unit) == maps::UnitState::done) return;
+  const texel::Region region = plan.units()[unit];
+  const bool of_stack = !plan.stack.empty();
+  for (std::size_t k = 0; k < plan.inputs.size(); ++k)
+    if (of_stack || (k >= region.x && k < region.x + region.width))
+      maps::check_input(plan.inputs[k], check || !of_stack);
+  const std::vector<maps::UnitFile> files = of_stack             ? fit_texels(task, region, memory)
+                                            : plan.verb == "fit" ? fit_tables(task, region)
+                                                                 : study_tables(task, region);
+  if (!was_interrupted()) maps::write_unit(task.job(), plan, unit, files);
+}
+
+Exit put_together(const Task& task, const CollectFiles& files) {
+  return task.plan().stack.empty() ? collect_tables(task, files) : collect_stack(task, files);
+}
+
+}  // namespace brdf::cli

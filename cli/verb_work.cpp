@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "cli/fit_options.h"
+#include "cli/options.h"
+#include "cli/unit.h"
+#include "io/error.h"
+
+namespace brdf::cli {
+namespace {
+
+struct Options {
+  std::string job;
+  std::optional<std::size_t> unit;
+  bool check = false;
+  std::uint64_t memory = StackOptions().memory;
+};
+
+Exit run(const Options& o) {
+  const Task task(o.job);
+  const std::size_t count = task.plan().units().size();
+  if (o.unit && *o.unit >= count)
+    throw InputError("--unit " + std::to_string(*o.unit) + ": the units are 0 to " +
+                     std::to_string(count - 1));
+  watch_for_interrupt();
+  for (std::size_t unit = o.unit.value_or(0); unit < (o.unit ? *o.unit + 1 : count); ++unit) {
+    do_unit(task, unit, o.memory, o.check);
+    if (!was_interrupted()) continue;
+    std::cerr << "brdf work: interrupted: unit " << unit << " is not written\n";
+    return Exit::failed;
+  }
+  return Exit::good;
+}
+
+}  // namespace
+
+void add_work(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  Options& o = *options;
+  CLI::App* verb =
+      add_verb(app, Purpose::measure, "work", "Do a unit of planned work; nothing where it is done");
+  verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
+  verb->add_option("--unit", o.unit,
+                   "Which one, from 0; all of them, one after another, where none is named");
+  verb->add_flag("--check-inputs", o.check,
+                 "Compare a stack's images with the plan byte by byte, not by their lengths alone");
+  add_stack_memory_option(*verb, o.memory);
+  verb->footer(
+      "Examples: brdf work job --unit 3 --memory-limit 1G\n"
+      "          brdf work job --check-inputs\n"
+      "          seq 0 63 | parallel -j2 brdf work job --unit {}");
+  on_run(*verb, [options] { return run(*options); });
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,14 @@
+// SHA-256 (FIPS 180-4) by OpenSSL, in hexadecimal digits, as sha256sum prints it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace brdf::maps {
+
+std::string sha256(std::string_view bytes);
+// Of a file of any length. Throws InputError where it cannot be read.
+std::string sha256_of_file(const std::filesystem::path& file);
+
+}  // namespace brdf::maps

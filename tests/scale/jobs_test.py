@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""jobs_test.py BRDF: plan, work, collect. The bytes are those of the verb at once, whatever the units and their order; what
+is there is not done again, what is damaged is; what is no plan of this work is refused."""
+import json
+import random
+import shutil
+import sys
+import tempfile
+import time
+
+from jobs import Place, damage
+
+with tempfile.TemporaryDirectory() as name:
+    place = Place(sys.argv[1], name)
+    run, refused = place.run, place.refused
+
+    # A stack, in 64 units.
+    place.make_stack("64x64")
+    fit = "fit stack --form cook_torrance --normals stack/truth/truth.exr "
+    run(fit + "-o at_once --jobs 2 --report at_once.html")
+    plan = f"plan {fit}--unit-size 8x8 -o job"
+    assert run(plan).stdout == "64 units: 0-63\n"
+    first = (place.folder / "job/plan.json").read_bytes()
+    run(plan)
+    assert (place.folder / "job/plan.json").read_bytes() == first
+    run(plan.replace("-o job", "-o another"))
+    assert (place.folder / "another/plan.json").read_bytes() == first, "a plan is decided by what is asked for"
+    refused(plan.replace("8x8", "16x8"), "job: holds another plan")
+    refused(plan + " --max-theta 70", "job: holds another plan")
+    refused(plan.replace("8x8", "12x8"), "--unit-size 12x8: of a stack it must be WIDTHxHEIGHT, both multiples of 8")
+    assert run("collect job --missing", 1).stdout == "0-63\n"
+    order = list(range(64))
+    random.Random(1).shuffle(order)
+    elsewhere = place.folder / "elsewhere"
+    elsewhere.mkdir()
+    for unit in order[:3]:
+        Place(sys.argv[1], elsewhere).run(f"work ../job --unit {unit}")
+    for unit in order[3:60]:
+        run(f"work job --unit {unit}")
+    left = sorted(order[60:])
+    said = run("collect job -o maps --missing", 1).stdout
+    expanded = [k for part in said.strip().split(",") for a, _, b in [part.partition("-")] for k in range(int(a), int(b or a) + 1)]
+    assert expanded == left, (said, left)
+    states = json.loads(run("collect job --json", 1).stdout)
+    assert [r["unit"] for r in states["results"] if r["state"] == "missing"] == left
+    assert "4 of 64 units are missing or damaged" in run("collect job -o maps", 1).stderr
+    assert not (place.folder / "maps").exists()
+    run("work job")
+    run("collect job -o maps --report maps.html")
+    place.same("at_once", "maps")
+    assert (place.folder / "maps.html").read_bytes() == (place.folder / "at_once.html").read_bytes()
+
+    # Done is done.
+    before = place.units("job")
+    begin = time.monotonic()
+    run("work job")
+    assert time.monotonic() - begin < 1 and place.units("job") == before
+    before[17][0].unlink()
+    damage(before[42][0])
+    assert run("collect job --missing", 1).stdout == "17,42\n"
+    states = {r["unit"]: r["state"] for r in json.loads(run("collect job --json", 1).stdout)["results"]}
+    assert states[17] == "missing" and states[42] == "damaged" and states[41] == "done"
+    run("work job")
+    after = place.units("job")
+    assert {k for k in before if before[k] != after[k]} == {17, 42}
+    assert run("collect job --missing").stdout == ""
+    run("collect job -o again")
+    place.same("at_once", "again")
+
+    # Another plan's unit, and a job that was tampered with.
+    shutil.copy(after[3][0], after[4][0])
+    assert run("collect job --missing", 1).stdout == "4\n"
+    (place.folder / "job/plan.json").write_bytes(first.replace(b'"form"', b'"from"').replace(b"8,", b"16,", 1))
+    refused("work job", "plan.json: was changed since the work was planned")
+    refused("work stack", "stack: no job")
+    refused("work another --unit 64", "--unit 64: the units are 0 to 63")
+    lights = place.folder / "stack/lights.csv"
+    text = lights.read_text()
+    lights.write_text(text + "# more\n")
+    refused("work another --unit 0", "stack/lights.csv: is not what it was when the work was planned")
+    lights.write_text(text.replace("theta_i", "theta_j"))
+    refused("work another --unit 0 --check-inputs", "lights.csv: is not what it was")
+    lights.write_text(text)
+
+    # Wide units, the metric chosen in the plan, normals fitted.
+    place.make_stack("24x20", 30, "small")
+    auto = "fit small --form ward --normals fit "
+    run(auto + "-o small_at_once")
+    run(f"plan {auto}--unit-size 24x8 -o small_job")
+    run("work small_job --memory-limit 100K")
+    run("collect small_job -o small_maps")
+    place.same("small_at_once", "small_maps")
+
+    # Tables: one of them bad.
+    place.make_tables(7, broken=4)
+    for verb, options, code in (("fit", "--form ward --no-pictures", 1), ("study", "--form ward --no-pictures", 1)):
+        run(f"{verb} measurements {options} -o {verb}_at_once", code)
+        assert run(f"plan {verb} measurements {options} --unit-size 2 -o {verb}_job").stdout == "4 units: 0-3\n"
+        for unit in (3, 0, 2, 1):
+            run(f"work {verb}_job --unit {unit}")
+        done = run(f"collect {verb}_job -o {verb}_out", code)
+        assert done.stderr.count("paint_0004.csv") == 1, done.stderr
+        place.same(f"{verb}_at_once", f"{verb}_out")
+        assert not (place.folder / f"{verb}_job/scratch").exists()
+    table = (place.folder / "fit_out/summary.csv").read_text().splitlines()
+    assert len(table) == 8 and sum(",error," in row for row in table) == 1, table
+    refused("plan fit measurements/paint_0000.csv --form ward -o one", "one table is no work to divide")
+    refused("plan fit measurements --form warp -o one", "warp")
+    refused("plan fit measurements --form ward --normals fit -o one", "--normals is for a stack")
+    refused("plan fit stack --form ward --no-pictures -o one", "--no-pictures is for tables")
+    refused("plan fit measurements --form ward --unit-size 8x8 -o one", "--unit-size 8x8: of tables it must be a number")
+    changed = place.folder / "measurements/paint_0002.csv"
+    changed.write_text(changed.read_text().replace(",45,", ",46,", 1))
+    refused("collect fit_job -o fit_out", "paint_0002.csv: is not what it was")
+print("units of work are what the verbs do at once")
