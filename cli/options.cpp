@@ -49,6 +49,15 @@ std::string to_bytes(std::string& text) {
 
 }  // namespace
 
+void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
+  add_named_option(
+      verb, "--polarisation", arrangement.polarisation,
+      "Channels whose names say a polarisation (fr_s, 465nm p): all, their average, or those of one");
+  add_named_option(
+      verb, "--repeats", arrangement.repeats,
+      "Directions measured more than once: a row each, or their mean with its standard deviation");
+}
+
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of) {
   verb.add_option("--memory-limit", bytes, "Most " + of + ", for instance 500M or 1G")
       ->transform(CLI::Validator(to_bytes, "SIZE"));

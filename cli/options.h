@@ -7,6 +7,7 @@
 
 #include "brdf/names.h"
 #include "cli/surface/values.h"
+#include "io/arrange.h"
 #include "io/error.h"
 #include "io/settings.h"
 
@@ -34,6 +35,9 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
 
 // Adds --form, --material and --set, the same in every verb that takes one material.
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
+
+// Adds --polarisation and --repeats, the same in every verb that reads samples to use them.
+void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);
 
 // Adds an option that takes an amount of memory above 0 in bytes, or with K, M or G (powers of 1024).
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of = "device memory");

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options.h"
 #include "cli/verbs.h"
 #include "io/any_table.h"
 #include "io/output.h"
@@ -10,10 +11,11 @@
 namespace brdf::cli {
 namespace {
 
-Exit run(const std::string& in, const std::string& out) {
+Exit run(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
   io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
-  const io::SampleTable table = synth::table_of_file(in);
+  io::SampleTable table = synth::table_of_file(in);
+  io::arrange(table, arrangement);
   for (const std::string& warning : table.warnings)
     std::cerr << "brdf convert: " << in << ": " << warning << '\n';
   const std::vector<std::string> lost = io::write_table(out, table);
@@ -27,6 +29,7 @@ Exit run(const std::string& in, const std::string& out) {
 void add_convert(CLI::App& app) {
   struct Options {
     std::string in, out;
+    io::Arrangement arrangement;
   };
   auto options = std::make_shared<Options>();
   CLI::App* verb =
@@ -37,8 +40,11 @@ void add_convert(CLI::App& app) {
                    "MERL cells")
       ->required();
   verb->add_option("OUT", options->out, "File to write: .csv, .binary (MERL) or .exr")->required();
-  verb->footer("Example: brdf convert paper.bsdf paper.csv");
-  on_run(*verb, [options] { return run(options->in, options->out); });
+  add_arrangement_options(*verb, options->arrangement);
+  verb->footer(
+      "Examples: brdf convert paper.bsdf paper.csv\n"
+      "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
+  on_run(*verb, [options] { return run(options->in, options->out, options->arrangement); });
 }
 
 }  // namespace brdf::cli

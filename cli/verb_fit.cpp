@@ -19,7 +19,6 @@
 #include "io/material_json.h"
 #include "io/output.h"
 #include "io/provenance.h"
-#include "io/relative_scale.h"
 
 namespace brdf::cli {
 namespace {
@@ -40,8 +39,11 @@ void print(const fit::FitResult& result, const io::SampleTable& table, const fit
 
 Exit run_one(const Options& o, const fit::FitOptions& options) {
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0]});
-  io::SampleTable table = io::read_samples(o.samples[0]);
-  if (options.free_scale) io::make_relative(table);
+  io::SampleTable read = io::read_samples(o.samples[0]);
+  const std::size_t said = read.warnings.size();
+  const io::SampleTable table = fit::arranged(std::move(read), options);
+  for (std::size_t k = said; k < table.warnings.size(); ++k)
+    std::cerr << "brdf fit: " << table.warnings[k] << '\n';
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
@@ -115,6 +117,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
+      "          brdf fit polarised.csv --polarisation average --repeats average\n"
       "          brdf fit a.csv b.csv --free-scale --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/");

@@ -95,6 +95,10 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
        {std::pair{"--anisotropic", o.options.anisotropic}, std::pair{"--per-channel", o.options.per_channel},
         std::pair{"--free-scale", o.options.free_scale}, std::pair{"--physical", o.physical}})
     if (flag) words.emplace_back(option);
+  if (o.options.arrangement.polarisation != plain.options.arrangement.polarisation)
+    add("--polarisation", std::string(name_of(o.options.arrangement.polarisation)));
+  if (o.options.arrangement.repeats != plain.options.arrangement.repeats)
+    add("--repeats", std::string(name_of(o.options.arrangement.repeats)));
   add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
   add_number("--aperture", o.options.aperture, plain.options.aperture);
   add_number("--starts", o.options.random_starts, plain.options.random_starts);

@@ -16,7 +16,6 @@
 #include "io/numbers.h"
 #include "io/output.h"
 #include "io/parallel.h"
-#include "io/relative_scale.h"
 #include "io/text.h"
 
 namespace brdf::fit {
@@ -96,8 +95,7 @@ class Batch {
     const std::string key = io::fingerprint({batch_.settings, content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
-    io::SampleTable table = io::read_samples(std::move(content));
-    if (options_.free_scale) io::make_relative(table);
+    const io::SampleTable table = arranged(io::read_samples(std::move(content)), options_);
     const FitResult result = fit(table, models_, options_);
     const FormFit& best = result.ranking.front();
     if (result.interrupted) {

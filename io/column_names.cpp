@@ -58,8 +58,9 @@ class Reading {
 
   Columns result() {
     // A table in the plain format has channels of any name: what is written must be read back as it was.
-    is_plain_ =
-        std::none_of(names_.begin(), names_.end(), is_wavelength_name) && has_plain_angle_names(names_);
+    is_plain_ = std::none_of(names_.begin(), names_.end(), is_wavelength_name) &&
+                std::none_of(names_.begin(), names_.end(), is_polarisation_name) &&
+                has_plain_angle_names(names_);
     for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
     place_angles();
     place_values();
@@ -83,6 +84,7 @@ class Reading {
     column.name = name;
     angles_.emplace_back();
     if (is_plain_ && !is_plain_angle_name(name)) return column;
+    if (is_polarisation_name(name)) column.kind = Column::Kind::polarisation;
     for (const auto& [bare, unit] : ways_to_part(name))
       if (read_as_angle(column, bare, unit) || read_as_wavelength(column, bare, unit)) break;
     return column;
@@ -276,14 +278,18 @@ bool is_wavelength_name(std::string_view name) {
   return std::any_of(ways.begin(), ways.end(), [](const Parts& p) { return is_wavelength(p.name, p.unit); });
 }
 
+bool is_polarisation_name(std::string_view name) {
+  const std::string key = plain_spelling(name);
+  return key == "polarisation" || key == "polarization";
+}
+
 bool Columns::has_angle(std::size_t angle) const {
   return std::any_of(columns.begin(), columns.end(),
                      [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == angle; });
 }
 
-bool Columns::has_wavelength() const {
-  return std::any_of(columns.begin(), columns.end(),
-                     [](const Column& c) { return c.kind == Column::Kind::wavelength; });
+bool Columns::has(Column::Kind kind) const {
+  return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.kind == kind; });
 }
 
 Columns understand_columns(const std::vector<std::string_view>& names, const std::string& where) {

@@ -10,7 +10,7 @@
 namespace brdf::io {
 
 struct Column {
-  enum class Kind { angle, value, sigma, wavelength } kind = Kind::value;
+  enum class Kind { angle, value, sigma, wavelength, polarisation } kind = Kind::value;
   enum class Unit { as_is, radians, elevation, elevation_in_radians, micrometres } unit = Unit::as_is;
   std::size_t index = 0;  // the angle's (kAngleNames) or the channel's
   std::string name;       // as the file has it
@@ -28,11 +28,13 @@ struct Columns {
   std::vector<std::string> notes;  // what was understood though it is not the plain format, a sentence each
 
   bool has_angle(std::size_t angle) const;
-  bool has_wavelength() const;
+  bool has(Column::Kind kind) const;
 };
 
 // Whether a column of this name holds wavelengths: `wavelength`, `lambda` or `wl` with or without a unit.
 bool is_wavelength_name(std::string_view name);
+// Whether a column of this name holds words for polarisations: `polarisation`, `polarization`.
+bool is_polarisation_name(std::string_view name);
 
 // Understands a header row: the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL; their usual aliases in any
 // case and with blanks, hyphens or underscores (thetai, incidence, theta_r, view zenith, azimuth, ...; docs/formats.md

@@ -48,7 +48,7 @@ class CsvReader {
       table_.warnings.push_back(std::to_string(table_.skipped) +
                                 " rows left out: f_r is undefined where the quantity's cosine is 0");
     note_dialect();
-    return is_long_ ? widened(table_, wavelengths_) : std::move(table_);
+    return is_long_ ? widened(table_, bands_) : std::move(table_);
   }
 
  private:
@@ -95,7 +95,7 @@ class CsvReader {
       if (!seen.insert(fields_[k]).second) fail("column " + shown(fields_[k]) + " twice");
     }
     header_ = understand_columns(fields_, reader_.where());
-    is_long_ = header_.has_wavelength();
+    is_long_ = header_.has(Column::Kind::wavelength) || header_.has(Column::Kind::polarisation);
     check_header();
     table_.channels = header_.channels;
     check_channel_names(table_.channels, reader_.where());
@@ -117,8 +117,14 @@ class CsvReader {
     }
     if (need_values_ && header_.channels.empty()) fail("no value column beside the four angles");
     if (is_long_ && need_values_ && header_.channels.size() != 1)
-      fail("a column of wavelengths needs one column of values, not " +
-           std::to_string(header_.channels.size()));
+      fail("a column of " +
+           std::string(header_.has(Column::Kind::wavelength) ? "wavelengths" : "polarisations") +
+           " needs one column of values, not " + std::to_string(header_.channels.size()));
+    for (const auto kind : {Column::Kind::wavelength, Column::Kind::polarisation})
+      if (std::count_if(columns().begin(), columns().end(), [&](const Column& c) { return c.kind == kind; }) >
+          1)
+        fail("two columns of " +
+             std::string(kind == Column::Kind::wavelength ? "wavelengths" : "polarisations"));
     for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
   }
 
@@ -140,6 +146,10 @@ class CsvReader {
       fail(std::to_string(fields_.size()) + " columns where the header has " +
            std::to_string(columns().size()) + ", separated by " + dialect_.separator_in_words());
     for (std::size_t k = 0; k < columns().size(); ++k) {
+      if (columns()[k].kind == Column::Kind::polarisation) {
+        read_polarisation(k);
+        continue;
+      }
       double number;
       if (!dialect_.parse(fields_[k], number))
         fail(k, fields_[k],
@@ -169,8 +179,16 @@ class CsvReader {
         break;
       case Column::Kind::wavelength:
         if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
-        wavelength_ = number;
+        band_.nm = number;
+        break;
+      case Column::Kind::polarisation:
+        break;
     }
+  }
+
+  void read_polarisation(std::size_t k) {
+    band_.polarisation = polarisation_named(fields_[k]);
+    if (!band_.polarisation) fail(k, fields_[k], "is no polarisation (s, p, ss, sp, ps, pp, te, tm)");
   }
 
   // Azimuths in the polar angle's column are told apart from a wrong angle: there are many of them, and the
@@ -234,7 +252,7 @@ class CsvReader {
         if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
-    if (is_long_) wavelengths_.push_back(wavelength_);
+    if (is_long_) bands_.push_back(band_);
   }
 
   LineReader reader_;
@@ -247,8 +265,8 @@ class CsvReader {
   std::vector<double> row_values_, row_sigma_;
   Quantity quantity_ = Quantity::brdf;
   bool has_sigma_ = false, is_long_ = false;
-  double wavelength_ = 0;  // of this row, nm
-  std::vector<double> wavelengths_;
+  Band band_;  // of this row
+  std::vector<Band> bands_;
 };
 
 }  // namespace

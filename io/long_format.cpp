@@ -13,26 +13,26 @@ namespace brdf::io {
 namespace {
 
 using Rows = std::vector<std::size_t>;
-// The rows of one pair of directions, by wavelength.
+// The rows of one pair of directions, by band, those of one band in the file's order.
 using Pair = std::span<const std::size_t>;
 
-std::vector<double> each_once(std::vector<double> numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
+std::vector<Band> each_once(std::vector<Band> bands) {
+  std::sort(bands.begin(), bands.end());
+  bands.erase(std::unique(bands.begin(), bands.end()), bands.end());
+  return bands;
 }
 
 auto directions_of(const SampleTable& table, std::size_t row) {
   return std::tuple(table.theta_i[row], table.phi_i[row], table.theta_o[row], table.phi_o[row]);
 }
 
-// All rows by directions, then by wavelength, then in the file's order.
-Rows sorted_rows(const SampleTable& table, const std::vector<double>& wavelengths) {
+// All rows by directions, then by band, then in the file's order.
+Rows sorted_rows(const SampleTable& table, const std::vector<Band>& bands) {
   Rows rows(table.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
-    return std::tuple(directions_of(table, a), wavelengths[a], a) <
-           std::tuple(directions_of(table, b), wavelengths[b], b);
+    return std::tuple(directions_of(table, a), bands[a], a) <
+           std::tuple(directions_of(table, b), bands[b], b);
   });
   return rows;
 }
@@ -55,63 +55,101 @@ std::vector<Pair> pairs_of(const SampleTable& table, const Rows& sorted) {
   return pairs;
 }
 
-// Each wavelength once, for every pair: memory is asked for only after this.
-void check_pair(const SampleTable& table, const std::vector<double>& wavelengths,
-                const std::vector<double>& bands, Pair pair) {
-  const auto refuse = [&](std::size_t row, const std::string& what) {
-    throw InputError(table.where(row) + ": these directions have " + what);
-  };
-  for (std::size_t k = 0; k < pair.size(); ++k) {
-    const double nm = wavelengths[pair[k]];
-    if (k > 0 && nm == wavelengths[pair[k - 1]])
-      refuse(pair[k], "the wavelength " + to_text(nm) + " nm twice");
-    if (nm != bands[k])
-      refuse(first_row(pair), "no value at " + to_text(bands[k]) + " nm, which others have");
-  }
-  if (pair.size() < bands.size())
-    refuse(first_row(pair), "no value at " + to_text(bands[pair.size()]) + " nm, which others have");
+std::string words_of(const Band& band) {
+  const std::string nm = band.nm > 0 ? to_text(band.nm) + " nm" : "";
+  const std::string polarisation = band.polarisation ? std::string(name_of(*band.polarisation)) : "";
+  return nm + (nm.empty() || polarisation.empty() ? "" : ", ") + polarisation;
 }
 
-void take_column(const std::vector<double>& narrow, const std::vector<Pair>& pairs, std::size_t band,
+std::string channel_of(const Band& band, const std::string& values) {
+  const std::string nm = band.nm > 0 ? to_text(band.nm) + "nm" : "";
+  if (!band.polarisation) return nm;
+  const std::string polarisation(name_of(*band.polarisation));
+  return nm.empty() ? values + "_" + polarisation : polarisation + "_" + nm;
+}
+
+// How often the pair was measured, which every band must say alike: memory is asked for only after this.
+std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of_rows,
+                           const std::vector<Band>& bands, Pair pair) {
+  std::vector<std::size_t> times;
+  for (std::size_t k = 0; k < pair.size();) {
+    const Band& band = of_rows[pair[k]];
+    if (band != bands[times.size()]) break;
+    times.push_back(0);
+    for (; k < pair.size() && of_rows[pair[k]] == band; ++k) ++times.back();
+    if (times.back() != times.front())
+      throw InputError(table.where(pair[k - 1]) + ": rows of these directions at " + words_of(band) + ": " +
+                       std::to_string(times.back()) + ", at " + words_of(bands.front()) + ": " +
+                       std::to_string(times.front()));
+  }
+  if (times.size() < bands.size())
+    throw InputError(table.where(first_row(pair)) + ": these directions have no value at " +
+                     words_of(bands[times.size()]) + ", which others have");
+  return times.front();
+}
+
+// What has been announced, and a sentence on what was read.
+std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vector<Band>& bands) {
+  const Band &first = bands.front(), &last = bands.back();
+  const std::string count = std::to_string(bands.size());
+  const std::string what = !first.polarisation
+                               ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
+                               : count + " bands, " + words_of(first) + " to " + words_of(last);
+  std::vector<std::string> warnings = narrow.warnings;
+  warnings.push_back("long format: " + std::to_string(narrow.rows()) + " rows of " + what);
+  return warnings;
+}
+
+// A pair's rows, `times` of each band, as rows of all bands.
+struct Measured {
+  Pair pair;
+  std::size_t times;
+  std::size_t row(std::size_t band, std::size_t time) const { return pair[band * times + time]; }
+};
+
+void take_column(const std::vector<double>& narrow, const std::vector<Measured>& all, std::size_t band,
                  std::vector<double>& wide) {
-  wide.reserve(pairs.size());
-  for (const Pair pair : pairs) wide.push_back(narrow[pair[band]]);
+  for (const Measured& measured : all)
+    for (std::size_t t = 0; t < measured.times; ++t) wide.push_back(narrow[measured.row(band, t)]);
+}
+
+void add_rows(const SampleTable& narrow, const std::vector<Measured>& all, SampleTable& wide) {
+  for (const Measured& measured : all) {
+    const std::size_t row = first_row(measured.pair);
+    for (std::size_t t = 0; t < measured.times; ++t) {
+      wide.add_directions(narrow.theta_i[row], narrow.phi_i[row], narrow.theta_o[row], narrow.phi_o[row]);
+      wide.lines.push_back(t == 0 ? narrow.lines[row] : narrow.lines[measured.row(0, t)]);
+    }
+  }
 }
 
 }  // namespace
 
-SampleTable widened(const SampleTable& narrow, const std::vector<double>& wavelengths) {
-  const std::vector<double> bands = each_once(wavelengths);
+SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows) {
+  const std::vector<Band> bands = each_once(of_rows);
   if (bands.size() > kMostChannels)
     throw InputError(narrow.name() + ": " + std::to_string(bands.size()) + " wavelengths are more than " +
                      std::to_string(kMostChannels));
-  const Rows sorted = sorted_rows(narrow, wavelengths);
-  const std::vector<Pair> pairs = pairs_of(narrow, sorted);
+  const Rows sorted = sorted_rows(narrow, of_rows);
   const bool has_values = !narrow.channels.empty();
-  if (has_values)
-    for (const Pair pair : pairs) check_pair(narrow, wavelengths, bands, pair);
+  std::vector<Measured> all;
+  for (const Pair pair : pairs_of(narrow, sorted))
+    all.push_back({pair, has_values ? times_measured(narrow, of_rows, bands, pair) : 1});
 
   SampleTable wide;
   wide.metadata = narrow.metadata;
   wide.source = narrow.source;
-  wide.warnings = narrow.warnings;
+  wide.warnings = has_values ? warnings_of(narrow, bands) : narrow.warnings;
   wide.skipped = narrow.skipped;
-  for (const Pair pair : pairs) {
-    const std::size_t row = first_row(pair);
-    wide.add_directions(narrow.theta_i[row], narrow.phi_i[row], narrow.theta_o[row], narrow.phi_o[row]);
-    wide.lines.push_back(narrow.lines[row]);
-  }
+  add_rows(narrow, all, wide);
   if (!has_values) return wide;
   wide.values.resize(bands.size());
   wide.sigma.resize(bands.size());
   for (std::size_t band = 0; band < bands.size(); ++band) {
-    wide.channels.push_back(to_text(bands[band]) + "nm");
-    take_column(narrow.values[0], pairs, band, wide.values[band]);
-    if (narrow.has_sigma(0)) take_column(narrow.sigma[0], pairs, band, wide.sigma[band]);
+    wide.channels.push_back(channel_of(bands[band], narrow.channels[0]));
+    take_column(narrow.values[0], all, band, wide.values[band]);
+    if (narrow.has_sigma(0)) take_column(narrow.sigma[0], all, band, wide.sigma[band]);
   }
-  wide.warnings.push_back("long format: " + std::to_string(narrow.rows()) + " rows of " +
-                          std::to_string(bands.size()) + " wavelengths, " + to_text(bands.front()) + " to " +
-                          to_text(bands.back()) + " nm");
   return wide;
 }
 

@@ -28,6 +28,7 @@ std::string broken_rule(std::string_view name) {
   if (parse_number(name, number)) return "must not be a number";
   if (is_plain_angle_name(name)) return "must not be an angle's name";
   if (is_wavelength_name(name)) return "must not be the name of a column of wavelengths";
+  if (is_polarisation_name(name)) return "must not be the name of a column of polarisations";
   if (name.starts_with(kSigmaPrefix)) return "must not begin with " + std::string(kSigmaPrefix);
   return "";
 }

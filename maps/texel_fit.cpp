@@ -36,6 +36,8 @@ void check(const Settings& s) {
         "--physical: not for stacks, whose texels would each be taken for another kind of material");
   if (s.options.free_scale)
     throw InputError("--free-scale: not for stacks: divide the images by one scale before");
+  if (s.options.arrangement != io::Arrangement())
+    throw InputError("--polarisation, --repeats: not for stacks, whose images are what they are");
   if (s.options.random_starts > 0 || !s.options.start.empty())
     throw InputError(
         "--start, --starts: not for stacks, whose texels start from the grid or their neighbours");

@@ -7,6 +7,8 @@
 
 #include <memory>
 
+#include "io/arrange.h"
+#include "io/error.h"
 #include "io/material_json.h"
 #include "io/samples.h"
 
@@ -24,6 +26,18 @@ struct Samples {
 struct Optics {
   io::MaterialFile file;
 };
+
+// An option's word.
+template <class Enum>
+Enum named(const char* option, const std::string& word) {
+  const auto found = find_named<Enum>(word);
+  if (!found) throw InputError(std::string(option) + " " + word + ": must be one of " + known_names<Enum>());
+  return *found;
+}
+
+inline io::Arrangement arrangement_of(const std::string& polarisation, const std::string& repeats) {
+  return {named<io::Polarisation>("--polarisation", polarisation), named<io::Repeats>("--repeats", repeats)};
+}
 
 void bind_samples(py::module_& module);
 void bind_materials(py::module_& module);

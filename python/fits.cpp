@@ -8,7 +8,6 @@
 #include "io/error.h"
 #include "io/output.h"
 #include "io/provenance.h"
-#include "io/relative_scale.h"
 #include "python/binding.h"
 #include "python/waiting.h"
 
@@ -22,18 +21,12 @@ struct Fitted {
   fit::FitOptions options;
 };
 
-template <class Enum>
-Enum named(const char* option, const std::string& word) {
-  const auto found = find_named<Enum>(word);
-  if (!found) throw InputError(std::string(option) + " " + word + ": must be one of " + known_names<Enum>());
-  return *found;
-}
-
 fit::FitChoice choice_of(const std::string& form, const std::string& metric, const std::string& weights,
                          const std::string& robust, const std::vector<std::string>& fix,
                          const std::vector<std::string>& start, const std::vector<std::string>& bounds,
                          const std::vector<std::string>& tie, bool physical, bool anisotropic,
-                         bool per_channel, bool free_scale, double max_theta, double aperture, int starts,
+                         bool per_channel, bool free_scale, const std::string& polarisation,
+                         const std::string& repeats, double max_theta, double aperture, int starts,
                          std::uint64_t seed) {
   const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
                                 .weighting = named<fit::Weighting>("--weights", weights),
@@ -41,6 +34,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                                 .anisotropic = anisotropic,
                                 .per_channel = per_channel,
                                 .free_scale = free_scale,
+                                .arrangement = arrangement_of(polarisation, repeats),
                                 .tie = tie,
                                 .random_starts = starts,
                                 .seed = seed,
@@ -48,13 +42,13 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
   return {form, robust, fix, start, bounds, physical, options};
 }
 
-// The table as it is fitted: its own values, unless a scale is free, and a name for reports.
-std::shared_ptr<const io::SampleTable> prepared(const Samples& samples, bool free_scale) {
-  if (!free_scale && !samples.table().source.empty()) return samples.held;
-  auto table = std::make_shared<io::SampleTable>(samples.table());
-  if (table->source.empty()) table->source = "samples";
-  if (free_scale) io::make_relative(*table);
-  return table;
+// The table as it is fitted: its own values, unless another arrangement is asked for, and a name for reports.
+std::shared_ptr<const io::SampleTable> prepared(const Samples& samples, const fit::FitOptions& options) {
+  const bool as_it_is = !options.free_scale && options.arrangement == io::Arrangement();
+  if (as_it_is && !samples.table().source.empty()) return samples.held;
+  io::SampleTable table = samples.table();
+  if (table.source.empty()) table.source = "samples";
+  return std::make_shared<io::SampleTable>(fit::arranged(std::move(table), options));
 }
 
 std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice& choice,
@@ -64,7 +58,7 @@ std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice
   Watch watch(std::move(progress));
   fitted->options.interrupted = &watch.stop();
   run_watched(watch, [&] {
-    fitted->table = prepared(samples, fitted->options.free_scale);
+    fitted->table = prepared(samples, fitted->options);
     fitted->result = fit::fit(*fitted->table, fit::models_of(choice.form), fitted->options,
                               [&](const std::string& what) { watch.tell(what); });
   });

@@ -127,6 +127,12 @@ void bind_samples(py::module_& module) {
       .def_property_readonly("format", [](const Samples& s) { return s.table().format; })
       .def_property_readonly("warnings", [](const Samples& s) { return s.table().warnings; })
       .def("csv", &to_csv)
+      .def("arranged",
+           [](const Samples& s, const std::string& polarisation, const std::string& repeats) {
+             io::SampleTable table = s.table();
+             io::arrange(table, arrangement_of(polarisation, repeats));
+             return Samples(std::move(table));
+           })
       .def("write", [](const Samples& s, const std::string& path) {
         const py::gil_scoped_release unlocked;
         return io::write_table(path, s.table());

@@ -8,7 +8,6 @@
 #include "io/error.h"
 #include "io/glsl.h"
 #include "io/material_json.h"
-#include "io/relative_scale.h"
 #include "study/page.h"
 #include "validate/checks.h"
 #include "validate/report.h"
@@ -119,7 +118,7 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   found.table = io::read_samples(std::move(content));
   found.name = std::filesystem::path(found.table.source).filename().string();
   found.sheet = validate::data_sheet(found.table, validate::CheckOptions{}.max_theta);
-  if (options.fit.free_scale) io::make_relative(found.table);
+  found.table = fit::arranged(std::move(found.table), options.fit);
   step();
   found.fit = fit::fit(found.table, options.models, options.fit);
   step();

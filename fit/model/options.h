@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brdf/names.h"
+#include "io/arrange.h"
 
 namespace brdf::fit {
 
@@ -73,8 +74,9 @@ struct FitOptions {
   Weighting weighting = Weighting::automatic;  // sigma columns where there are any
   double max_theta = 80;                       // degrees; rows beyond are left out
   bool anisotropic = false;
-  bool per_channel = false;  // shapes, too
-  bool free_scale = false;   // the samples are uncalibrated: io::make_relative() is asked before the fit
+  bool per_channel = false;     // shapes, too
+  bool free_scale = false;      // the samples are uncalibrated: arranged() divides them
+  io::Arrangement arrangement;  // what arranged() makes of polarisations and repeats
   std::vector<NamedValues> fix, start;
   std::vector<NamedRange> bounds;
   std::vector<std::string>
@@ -93,5 +95,9 @@ struct FitOptions {
 
   bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }
 };
+
+// The table that is fitted: polarisations and repeats as the options ask, divided by a scale where that is free.
+// Throws InputError as io::arrange and io::make_relative do.
+io::SampleTable arranged(io::SampleTable table, const FitOptions& options);
 
 }  // namespace brdf::fit

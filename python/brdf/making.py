@@ -33,14 +33,20 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
         seed_of(seed), progress))
 
 
-def convert(source: Path | Table | Material, output: Path) -> list[str]:
+def convert(source: Path | Table | Material, output: Path, *, polarisation: str = "keep",
+            repeats: str = "keep") -> list[str]:
     """Writes samples in another format: .csv, .binary (MERL) or .exr (`brdf convert`); of a material its values at the
-    MERL cells. Returns what is lost, a phrase each."""
+    MERL cells. Returns what is lost, a phrase each.
+
+    polarisation: what is made of channels whose names say one (fr_s, 465nm p): keep, average, s, p, ss, sp, ps, pp.
+    repeats: keep a row for each, or average directions that were measured more than once.
+    """
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
         source = synth(source, grid="merl", azimuths=(0,))
-    return (source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source))).write(name)
+    samples = source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source))
+    return samples.arranged(polarisation, repeats).write(name)
 
 
 def export(source: Union[Material, str], to: str, output: Path | None = None, *, include: bool = False) -> str:

@@ -40,6 +40,26 @@ TEST_F(MeasuredTables, ALongTableIsReadOrNamed) {
   }
 }
 
+TEST_F(MeasuredTables, PolarisedAndRepeatedRowsBecomeWhatIsAskedFor) {
+  std::ofstream(folder_.path() / "p.csv") << "theta_i,phi_i,theta_o,phi_o,fr_s,fr_p\n30,180,30,0,0.4,0.2\n30,"
+                                             "180,30,0,0.5,0.3\n40,180,30,0,0.4,0.3\n";
+  const Outcome done = run("convert p.csv mean.csv --polarisation average --repeats average");
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("polarisation average: fr_s, fr_p became fr"));
+  EXPECT_THAT(done.err, HasSubstr("repeats: 3 rows are 2 pairs of directions, averaged"));
+  const io::SampleTable mean = read("mean.csv");
+  EXPECT_EQ(mean.channels, std::vector<std::string>{"fr"});
+  EXPECT_NEAR(mean.values[0][0], .35, 1e-15);
+  EXPECT_TRUE(mean.has_sigma(0));
+  ASSERT_EQ(run("convert p.csv kept.csv").exit_code, 0);
+  EXPECT_EQ(read("kept.csv").rows(), 3u);
+  for (const char* verb : {"fit p.csv --form lambert", "convert p.csv o.csv"}) {
+    const Outcome refused = run(std::string(verb) + " --polarisation pp");
+    EXPECT_EQ(refused.exit_code, 2) << verb;
+    EXPECT_THAT(refused.err, HasSubstr("p.csv: --polarisation pp: not told by what is there of 'fr': s, p"));
+  }
+}
+
 TEST_F(MeasuredTables, AreExportedAsATableAndNotAsAShader) {
   ASSERT_EQ(run("synth --form ward --set kd=0.3,0.2,0.1 --grid hemisphere -o s.csv").exit_code, 0);
   const Outcome shader = run("export --measured s.csv --to glsl -o m.glsl");

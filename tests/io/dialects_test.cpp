@@ -151,6 +151,29 @@ TEST(LongFormat, WavelengthsMayBeInMicrometres) {
   EXPECT_THAT(got.channels, ElementsAre("632.8nm", "1064nm"));
 }
 
+TEST(LongFormat, MeasuredAgainKeepsEveryRow) {
+  const SampleTable got = read(
+      "theta_i,phi_i,theta_o,phi_o,wavelength,fr\n1,2,3,4,500,1\n1,2,3,4,600,2\n5,6,7,8,600,3\n5,6,7,8,500,"
+      "4\n"
+      "1,2,3,4,600,5\n1,2,3,4,500,6\n");
+  expect_same(got, read("theta_i,phi_i,theta_o,phi_o,500nm,600nm\n1,2,3,4,1,2\n1,2,3,4,6,5\n5,6,7,8,4,3\n"));
+  EXPECT_THAT(got.lines, ElementsAre(2u, 7u, 4u));
+}
+
+TEST(LongFormat, HasAChannelForEachPolarisation) {
+  const SampleTable got = read(
+      "theta_i,phi_i,theta_o,phi_o,Polarization,fr\n1,2,3,4,p,1\n1,2,3,4,S-pol,2\n5,6,7,8,te,3\n5,6,7,8,TM,"
+      "4\n");
+  expect_same(got, read("theta_i,phi_i,theta_o,phi_o,fr_s,fr_p\n1,2,3,4,2,1\n5,6,7,8,3,4\n"));
+  EXPECT_THAT(got.warnings.back(), HasSubstr("long format: 4 rows of 2 bands, s to p"));
+  const SampleTable both = read(
+      "theta_i,phi_i,theta_o,phi_o,wavelength,polarisation,fr\n1,2,3,4,500,s,1\n1,2,3,4,500,p,2\n1,2,3,4,600,"
+      "s,3\n"
+      "1,2,3,4,600,p,4\n");
+  EXPECT_THAT(both.channels, ElementsAre("s_500nm", "p_500nm", "s_600nm", "p_600nm"));
+  EXPECT_EQ(both.values[2][0], 3);
+}
+
 TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
   const std::string names = "theta_i;phi_i;theta_o;phi_o;fr\n",
                     wave = "theta_i,phi_i,theta_o,phi_o,wavelength,fr\n";
@@ -173,7 +196,12 @@ TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
       {"theta_i,thetain,theta_o,phi_o,fr\n1,2,3,4,5\n", "columns 'theta_i' and 'thetain' are both theta_i"},
       {"theta_i,phi_i,azimuth,theta_o,fr\n1,2,3,4,5\n", "'azimuth' does not say whose azimuth it is"},
       {"thetai,phii,thetao,phio,BRF (%)\n1,2,3,4,5\n", "'BRF (%)' is in percent"},
-      {wave + "1,2,3,4,500,1\n1,2,3,4,500,2\n", "line 3: these directions have the wavelength 500 nm twice"},
+      {wave + "1,2,3,4,500,1\n1,2,3,4,500,2\n1,2,3,4,600,2\n",
+       "line 4: rows of these directions at 600 nm: 1, at 500 nm: 2"},
+      {"theta_i,phi_i,theta_o,phi_o,polarisation,fr\n1,2,3,4,x,1\n",
+       "line 2: column 5 (polarisation): 'x' is no polarisation"},
+      {"theta_i,phi_i,theta_o,phi_o,polarisation,polarization,fr\n1,2,3,4,s,p,1\n",
+       "two columns of polarisations"},
       {"theta_i,phi_i,theta_o,phi_o,lambda (um),fr\n1,2,3,4,1e304,1\n",
        "line 2: column 5 (lambda (um)): '1e304' is not finite"},
       {wave + "1,2,3,4,500,1\n1,2,3,4,600,2\n5,6,7,8,500,2\n",

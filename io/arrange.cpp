@@ -1,0 +1,13 @@
+#include "io/arrange.h"
+
+#include "io/table_rules.h"
+
+namespace brdf::io {
+
+void arrange(SampleTable& table, const Arrangement& asked) {
+  if (asked.polarisation != Polarisation::keep) choose_polarisation(table, asked.polarisation);
+  if (asked.repeats == Repeats::average) average_repeats(table);
+  if (asked != Arrangement()) check_table(table);
+}
+
+}  // namespace brdf::io
