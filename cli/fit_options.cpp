@@ -33,8 +33,10 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_option("--max-theta", choice.options.max_theta, "Degrees; rows with a steeper angle are left out")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 90.0));
-  add_repeated_option(verb, "--fix", choice.fix, "Hold a parameter: name=value (or one value per channel)");
-  add_repeated_option(verb, "--start", choice.start, "One more start: name=value");
+  add_repeated_option(verb, "--fix", choice.fix,
+                      "Hold a parameter: name=value, one value per channel, or FILE, a table of refractive "
+                      "indices (f0=gold.yml)");
+  add_repeated_option(verb, "--start", choice.start, "One more start: name=value, or FILE as of --fix");
   add_repeated_option(verb, "--bounds", choice.bounds, "Restrict a parameter: name=low:high");
   add_repeated_option(verb, "--tie", choice.options.tie,
                       "One value for all channels: the name of a weight, f0 or shape");

@@ -39,10 +39,14 @@ void add_convert(CLI::App& app) {
                    "evaluated at the "
                    "MERL cells")
       ->required();
-  verb->add_option("OUT", options->out, "File to write: .csv, .binary (MERL) or .exr")->required();
+  verb->add_option(
+          "OUT", options->out,
+          "File to write: .csv, .binary (MERL), .exr, .astm (ASTM E1392) or .zemax (lens-design text)")
+      ->required();
   add_arrangement_options(*verb, options->arrangement);
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
+      "          brdf convert scan.csv scan.zemax\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
   on_run(*verb, [options] { return run(options->in, options->out, options->arrangement); });
 }

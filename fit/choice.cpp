@@ -1,6 +1,7 @@
 #include "fit/choice.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "io/error.h"
 #include "io/settings.h"
@@ -34,6 +35,34 @@ NamedRange parse_range(const std::string& text) {
   return {name, values[0], values[1]};
 }
 
+// What stands behind the equals sign: "gold.yml", "metals.csv:Au"; empty where that is numbers.
+std::string file_in(const std::string& text, const char* option) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) return "";
+  const std::string value = text.substr(equals + 1), file = value.substr(0, value.rfind(':'));
+  for (const std::string& name : {value, file})
+    if (std::filesystem::is_regular_file(name)) return value;
+  const std::string suffix = std::filesystem::path(file).extension();
+  double number;
+  if (suffix.size() < 2 || file.find(',') != std::string::npos || io::parse_number(file, number)) return "";
+  throw InputError(std::string(option) + " " + text + ": " + file + " is neither a number nor a file");
+}
+
+// name=value,... or name=FILE, a table of refractive indices.
+void add_values(const std::vector<std::string>& texts, const char* option, std::vector<NamedValues>& out) {
+  std::vector<std::string> numbers;
+  for (const std::string& text : texts) {
+    const std::string file = file_in(text, option);
+    if (file.empty()) {
+      numbers.push_back(text);
+      continue;
+    }
+    auto constants = std::make_shared<io::OpticalConstants>(io::read_optical_constants(file));
+    out.push_back({text.substr(0, text.find('=')), {}, std::move(constants)});
+  }
+  for (const io::Setting& s : io::parse_settings(numbers, option)) out.push_back({s.name, s.values});
+}
+
 template <class Number>
 void check_range(const char* option, Number value, Number low, Number high) {
   if (!(value >= low && value <= high))
@@ -49,8 +78,8 @@ FitOptions options_of(const FitChoice& o) {
   check_range("--starts", f.random_starts, 0, 100000);
   check_range("--aperture", f.aperture, 0.0, 90.0);
   if (!o.robust.empty()) parse_robust(o.robust, f);
-  for (const io::Setting& s : io::parse_settings(o.fix, "--fix")) f.fix.push_back({s.name, s.values});
-  for (const io::Setting& s : io::parse_settings(o.start, "--start")) f.start.push_back({s.name, s.values});
+  add_values(o.fix, "--fix", f.fix);
+  add_values(o.start, "--start", f.start);
   for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
   if (o.physical) f.physical = Physical::either;
   return f;

@@ -92,7 +92,7 @@ class Batch {
 
   void fit_file(BatchRow& row) {
     io::Content content = io::read_content(row.file);
-    const std::string key = io::fingerprint({batch_.settings, content.bytes});
+    const std::string key = io::fingerprint({batch_.settings + constants_text(options_), content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
     const io::SampleTable table = arranged(io::read_samples(std::move(content)), options_);

@@ -128,7 +128,7 @@ void leave_out_all(const FitData& data, const FitOptions& options, std::vector<S
 Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& given,
                     std::optional<double> noise) {
   FitOptions options = given;
-  const Constraints constraints = resolve(forms, data.channels.size(), options);
+  const Constraints constraints = resolve(forms, data.channels, options);
   if (!can_be_dielectric(forms, constraints)) {
     options.physical = Physical::bounded;
     return fit_model(data, forms, options, noise);

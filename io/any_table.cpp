@@ -1,21 +1,28 @@
 #include "io/any_table.h"
 
+#include "io/astm.h"
 #include "io/error.h"
 #include "io/exr_table.h"
 #include "io/merl.h"
+#include "io/zemax.h"
 
 namespace brdf::io {
 
 void check_table_format(const std::filesystem::path& path) {
   const std::string suffix = path.extension();
-  if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr")
-    throw InputError(path.string() + ": unknown output format (known: .csv, .binary for MERL, .exr)");
+  if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr" && suffix != ".astm" && suffix != ".zemax")
+    throw InputError(
+        path.string() +
+        ": unknown output format (known: .csv, .binary for MERL, .exr, .astm for ASTM E1392, .zemax for "
+        "lens-design text)");
 }
 
 std::vector<std::string> write_table(const std::filesystem::path& path, const SampleTable& table) {
   check_table_format(path);
   if (path.extension() == ".binary") return merl::write(path, table);
   if (path.extension() == ".exr") return write_exr_table(path, table);
+  if (path.extension() == ".astm") return astm::write(path, table);
+  if (path.extension() == ".zemax") return zemax::write(path, table);
   write_samples(path, table);
   return {};
 }

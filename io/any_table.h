@@ -9,7 +9,8 @@
 
 namespace brdf::io {
 
-// Throws InputError where no format of tables is written under this name: .csv, .binary (MERL), .exr.
+// Throws InputError where no format of tables is written under this name: .csv, .binary (MERL), .exr, .astm (ASTM E1392), .zemax
+// (lens-design text).
 void check_table_format(const std::filesystem::path& path);
 
 // Writes it. Returns what is lost, one phrase each. Throws as check_table_format and the formats' own writers.

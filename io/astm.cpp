@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "io/channel_colours.h"
 #include "io/error.h"
+#include "io/output.h"
 #include "io/table_rules.h"
 #include "io/text.h"
 
@@ -13,7 +15,7 @@ namespace brdf::io::astm {
 namespace {
 
 constexpr std::string_view kAngles[] = {"theta_i", "phi_i", "theta_s", "phi_s"};
-constexpr std::string_view kKeyword = "VARS";
+constexpr std::string_view kKeyword = "VARS", kUnit = "ANGLE_UNIT";
 
 bool is_keyword_line(std::string_view line, std::string_view keyword) {
   return line.starts_with(keyword) && line.size() > keyword.size() &&
@@ -51,9 +53,9 @@ class AstmReader {
       line = trimmed(line);
       if (is_keyword_line(line, kKeyword)) {
         split(line.substr(kKeyword.size()), ',', fields_);
-        if (fields_.size() > kMostChannels + std::size(kAngles))
+        if (fields_.size() > 2 * kMostChannels + std::size(kAngles))
           fail("VARS names " + std::to_string(fields_.size()) + " columns, more than 4 angles and " +
-               std::to_string(kMostChannels) + " channels");
+               std::to_string(kMostChannels) + " channels with their standard deviations");
         for (const std::string_view name : fields_)
           names_.emplace_back(name == "theta_o" ? "theta_s" : name == "phi_o" ? "phi_s" : name);
         return;
@@ -63,6 +65,10 @@ class AstmReader {
       std::string_view value = trimmed(line.substr(blank));
       if (value.size() > 1 && value.front() == '"' && value.back() == '"')
         value = value.substr(1, value.size() - 2);
+      if (line.substr(0, blank) == kUnit && (value == "degrees" || value == "radians")) {
+        is_radians_ = value == "radians";
+        continue;
+      }
       table_.add_comment(line.substr(0, blank), value);
     }
     throw InputError(table_.source + ": no VARS line");
@@ -82,12 +88,13 @@ class AstmReader {
       const auto angle = std::find(std::begin(kAngles), std::end(kAngles), names_[k]);
       if (angle != std::end(kAngles)) {
         column_[angle - kAngles] = static_cast<int>(k);
-      } else {
+      } else if (!names_[k].starts_with(kSigmaPrefix)) {
         value_columns_.push_back(k);
         table_.channels.push_back(with_band_unit(names_[k]));
       }
     }
     check_channel_names(table_.channels, reader_.where());
+    find_sigma_columns();
     if (column_[0] < 0 || column_[2] < 0) fail("the polar angles theta_i and theta_s are both needed");
     if (value_columns_.empty()) fail("VARS names no values");
     for (const int k : {1, 3}) {
@@ -97,6 +104,19 @@ class AstmReader {
     }
     table_.values.resize(table_.channels.size());
     table_.sigma.resize(table_.channels.size());
+  }
+
+  void find_sigma_columns() {
+    sigma_columns_.resize(table_.channels.size());
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      if (!names_[k].starts_with(kSigmaPrefix)) continue;
+      const auto channel = std::find(table_.channels.begin(), table_.channels.end(),
+                                     with_band_unit(names_[k].substr(kSigmaPrefix.size())));
+      if (channel == table_.channels.end()) fail("column " + shown(names_[k]) + " has no column of values");
+      std::optional<std::size_t>& column = sigma_columns_[std::size_t(channel - table_.channels.begin())];
+      if (column) fail("column " + shown(names_[k]) + " twice");
+      column = k;
+    }
   }
 
   void insert_missing_angle() {
@@ -125,8 +145,10 @@ class AstmReader {
     std::vector<double>* const angles[] = {&table_.theta_i, &table_.phi_i, &table_.theta_o, &table_.phi_o};
     for (std::size_t k = 0; k < 4; ++k)
       angles[k]->push_back(column_[k] < 0 ? 0.0 : number(static_cast<std::size_t>(column_[k])));
-    for (std::size_t c = 0; c < value_columns_.size(); ++c)
+    for (std::size_t c = 0; c < value_columns_.size(); ++c) {
       table_.values[c].push_back(number(value_columns_[c]));
+      if (sigma_columns_[c]) table_.sigma[c].push_back(number(*sigma_columns_[c]));
+    }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
   }
 
@@ -135,9 +157,10 @@ class AstmReader {
     double largest = 0;
     for (const auto* thetas : {&table_.theta_i, &table_.theta_o})
       for (const double theta : *thetas) largest = std::max(largest, std::abs(theta));
-    const bool is_radians = largest <= kRightAngle;
+    const bool is_radians = is_radians_.value_or(largest <= kRightAngle);
     const double scale = is_radians ? 180 / std::numbers::pi : 1.0;
-    table_.warnings.push_back(std::string("angles taken for ") + (is_radians ? "radians" : "degrees"));
+    const std::string unit = is_radians ? "radians" : "degrees";
+    if (!is_radians_) table_.warnings.push_back("angles taken for " + unit);
     for (std::size_t k = 0; k < table_.rows(); ++k) {
       table_.phi_i[k] = column_[1] < 0 ? 180.0 : table_.phi_i[k] * scale;
       table_.phi_o[k] = column_[3] < 0 ? 0.0 : table_.phi_o[k] * scale;
@@ -162,14 +185,17 @@ class AstmReader {
   std::vector<std::string> names_;
   std::vector<std::string_view> fields_;
   std::vector<std::size_t> value_columns_;
+  std::vector<std::optional<std::size_t>> sigma_columns_;  // [channel]
+  std::optional<bool> is_radians_;                         // where the file says so
   int column_[4] = {-1, -1, -1, -1};
   bool is_laid_out_ = false;
 };
 
 }  // namespace
 
+constexpr std::size_t kLongestHeader = 1000;  // lines
+
 bool recognises(const Content& text) {
-  constexpr std::size_t kLongestHeader = 1000;  // lines
   LineReader reader(text);
   std::string_view line;
   while (reader.line() < kLongestHeader && reader.next(line)) {
@@ -182,6 +208,63 @@ bool recognises(const Content& text) {
 
 SampleTable read(const Content& text) {
   return AstmReader(text).read();
+}
+
+namespace {
+
+// Whether a comment is a keyword's line that is read back as it is, and not as something else.
+bool is_keyword(const Comment& comment) {
+  const auto& [key, value] = comment;
+  return !key.empty() && key.find_first_of(" \t#{\"") == key.npos && key != kKeyword && key != kUnit &&
+         !key.starts_with(kAngles[0]) && key != kQuantityKey && printable(key + value) == key + value;
+}
+
+// Rows in degrees, as the table has them.
+void append_rows(const SampleTable& table, std::string& text) {
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    for (const double angle : {table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]}) {
+      append_number(text, angle);
+      text += ',';
+    }
+    for (const auto* columns : {&table.values, &table.sigma})
+      for (const std::vector<double>& column : *columns) {
+        if (column.empty()) continue;
+        append_number(text, column[k]);
+        text += ',';
+      }
+    text.back() = '\n';
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table) {
+  check_table(table);
+  if (table.rows() == 0) throw InputError(table.name() + ": holds no rows");
+  std::string text;
+  (text += kUnit) += " degrees\n";
+  std::size_t lost = 0, lines = 2;
+  for (const Comment& comment : table.metadata) {
+    if (is_keyword(comment) && lines++ < kLongestHeader)
+      text += comment.first + " \"" + comment.second + "\"\n";
+    else
+      ++lost;
+  }
+  text += kKeyword;
+  text += ' ';
+  for (const std::string_view angle : kAngles) (text += angle) += ',';
+  for (const std::string& channel : table.channels) {
+    if (std::find(std::begin(kAngles), std::end(kAngles), channel) != std::end(kAngles))
+      throw InputError(table.name() + ": channel " + shown(channel) + " is an angle's name in ASTM E1392");
+    (text += channel) += ',';
+  }
+  for (std::size_t c = 0; c < table.channels.size(); ++c)
+    if (table.has_sigma(c)) ((text += kSigmaPrefix) += table.channels[c]) += ',';
+  text.back() = '\n';
+  append_rows(table, text);
+  write_file_atomically(path, text);
+  if (lost == 0) return {};
+  return {std::to_string(lost) + " comments that are no keyword with a value"};
 }
 
 }  // namespace brdf::io::astm

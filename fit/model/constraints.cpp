@@ -1,6 +1,7 @@
 #include "fit/model/constraints.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "io/error.h"
@@ -38,8 +39,12 @@ bool all_diffuse(const ReflectanceInfo& info) {
 
 class Resolver {
  public:
-  Resolver(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options)
-      : forms_(forms), channels_(channels), options_(options) {
+  Resolver(std::span<const Reflectance> forms, std::span<const std::string> channels,
+           const FitOptions& options)
+      : forms_(forms),
+        names_(channels.begin(), channels.end()),
+        channels_(channels.size()),
+        options_(options) {
     for (const Reflectance& form : forms) add_term(form.info());
     out_.tangent.low = kTangentInfo.min;
     out_.tangent.high = kTangentInfo.max;
@@ -125,7 +130,25 @@ class Resolver {
     if (!effective) given.refuse(reason.empty() ? name_of_sum(forms_) + " has no such parameter" : reason);
   }
 
+  // What a table of refractive indices says of a parameter: one value per channel, or where a shape has one value for all
+  // the mean.
+  NamedValues from_constants(const Given& given, const Target& target, const NamedValues& said) const {
+    const Role role = target.info->role;
+    if (role != Role::f0 && role != Role::index && role != Role::extinction)
+      given.refuse("a table of refractive indices tells f0, n and k, and this is none of them");
+    NamedValues out{said.name, {}};
+    if (role == Role::f0)
+      out.values = said.constants->reflectances(names_);
+    else
+      for (const io::Index& index : said.constants->indices(names_))
+        out.values.push_back(role == Role::index ? index.n : index.k);
+    if (!target.per_channel || target.constraint->tied)
+      out.values = {std::accumulate(out.values.begin(), out.values.end(), 0.0) / double(channels_)};
+    return out;
+  }
+
   void set(const Given& given, const Target& target, const NamedValues& said) {
+    if (said.constants) return set(given, target, from_constants(given, target, said));
     if (said.values.size() != 1 && said.values.size() != channels_)
       given.refuse(std::to_string(said.values.size()) + " values for " + std::to_string(channels_) +
                    " channels");
@@ -162,6 +185,7 @@ class Resolver {
   }
 
   std::span<const Reflectance> forms_;
+  std::vector<std::string> names_;
   std::size_t channels_;
   const FitOptions& options_;
   Constraints out_;
@@ -170,7 +194,8 @@ class Resolver {
 
 }  // namespace
 
-Constraints resolve(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options) {
+Constraints resolve(std::span<const Reflectance> forms, std::span<const std::string> channels,
+                    const FitOptions& options) {
   return Resolver(forms, channels, options).run();
 }
 

@@ -48,9 +48,10 @@ struct Constraints {
 };
 
 // Of a sum of forms. A name may stand for several parameters: "kd" for every term's, "terms[1].kd" for one's, and
-// what the two widths of a form are called together ("alpha") for both. Throws InputError on names that none has,
+// what the two widths of a form are called together ("alpha") for both. Tables of refractive indices are asked for the channels. Throws InputError on names that none has,
 // values out of range or in the wrong number, and on what has no effect.
-Constraints resolve(std::span<const Reflectance> forms, std::size_t channels, const FitOptions& options);
+Constraints resolve(std::span<const Reflectance> forms, std::span<const std::string> channels,
+                    const FitOptions& options);
 
 // "ward", "oren_nayar+ward".
 std::string name_of_sum(std::span<const Reflectance> forms);

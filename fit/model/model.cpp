@@ -12,7 +12,7 @@ Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, 
     : name_(name_of_sum(forms)), channels_(std::move(channels)) {
   groups_ = options.per_channel ? channels_.size() : 1;
   for (const Reflectance& form : forms) add_term(form);
-  constraints_ = resolve(forms, channels_.size(), options);
+  constraints_ = resolve(forms, channels_, options);
   normal_start_ = options.normal;
   add_shape_slots(options.anisotropic);
   if (NaturalWeights::asked_for(constraints_, options.physical))

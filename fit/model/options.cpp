@@ -1,6 +1,7 @@
 #include "fit/model/options.h"
 
 #include "io/relative_scale.h"
+#include "io/text.h"
 
 namespace brdf::fit {
 
@@ -8,6 +9,19 @@ io::SampleTable arranged(io::SampleTable table, const FitOptions& options) {
   io::arrange(table, options.arrangement);
   if (options.free_scale) io::make_relative(table);
   return table;
+}
+
+std::string constants_text(const FitOptions& options) {
+  std::string text;
+  for (const auto* all : {&options.fix, &options.start})
+    for (const NamedValues& named : *all)
+      for (std::size_t k = 0; named.constants && k < named.constants->nm.size(); ++k)
+        for (const double x :
+             {named.constants->nm[k], named.constants->index[k].n, named.constants->index[k].k}) {
+          io::append_number(text, x);
+          text += ' ';
+        }
+  return text;
 }
 
 }  // namespace brdf::fit

@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "brdf/names.h"
 #include "io/arrange.h"
+#include "io/optical_constants.h"
 
 namespace brdf::fit {
 
@@ -54,10 +56,12 @@ inline constexpr std::array<std::string_view, 4> kNames<fit::Weighting>{"auto", 
 
 namespace brdf::fit {
 
-// One parameter's value, or range, for all channels or one per channel.
+// One parameter's value for all channels or one per channel; or what a table of refractive indices says of it in every
+// channel: the reflectance along the normal of f0, else n or k (by the parameter's role).
 struct NamedValues {
   std::string name;
   std::vector<double> values;
+  std::shared_ptr<const io::OpticalConstants> constants = nullptr;
 };
 struct NamedRange {
   std::string name;
@@ -99,5 +103,8 @@ struct FitOptions {
 // The table that is fitted: polarisations and repeats as the options ask, divided by a scale where that is free.
 // Throws InputError as io::arrange and io::make_relative do.
 io::SampleTable arranged(io::SampleTable table, const FitOptions& options);
+
+// What the tables of refractive indices hold that the options name, for fingerprints; empty where there are none.
+std::string constants_text(const FitOptions& options);
 
 }  // namespace brdf::fit

@@ -173,7 +173,8 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
 
     samples: a Table or a file. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
     cosine_l2, cube_root, log_relative. weights: auto, uniform, sigma, solid_angle. robust: "huber" or "cauchy", with
-    ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel. bounds: {"alpha": (low, high)}.
+    ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel, or of f0 (n, k) a
+    file: a table of refractive indices, "gold.yml". bounds: {"alpha": (low, high)}.
     tie: names of parameters with one value for all channels. polarisation, repeats: what is made of polarised channels
     and of repeated directions, as in `convert`. max_theta, aperture: degrees. starts: random starts besides
     the grid, of `seed`.

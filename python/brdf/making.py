@@ -35,8 +35,8 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
 
 def convert(source: Path | Table | Material, output: Path, *, polarisation: str = "keep",
             repeats: str = "keep") -> list[str]:
-    """Writes samples in another format: .csv, .binary (MERL) or .exr (`brdf convert`); of a material its values at the
-    MERL cells. Returns what is lost, a phrase each.
+    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`); of a material its
+    values at the MERL cells. Returns what is lost, a phrase each.
 
     polarisation: what is made of channels whose names say one (fr_s, 465nm p): keep, average, s, p, ss, sp, ps, pp.
     repeats: keep a row for each, or average directions that were measured more than once.

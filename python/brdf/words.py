@@ -15,7 +15,7 @@ from ._brdf import InputError
 Path = Union[str, bytes, "os.PathLike[str]"]
 Floats = NDArray[np.floating[Any]]
 Values = Union[float, Iterable[float], Floats]
-Settings = Mapping[str, Values]
+Settings = Mapping[str, Union[Values, str]]
 
 SEEDS = 2**64 - 1  # the largest
 
@@ -75,7 +75,8 @@ def setting(name: str, values: Values) -> str:
 
 
 def settings(values: Settings | None) -> list[str]:
-    return [setting(name, value) for name, value in (values or {}).items()]
+    return [f"{name}={value}" if isinstance(value, str) else setting(name, value)
+            for name, value in (values or {}).items()]
 
 
 def ranges(values: Mapping[str, tuple[float, float]] | None) -> list[str]:

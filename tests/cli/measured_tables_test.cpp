@@ -60,6 +60,38 @@ TEST_F(MeasuredTables, PolarisedAndRepeatedRowsBecomeWhatIsAskedFor) {
   }
 }
 
+TEST_F(MeasuredTables, StartFromATableOfRefractiveIndices) {
+  ASSERT_EQ(run("synth --form cook_torrance --set f0=0.9 --grid in_plane -o s.csv").exit_code, 0);
+  io::SampleTable table = read("s.csv");
+  table.channels = {"550nm"};
+  write("s.csv", table);
+  std::ofstream(folder_.path() / "nk.csv") << "wavelength (nm),n,k\n500,0.2,3\n600,0.1,3.5\n";
+  const Outcome held = run("fit s.csv --form cook_torrance --fix f0=nk.csv --json");
+  EXPECT_LE(held.exit_code, 1) << held.err;
+  const io::Json f0 = io::Json::parse(held.out)["ranking"][0]["material"]["weights"]["f0"];
+  EXPECT_NEAR((f0.is_array() ? f0[0] : f0).get<double>(),
+              (.85 * .85 + 3.25 * 3.25) / (1.15 * 1.15 + 3.25 * 3.25), 1e-12);
+  EXPECT_EQ(run("fit s.csv --form cook_torrance --start f0=nk.csv").exit_code, 0);
+  for (const auto& [option, said] :
+       {std::pair{"--start f0=none.yml", "none.yml is neither a number nor a file"},
+        std::pair{"--start kd=nk.csv", "tells f0, n and k, and this is none of them"},
+        std::pair{"--start f0=s.csv", "s.csv, line "}}) {
+    const Outcome refused = run(std::string("fit s.csv --form cook_torrance ") + option);
+    EXPECT_EQ(refused.exit_code, 2) << option;
+    EXPECT_THAT(refused.err, HasSubstr(said));
+  }
+}
+
+TEST_F(MeasuredTables, AreWrittenInOtherProgramsFormats) {
+  ASSERT_EQ(run("synth --form ward --grid in_plane -o s.csv").exit_code, 0);
+  EXPECT_EQ(run("convert s.csv s.astm").exit_code, 0);
+  EXPECT_EQ(read("s.astm").values, read("s.csv").values);
+  const Outcome lens = run("convert s.csv s.zemax");
+  EXPECT_EQ(lens.exit_code, 0) << lens.err;
+  EXPECT_EQ(read("s.zemax").rows(), read("s.csv").rows());
+  EXPECT_EQ(run("convert s.csv s.bsdf").exit_code, 2);
+}
+
 TEST_F(MeasuredTables, AreExportedAsATableAndNotAsAShader) {
   ASSERT_EQ(run("synth --form ward --set kd=0.3,0.2,0.1 --grid hemisphere -o s.csv").exit_code, 0);
   const Outcome shader = run("export --measured s.csv --to glsl -o m.glsl");

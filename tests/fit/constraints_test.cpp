@@ -48,6 +48,27 @@ TEST(Constraints, OfTheWidthAcrossNeedTwoWidths) {
   EXPECT_EQ(refusal({"ward"}, fixing({{"alpha", {0.1}}})), "");
 }
 
+TEST(Constraints, MayComeFromATableOfRefractiveIndices) {
+  const auto glass = std::make_shared<io::OpticalConstants>(
+      io::OpticalConstants{"glass.yml", {400, 600, 700}, {{1.5, 0}, {1.7, 0}, {2, 1}}});
+  const std::vector<std::string> bands{"400nm", "500nm", "700nm"};
+  const Model lobe(forms({"cook_torrance"}), bands, starting({{"f0", {}, glass}}));
+  const std::vector<double>& start = lobe.constraints().terms[0].weights[2].start;
+  ASSERT_EQ(start.size(), 3u);
+  EXPECT_NEAR(start[0], .04, 1e-15);
+  EXPECT_NEAR(start[1], .36 / 6.76, 1e-15);
+  EXPECT_NEAR(start[2], .2, 1e-15);
+  const Model dielectric(forms({"cook_torrance_dielectric"}), bands, fixing({{"eta", {}, glass}}));
+  const int eta = parameter_index(dielectric.terms()[0].info->shape, Role::index);
+  ASSERT_GE(eta, 0);
+  EXPECT_NEAR(dielectric.constraints().terms[0].shape[std::size_t(eta)].fixed[0], (1.5 + 1.6 + 2) / 3, 1e-15);
+  EXPECT_THAT(
+      refusal({"ward"}, starting({{"kd", {}, glass}})),
+      HasSubstr("--start kd: a table of refractive indices tells f0, n and k, and this is none of them"));
+  EXPECT_THAT(refusal({"cook_torrance_dielectric"}, starting({{"eta", {}, glass}})),
+              HasSubstr("glass.yml: channel 'r' is not named by a wavelength"));
+}
+
 TEST(Constraints, OfTheAzimuthNeedTwoWidths) {
   EXPECT_THAT(refusal({"ward"}, fixing({{"tangent_phi", {30}}})),
               HasSubstr("--fix tangent_phi: has an effect only with --anisotropic"));
