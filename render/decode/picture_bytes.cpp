@@ -1,6 +1,7 @@
 #include "render/decode/picture_bytes.h"
 
 #include <Iex.h>
+#include <ImfVersion.h>
 #include <stb_image.h>
 
 #include <algorithm>
@@ -82,6 +83,10 @@ std::optional<PictureSize> picture_size(const io::Content& content) {
 bool is_radiance(const io::Content& content) {
   Source source(content.bytes);
   return stbi_is_hdr_from_callbacks(&kCalls, &source) != 0;
+}
+
+bool is_exr(const io::Content& content) {
+  return content.bytes.size() >= 4 && Imf::isImfMagic(content.bytes.data());
 }
 
 Pixels<unsigned char> decoded_bytes(const io::Content& content, int channels, const std::string& fault) {

@@ -32,6 +32,7 @@ struct PictureSize {
 // Of PNG, JPEG, BMP, TGA or Radiance, as its header says; nothing where it is none.
 std::optional<PictureSize> picture_size(const io::Content& content);
 bool is_radiance(const io::Content& content);
+bool is_exr(const io::Content& content);
 
 // Rows from the top, `channels` values a pixel.
 template <class Value>

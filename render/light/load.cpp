@@ -57,7 +57,7 @@ Radiances read_exr_pixels(const io::Content& content) {
 
 Radiances read_hdr_pixels(const io::Content& content) {
   const auto size = picture_size(content);
-  if (!is_radiance(content) || !size) throw InputError(content.name + ": is no Radiance picture (.hdr)");
+  if (!size) throw InputError(content.name + ": is no Radiance picture that can be read: it has no size");
   require_size(size->width, size->height, content.name);
   const Pixels<float> pixels = decoded_radiance(content, 3, "is no Radiance picture that can be read");
   Radiances out{pixels.size.width, pixels.size.height, {}};
@@ -73,11 +73,11 @@ LightMap load_light_map(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError(file.string() + ": no such file; an environment is a .hdr or .exr picture, or one of " +
                      known_names<Formula>());
-  const std::string suffix = file.extension().string();
-  if (suffix != ".hdr" && suffix != ".exr")
-    throw InputError(file.string() + ": is neither a .hdr nor an .exr picture");
   const io::Content content = io::read_content(file);
-  const Radiances pixels = suffix == ".exr" ? read_exr_pixels(content) : read_hdr_pixels(content);
+  const bool is_open_exr = is_exr(content);
+  if (!is_open_exr && !is_radiance(content))
+    throw InputError(file.string() + ": is neither a Radiance picture (.hdr) nor an OpenEXR one (.exr)");
+  const Radiances pixels = is_open_exr ? read_exr_pixels(content) : read_hdr_pixels(content);
   for (std::size_t k = 0; k < pixels.values.size(); ++k) {
     for (int c = 0; c < 3; ++c) {
       const float value = pixels.values[k][c];

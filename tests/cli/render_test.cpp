@@ -127,7 +127,8 @@ TEST_F(RenderCli, AnEnvironmentLightsAMaterialAlone) {
 
 TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
   write("text.hdr", "text");
-  expect_refused("render m.json --environment text.hdr -o x.png", 2, "text.hdr: is no Radiance picture");
+  expect_refused("render m.json --environment text.hdr -o x.png", 2,
+                 "text.hdr: is neither a Radiance picture (.hdr) nor an OpenEXR one");
   expect_refused("render m.json --environment none.exr -o x.png", 2, "none.exr: no such file");
   expect_refused("render m.json --environment dusk -o x.png", 2, "dusk: no such file");
   expect_refused("render m.json --hard-light --rotate 30 -o x.png", 2, "--rotate turns an environment");

@@ -154,15 +154,29 @@ TEST(LightMap, ReadsRadianceAndOpenExrPictures) {
   EXPECT_NE(refusal(exr).find("the pixel (0, 1) has the value -1"), std::string::npos) << refusal(exr);
 }
 
+TEST(LightMap, GoesByTheContentNotByTheName) {
+  const TemporaryFolder folder;
+  const std::filesystem::path exr = folder.path() / "a.exr", named_hdr = folder.path() / "b.hdr",
+                              hdr = folder.path() / "c";
+  Picture picture(2, 3);
+  picture.at(1, 2) = {1, 2, 3, 1};
+  write_exr(exr, {{"", &picture, true}});
+  std::filesystem::rename(exr, named_hdr);
+  EXPECT_EQ(glm::vec3(load_light_map(named_hdr).texel(1, 2)), glm::vec3(1, 2, 3));
+  std::ofstream(hdr, std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n"
+                                       << std::string("\x80\x40\x20\x81\x80\x80\x80\x88", 8);
+  EXPECT_NEAR(load_light_map(hdr).texel(0, 0).r, 1, 0.01);
+}
+
 TEST(LightMap, RefusesWhatIsNoPicture) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "a.exr", other = folder.path() / "a.png";
   EXPECT_NE(refusal(file).find("no such file; an environment is a .hdr"), std::string::npos);
   std::ofstream(file) << "text";
-  EXPECT_NE(refusal(file).find("no OpenEXR picture"), std::string::npos) << refusal(file);
-  std::ofstream(other) << "text";
-  EXPECT_NE(refusal(other).find("neither a .hdr nor"), std::string::npos) << refusal(other);
-  std::ofstream(folder.path() / "a.hdr") << "text";
+  EXPECT_NE(refusal(file).find("neither a Radiance picture (.hdr) nor"), std::string::npos) << refusal(file);
+  std::ofstream(other, std::ios::binary) << "\x76\x2f\x31\x01 and no more";
+  EXPECT_NE(refusal(other).find("no OpenEXR picture that can be read"), std::string::npos) << refusal(other);
+  std::ofstream(folder.path() / "a.hdr") << "#?RADIANCE\nand no more\n";
   EXPECT_NE(refusal(folder.path() / "a.hdr").find("no Radiance picture"), std::string::npos);
   std::ofstream(folder.path() / "cut.hdr", std::ios::binary)
       << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x80\x80\x80";
