@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "brdf/targets.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/info_json.h"
@@ -44,6 +45,8 @@ void print_list() {
     for (const Reflectance& form : family) print_line(out, info(form));
     separator = "\n";
   }
+  out << "\nother programs' models (targets of fits and exports; not in --form all)\n";
+  for (const Reflectance& target : targets()) print_line(out, info(target));
 }
 
 void print_form(const ReflectanceInfo& form) {
@@ -62,6 +65,12 @@ void print_form(const ReflectanceInfo& form) {
         << io::to_text(v.value) << " at " << io::to_text(v.theta) << " degrees)\n";
 }
 
+io::Json list_json(std::span<const Reflectance> forms) {
+  io::Json list = io::Json::array();
+  for (const Reflectance& form : forms) list.push_back(io::to_json(info(form)));
+  return list;
+}
+
 }  // namespace
 
 void add_models(CLI::App& app) {
@@ -78,20 +87,18 @@ void add_models(CLI::App& app) {
       "Examples: brdf models ward\n"
       "          brdf models --json");
   on_run(*verb, [options] {
-    std::vector<ReflectanceInfo> forms;
-    if (!options->form.empty())
-      forms.push_back(info(io::require_form(options->form)));
-    else
-      for (const Reflectance& form : catalogue()) forms.push_back(info(form));
+    const bool all = options->form.empty();
+    std::vector<Reflectance> forms(catalogue().begin(), catalogue().end());
+    if (!all) forms = {io::require_form(options->form)};
     if (options->json) {
       io::Json json;
-      json["forms"] = io::Json::array();
-      for (const ReflectanceInfo& form : forms) json["forms"].push_back(io::to_json(form));
+      json["forms"] = list_json(forms);
+      if (all) json["targets"] = list_json(targets());
       std::cout << io::to_text(json);
-    } else if (options->form.empty()) {
+    } else if (all) {
       print_list();
     } else {
-      print_form(forms[0]);
+      print_form(info(forms[0]));
     }
     return Exit::good;
   });

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "brdf/reflectance.h"
+#include "brdf/targets.h"
 
 namespace brdf::cli {
 namespace {
@@ -69,14 +69,16 @@ Value value_of(const CLI::Option& option) {
 std::vector<std::string> names_for(Value value) {
   if (value == Value::parameter) {
     std::set<std::string> names;
-    for (const Reflectance& form : catalogue())
-      for (const auto table : {info(form).weights, info(form).shape})
-        for (const ParameterInfo& p : table) names.insert(std::string(p.name) + "=");
+    for (const auto list : {catalogue(), targets()})
+      for (const Reflectance& form : list)
+        for (const auto table : {info(form).weights, info(form).shape})
+          for (const ParameterInfo& p : table) names.insert(std::string(p.name) + "=");
     return {names.begin(), names.end()};
   }
   if (value != Value::form) return {};
   std::vector<std::string> names;
-  for (const Reflectance& form : catalogue()) names.emplace_back(info(form).name);
+  for (const auto list : {catalogue(), targets()})
+    for (const Reflectance& form : list) names.emplace_back(info(form).name);
   return names;
 }
 

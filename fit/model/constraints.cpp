@@ -37,6 +37,12 @@ bool all_diffuse(const ReflectanceInfo& info) {
                      [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
+// As the table has it: a range of one value is held there.
+Constraint constraint_of(const ParameterInfo& p) {
+  if (p.min < p.max) return {{}, {}, p.min, p.max, false, {}};
+  return {{p.min}, {}, p.min, p.max, false, "has one value only, " + io::to_text(p.min)};
+}
+
 class Resolver {
  public:
   Resolver(std::span<const Reflectance> forms, std::span<const std::string> channels,
@@ -66,8 +72,8 @@ class Resolver {
  private:
   void add_term(const ReflectanceInfo& info) {
     TermConstraints term;
-    for (const ParameterInfo& p : info.shape) term.shape.push_back({{}, {}, p.min, p.max, false, {}});
-    for (const ParameterInfo& p : info.weights) term.weights.push_back({{}, {}, p.min, p.max, false, {}});
+    for (const ParameterInfo& p : info.shape) term.shape.push_back(constraint_of(p));
+    for (const ParameterInfo& p : info.weights) term.weights.push_back(constraint_of(p));
     if (info.anisotropic() && !options_.anisotropic)
       term.shape[std::size_t(info.axes().across)].idle =
           "has an effect only with --anisotropic: without it, it equals " +

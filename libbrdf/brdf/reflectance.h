@@ -214,7 +214,7 @@ inline const ReflectanceInfo& info(const Reflectance& reflectance) {
 std::span<const Reflectance> catalogue();
 // Forms in their order, one group per family.
 std::vector<std::vector<Reflectance>> families(std::span<const Reflectance> forms = catalogue());
-// A form of the catalogue by its name.
+// A form of the catalogue, or a target (brdf/targets.h), by its name.
 std::optional<Reflectance> find_form(std::string_view name);
 // The first form of the catalogue of whose info that is true.
 template <class Is>

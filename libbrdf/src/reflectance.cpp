@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brdf/samplers.h"
+#include "brdf/targets.h"
 
 namespace brdf {
 namespace {
@@ -118,8 +119,9 @@ std::string ReflectanceModel::glsl_sampler(const GlslOptions&) const {
 }
 
 std::optional<Reflectance> find_form(std::string_view name) {
-  for (const Reflectance& form : catalogue())
-    if (form.info().name == name) return form;
+  for (const std::span<const Reflectance> list : {catalogue(), targets()})
+    for (const Reflectance& form : list)
+      if (form.info().name == name) return form;
   return std::nullopt;
 }
 

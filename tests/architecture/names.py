@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "render", "micro", "trade", "cli", "docs", "bench", "python")
-FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
+FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/targets/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {
     "trade/questions/": "the trade's questions",
     "bench/": "measured examples",

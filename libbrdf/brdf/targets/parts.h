@@ -1,0 +1,88 @@
+// What targets share: parameter sets, and the masking and the diffuse term that none of our forms has.
+#pragma once
+
+#include "brdf/form.h"
+#include "brdf/forms/cook_torrance.h"
+#include "brdf/fresnel.h"
+#include "brdf/microfacet.h"
+
+namespace brdf {
+
+// Smith's masking and shadowing as a product, G1(wi) G1(wo), for GGX: Walter et al. 2007 eq. 23 and 34. With
+// G1 = 2 c/(c + l), l the stretched length, V = G/(4 cos_i cos_o) is 1/((cos_i + l_i)(cos_o + l_o)).
+template <class S, class G>
+Fraction<S> v_separable_ggx(const Roughness<S>& a, const Geometry<G>& g) {
+  return {S(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
+}
+
+// (1 - c)^5
+template <class G>
+G schlick_weight(const G& c) {
+  const G x = at_least(G(1) - c, G(0));
+  return square(square(x)) * x;
+}
+
+// Burley 2012 (course notes, 5.3) as Cycles and Mitsuba split it, times pi and over the base colour:
+// (1 - Fi/2)(1 - Fo/2) + R (Fi + Fo + Fi Fo (R - 1)), R = 2 roughness cos_d^2, roughness^4 = alpha_x alpha_y.
+template <class S, class G>
+S burley_diffuse(const Roughness<S>& a, const Geometry<G>& g) {
+  const G fi = schlick_weight(g.cos_i), fo = schlick_weight(g.cos_o), both = fi * fo;
+  const S r = math::sqrt(math::sqrt(a.alpha_x * a.alpha_y)) * (G(0.5) * g.h2);
+  return (G(1) - G(0.5) * fi) * (G(1) - G(0.5) * fo) + r * (fi + fo + both * (r - S(1)));
+}
+
+// ((eta - 1)/(eta + 1))^2
+template <class S>
+S f0_of_index(const S& eta) {
+  return square((eta - S(1)) / (eta + S(1)));
+}
+
+// Of models with one colour: what it does not scale has the weight 1 and no other.
+template <class T>
+struct BaseColour {
+  T base_color, rest;
+  static constexpr auto fields() {
+    return std::array{Field{&BaseColour::base_color, ParameterInfo{"base_color", 0, 1, 0.5, 1, "", false,
+                                                                   "the material's one colour", Role::diffuse}},
+                      Field{&BaseColour::rest, ParameterInfo{"rest", 1, 1, 1, 1, "", false,
+                                                             "weight of what has no colour: always 1"}}};
+  }
+  constexpr std::array<T, 2> linear() const { return {base_color, rest}; }
+  static constexpr BaseColour from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }
+};
+
+// The dielectric part of principled models.
+inline constexpr ParameterInfo kPrincipledIndexInfo{
+    "eta", 1, 3, 1.5, 2, "", false, "relative index of refraction of the dielectric part", Role::index};
+
+template <class T>
+struct Principled {
+  T alpha_x, alpha_y, metallic, eta;
+  static constexpr auto fields() {
+    return std::array{Field{&Principled::alpha_x, kAlongInfo}, Field{&Principled::alpha_y, kAcrossInfo},
+                      Field{&Principled::metallic, kMetallicInfo},
+                      Field{&Principled::eta, kPrincipledIndexInfo}};
+  }
+  Roughness<T> widths() const { return {alpha_x, alpha_y}; }
+};
+
+template <class T>
+struct RoughConductor {
+  T alpha_x, alpha_y, n, k;
+  static constexpr auto fields() {
+    return std::array{
+        Field{&RoughConductor::alpha_x, kAlongInfo}, Field{&RoughConductor::alpha_y, kAcrossInfo},
+        Field{&RoughConductor::n,
+              ParameterInfo{"n", 0, 20, 1, 5, "", false, "index of refraction", Role::index}},
+        Field{&RoughConductor::k,
+              ParameterInfo{"k", 0, 20, 3, 10, "", false, "extinction coefficient", Role::extinction}}};
+  }
+  Roughness<T> widths() const { return {alpha_x, alpha_y}; }
+};
+
+template <class S, class G>
+S fresnel_of(const RoughConductor<S>& shape, const Geometry<G>& g) {
+  return fresnel_conductor(shape.n, shape.k, S(at_most(g.cos_d, G(1))));
+}
+
+}  // namespace brdf

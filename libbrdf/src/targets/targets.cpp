@@ -1,0 +1,19 @@
+#include "brdf/targets.h"
+
+#include <vector>
+
+#include "brdf/targets/blender.h"
+#include "brdf/targets/gltf.h"
+#include "brdf/targets/mitsuba.h"
+#include "brdf/targets/pbrt.h"
+
+namespace brdf {
+
+std::span<const Reflectance> targets() {
+  static const std::vector<Reflectance> all{blender_glossy{},         blender_principled{}, blender_metallic{},
+                                            mitsuba_roughconductor{}, mitsuba_principled{}, pbrt_conductor{},
+                                            gltf_metallic_roughness{}};
+  return all;
+}
+
+}  // namespace brdf

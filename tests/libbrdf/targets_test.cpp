@@ -1,0 +1,195 @@
+// Targets against the lines of their sources, entered here a second time: normalised half vectors, tangents and
+// complex numbers as those programs have them, and none of libbrdf's factors.
+#include "brdf/targets.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <map>
+
+#include "brdf/directions.h"
+#include "brdf/material.h"
+#include "brdf/random.h"
+
+namespace brdf {
+namespace {
+
+// One pair of directions and one channel's parameters by name, as a renderer's shader sees them.
+struct Hit {
+  Vec3<double> l, v, h;
+  std::map<std::string, double, std::less<>> p;
+  double operator[](std::string_view name) const { return p.find(name)->second; }
+  double l_h() const { return dot(l, h); }
+};
+
+double pow5(double x) {
+  return x * x * x * x * x;
+}
+double pi() {
+  return std::acos(-1.0);
+}
+
+// bsdf_microfacet.h: bsdf_D, anisotropic; microfacet.h of pbrt and Mitsuba have the same in other words.
+double d_of_slopes(const Hit& c) {
+  const double x = c.h.x / (c.h.z * c["alpha_x"]), y = c.h.y / (c.h.z * c["alpha_y"]), cos2 = c.h.z * c.h.z;
+  const double t = 1 + x * x + y * y;
+  return 1 / (pi() * c["alpha_x"] * c["alpha_y"] * cos2 * cos2 * t * t);
+}
+double alpha_tan2(const Hit& c, const Vec3<double>& w) {
+  return (std::pow(c["alpha_x"] * w.x, 2) + std::pow(c["alpha_y"] * w.y, 2)) / (w.z * w.z);
+}
+// bsdf_microfacet.h: bsdf_G1_from_sqr_alpha_tan_n; Mitsuba's smith_g1.
+double g1(const Hit& c, const Vec3<double>& w) {
+  return 2 / (1 + std::sqrt(1 + alpha_tan2(c, w)));
+}
+double separable(const Hit& c) {
+  return d_of_slopes(c) * g1(c, c.l) * g1(c, c.v) / (4 * c.l.z * c.v.z);
+}
+// scattering.h: TrowbridgeReitzDistribution::Lambda and G; Cycles from 3.5 on.
+double lambda(const Hit& c, const Vec3<double>& w) {
+  return (std::sqrt(1 + alpha_tan2(c, w)) - 1) / 2;
+}
+double correlated(const Hit& c) {
+  return d_of_slopes(c) / (1 + lambda(c, c.l) + lambda(c, c.v)) / (4 * c.l.z * c.v.z);
+}
+
+// bsdf_util.h: fresnel_dielectric_cos.
+double cycles_fresnel(double c, double eta) {
+  const double g = std::sqrt(eta * eta - 1 + c * c), a = (g - c) / (g + c);
+  const double b = (c * (g + c) - 1) / (c * (g - c) + 1);
+  return 0.5 * a * a * (1 + b * b);
+}
+// fresnel.h: fresnel, by the cosine of refraction.
+double mitsuba_fresnel(double c, double eta) {
+  const double cos_t = std::sqrt(1 - (1 - c * c) / (eta * eta));
+  const double s = (c - eta * cos_t) / (c + eta * cos_t), p = (cos_t - eta * c) / (cos_t + eta * c);
+  return 0.5 * (s * s + p * p);
+}
+// scattering.h: FrComplex.
+double pbrt_fresnel(double c, std::complex<double> eta) {
+  const std::complex<double> cos_t = std::sqrt(1.0 - (1 - c * c) / (eta * eta));
+  return 0.5 * (std::norm((eta * c - cos_t) / (eta * c + cos_t)) +
+                std::norm((c - eta * cos_t) / (c + eta * cos_t)));
+}
+// fresnel.h: fresnel_conductor.
+double mitsuba_conductor(double c, double n, double k) {
+  const double cos2 = c * c, sin2 = 1 - cos2, t = n * n - k * k - sin2;
+  const double a2b2 = std::sqrt(t * t + 4 * n * n * k * k), a = std::sqrt(0.5 * (a2b2 + t));
+  const double rs = (a2b2 + cos2 - 2 * c * a) / (a2b2 + cos2 + 2 * c * a);
+  const double u = a2b2 * cos2 + sin2 * sin2, w = 2 * c * a * sin2;
+  return 0.5 * (rs + rs * (u - w) / (u + w));
+}
+
+// bsdf_principled_diffuse.h (LH2 = L.V + 1); Mitsuba's principled.cpp has 2 cos_d^2 for it.
+double disney_diffuse(const Hit& c) {
+  const double fl = pow5(1 - c.l.z), fv = pow5(1 - c.v.z);
+  const double roughness = std::pow(c["alpha_x"] * c["alpha_y"], 0.25);
+  const double rr = roughness * (dot(c.l, c.v) + 1);
+  return (1 - 0.5 * fv) * (1 - 0.5 * fl) + rr * (fl + fv + fl * fv * (rr - 1));
+}
+
+double blender_principled(const Hit& c) {
+  const double specular = std::pow((c["eta"] - 1) / (c["eta"] + 1), 2) / 0.08;
+  const double ior = 2 / (1 - std::sqrt(0.08 * specular)) - 1, m = c["metallic"], base = c["base_color"];
+  const double cspec0 = specular * 0.08 * (1 - m) + base * m, f0 = cycles_fresnel(1, ior);
+  const double fh = (cycles_fresnel(c.l_h(), ior) - f0) / (1 - f0);
+  return base * (1 - m) * disney_diffuse(c) / pi() + (cspec0 * (1 - fh) + fh) * separable(c);
+}
+double mitsuba_principled(const Hit& c) {
+  const double m = c["metallic"], base = c["base_color"], rise = pow5(1 - c.l_h());
+  const double f = (1 - m) * mitsuba_fresnel(c.l_h(), c["eta"]) + m * (base * (1 - rise) + rise);
+  return base * (1 - m) * disney_diffuse(c) / pi() + f * separable(c);
+}
+// Specification.adoc, appendix B; KHR_materials_anisotropy writes D and V with vectors.
+double gltf(const Hit& c) {
+  const double at = c["alpha_x"], ab = c["alpha_y"], a2 = at * ab;
+  const double w2 = a2 / (std::pow(ab * c.h.x, 2) + std::pow(at * c.h.y, 2) + std::pow(a2 * c.h.z, 2));
+  const auto length = [&](const Vec3<double>& w) { return std::hypot(at * w.x, ab * w.y, w.z); };
+  const double lobe = a2 * w2 * w2 / pi() * 0.5 / (c.l.z * length(c.v) + c.v.z * length(c.l));
+  const double base = c["base_color"], rise = pow5(1 - c.l_h()), ior = c["eta"];
+  const double f0 = std::pow((1 - ior) / (1 + ior), 2);
+  const double fr = f0 * c["specular"] + (c["specular"] - f0 * c["specular"]) * rise;
+  const double metal = lobe * (base + (1 - base) * rise), dielectric = base / pi() * (1 - fr) + lobe * fr;
+  return dielectric * (1 - c["metallic"]) + metal * c["metallic"];
+}
+
+const std::map<std::string, std::function<double(const Hit&)>> kSources{
+    {"blender_glossy", [](const Hit& c) { return c["kd"] / pi() + c["ks"] * separable(c); }},
+    {"blender_principled", blender_principled},
+    // fresnel_f82tint_color with b = 0: F = f0 + (1 - f0)(1 - cos)^5.
+    {"blender_metallic",
+     [](const Hit& c) {
+       return c["kd"] / pi() + c["ks"] * correlated(c) * (c["f0"] + (1 - c["f0"]) * pow5(1 - c.l_h()));
+     }},
+    {"mitsuba_roughconductor",
+     [](const Hit& c) {
+       return c["kd"] / pi() + c["ks"] * separable(c) * mitsuba_conductor(c.l_h(), c["n"], c["k"]);
+     }},
+    {"mitsuba_principled", mitsuba_principled},
+    {"pbrt_conductor",
+     [](const Hit& c) {
+       return c["kd"] / pi() + c["ks"] * correlated(c) * pbrt_fresnel(c.l_h(), {c["n"], c["k"]});
+     }},
+    {"gltf_metallic_roughness", gltf}};
+
+TEST(Targets, AreWhatTheirSourcesCompute) {
+  Random random(7);
+  for (const Reflectance& target : targets()) {
+    const ReflectanceInfo& info = target.info();
+    const auto source = kSources.find(std::string(info.name));
+    ASSERT_NE(source, kSources.end()) << info.name << " has no second source";
+    double worst = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+      Material material = make_material(target, {"f"});
+      Hit hit;
+      const auto set = [&](std::span<const ParameterInfo> table, std::vector<double>& values) {
+        for (std::size_t k = 0; k < table.size(); ++k) {
+          const double low = std::max(table[k].min, 0.05), high = std::max(table[k].usual_max, low);
+          values[k] = table[k].min == table[k].max ? table[k].min : low + random.uniform() * (high - low);
+          hit.p[std::string(table[k].name)] = values[k];
+        }
+      };
+      set(info.weights, material.terms[0].weights[0]);
+      set(info.shape, material.terms[0].shape[0]);
+      hit.l = direction(degrees(85 * random.uniform()), degrees(360 * random.uniform()));
+      hit.v = direction(degrees(85 * random.uniform()), degrees(360 * random.uniform()));
+      hit.h = hit.l + hit.v;
+      hit.h = hit.h * (1 / std::sqrt(dot(hit.h, hit.h)));
+      double f = 0;
+      eval(material, hit.l, hit.v, std::span(&f, 1));
+      const double expected = source->second(hit);
+      ASSERT_GT(expected, 0);
+      worst = std::max(worst, std::abs(f / expected - 1));
+    }
+    EXPECT_LT(worst, 1e-10) << info.name;
+    EXPECT_GT(worst, 0) << info.name << " is compared with itself";
+  }
+}
+
+TEST(Targets, AreFoundByNameAndStandInNoListOfForms) {
+  for (const Reflectance& target : targets()) {
+    EXPECT_EQ(catalogue_index(target), -1);
+    ASSERT_TRUE(find_form(target.info().name).has_value());
+    EXPECT_TRUE(*find_form(target.info().name) == target);
+    EXPECT_TRUE(target.info().fittable()) << target.info().name;
+    EXPECT_FALSE(target.info().canonical);
+  }
+}
+
+// The Metallic BSDF of Blender 4.3 is our cook_torrance, bit for bit.
+TEST(Targets, OneIsAFormOfOurs) {
+  Material ours = make_material(*find_form("cook_torrance"), {"f"});
+  Material theirs = make_material(*find_form("blender_metallic"), {"f"});
+  ours.terms[0].weights[0] = theirs.terms[0].weights[0] = {0.2, 0.7, 0.4};
+  ours.terms[0].shape[0] = theirs.terms[0].shape[0] = {0.1, 0.4};
+  const Vec3<double> wi = direction(50_deg, 20_deg), wo = direction(35_deg, 170_deg);
+  double a = 0, b = 1;
+  eval(ours, wi, wo, std::span(&a, 1));
+  eval(theirs, wi, wo, std::span(&b, 1));
+  EXPECT_EQ(a, b);
+}
+
+}  // namespace
+}  // namespace brdf
