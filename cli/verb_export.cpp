@@ -4,10 +4,12 @@
 
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "interop/programs.h"
 #include "io/error.h"
 #include "io/glsl.h"
-#include "io/material_file.h"
+#include "io/material_json.h"
 #include "io/merl.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "measured/cells.h"
 #include "measured/on_sphere.h"
@@ -18,10 +20,18 @@ namespace {
 struct Options {
   io::MaterialChoice material;
   std::string measured, to, output;
-  bool include = false;
+  bool include = false, naive = false;
+  std::optional<double> max_loss;
 };
 
 constexpr const char* kMerl = "merl";
+
+void write(const Options& o, const std::string& text) {
+  if (o.output.empty())
+    std::cout << text;
+  else
+    io::write_file_atomically(o.output, text);
+}
 
 // Samples, with what lies between them, as a MERL file.
 Exit export_measured(const Options& o) {
@@ -54,11 +64,42 @@ Exit export_formula(const Options& o) {
       io::glsl_source(material, {.material = !o.material.material.empty() || !o.material.set.empty(),
                                  .whole = !o.include,
                                  .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan});
-  if (o.output.empty())
-    std::cout << text;
-  else
-    io::write_file_atomically(o.output, text);
+  write(o, text);
   return Exit::good;
+}
+
+// What the material is called there: its own name, or its file's.
+std::string name_of(const Options& o, const io::MaterialFile& file) {
+  if (!file.name.empty()) return file.name;
+  return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
+                                 : o.material.form;
+}
+
+Exit export_program(const Options& o, const interop::Program& program) {
+  if (o.include) throw InputError("--include: is for shaders");
+  io::check_targets({{"-o", o.output}}, {o.material.material});
+  const io::MaterialFile file = io::choose_material_file(o.material);
+  const interop::Exported made = interop::export_to(program, file.material, name_of(o, file), o.naive);
+  write(o, made.text);
+  std::cerr << "brdf export: " << made.target << ": " << interop::in_words(made.projection) << '\n';
+  if (!o.max_loss || made.projection.loss.rms <= *o.max_loss) return Exit::good;
+  std::cerr << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss) << '\n';
+  return Exit::failed;
+}
+
+Exit run(const Options& o) {
+  const interop::Program* program = interop::find_program(o.to);
+  if (!program && (o.naive || o.max_loss))
+    throw InputError(std::string(o.naive ? "--naive" : "--max-loss") + ": --to " + o.to +
+                     " writes the formula itself: nothing is lost");
+  if (!o.measured.empty()) return export_measured(o);
+  return program ? export_program(o, *program) : export_formula(o);
+}
+
+std::vector<std::string> target_names() {
+  std::vector<std::string> names{"glsl", "glsl-es", kMerl};
+  for (const interop::Program& program : interop::programs()) names.emplace_back(program.name);
+  return names;
 }
 
 }  // namespace
@@ -66,20 +107,30 @@ Exit export_formula(const Options& o) {
 void add_export(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = add_verb(app, Purpose::ship, "export",
-                            "Write a form or a material as shader source, or samples as a table");
+                            "Write a material for another program or as a shader, or samples as a table");
   add_material_options(*verb, options->material);
   verb->add_option("--measured", options->measured,
                    "Samples, with what lies between them; --material: the fit that they are interpolated "
                    "beside");
-  verb->add_option("--to", options->to,
-                   "glsl (4.50, Vulkan) or glsl-es (3.00, WebGL 2); merl (a .binary) of --measured")
+  verb->add_option(
+          "--to", options->to,
+          "glsl (4.50, Vulkan) or glsl-es (3.00, WebGL 2); merl (a .binary) of --measured; or a program")
       ->required()
-      ->check(CLI::IsMember({"glsl", "glsl-es", kMerl}));
+      ->check(CLI::IsMember(target_names()));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
   verb->add_flag("--include", options->include,
                  "Functions only, for an #include: without #version and main()");
+  verb->add_flag("--naive", options->naive, "Parameters as they are copied by hand, instead of refitted");
+  verb->add_option("--max-loss", options->max_loss,
+                   "Exit with 1 where more is lost: the rms of ln(1 + f cos_i), about a relative error")
+      ->check(CLI::NonNegativeNumber);
   verb->footer(
-      "The output is a whole shader of any stage with an empty main(); of glsl-es with highp as its "
+      "A program (blender, mitsuba, pbrt, gltf, ...) gets the material in its own formula: exact where that "
+      "is ours,\n"
+      "else refitted; the loss is stated, and stands in the file. What it cannot carry is refused "
+      "(docs/interop.md).\n"
+      "Of shaders the output is a whole shader of any stage with an empty main(); of glsl-es with highp as "
+      "its "
       "precision.\n"
       "With --form alone the functions take the parameters as arguments; with --set or --material a "
       "function\n"
@@ -87,10 +138,10 @@ void add_export(CLI::App& app) {
       "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
       "          brdf export --form ward --set alpha=0.1 --to glsl\n"
       "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
+      "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
+      "          brdf export --material copper.json --to gltf --naive\n"
       "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary");
-  on_run(*verb, [options] {
-    return options->measured.empty() ? export_formula(*options) : export_measured(*options);
-  });
+  on_run(*verb, [options] { return run(*options); });
 }
 
 }  // namespace brdf::cli

@@ -23,7 +23,7 @@ ORDER = [
     ["io"],
     ["measured", "texel"],
     ["synth", "fit", "validate", "render", "micro"],
-    ["study", "trade", "maps"],
+    ["study", "trade", "maps", "interop"],
     ["cli", "docs", "bench", "python"],
 ]
 # Arrows between rooms of one line.

@@ -53,10 +53,12 @@ with tempfile.TemporaryDirectory() as folder:
 
     assert complete("brdf", "fit", "--fo") == ["--form"]
     assert complete("brdf", "val") == ["validate"]
-    forms = [f["form"] for f in json.loads(run(brdf, "models", "--json"))["forms"]]
+    listed = json.loads(run(brdf, "models", "--json"))
+    listed = listed["forms"] + listed["targets"]
+    forms = [f["form"] for f in listed]
     expect(set(complete("brdf", "eval", "--form", "")) == set(forms), "completion of forms")
     expect({"all", "auto", *forms} <= set(complete("brdf", "fit", "s.csv", "--form", "")), "completion of models of a fit")
-    parameters = {p["name"] + "=" for f in json.loads(run(brdf, "models", "--json"))["forms"] for p in f["parameters"]}
+    parameters = {p["name"] + "=" for f in listed for p in f["parameters"]}
     expect(set(complete("brdf", "synth", "--set", "")) == parameters, "completion of parameters")
     for file in ("samples.csv", "material.json", "notes.pdf", "sky.hdr"):
         (pathlib.Path(folder) / file).touch()

@@ -20,8 +20,7 @@ Material truth_of(const Reflectance& target) {
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t k = 0; k < info.weights.size(); ++k)
       truth.terms[0].weights[c][k] = inside(info.weights[k], 0.5 - 0.1 * double(c));
-  for (std::size_t k = 0; k < info.shape.size(); ++k)
-    truth.terms[0].shape[0][k] = inside(info.shape[k], 0.3);
+  for (std::size_t k = 0; k < info.shape.size(); ++k) truth.terms[0].shape[0][k] = inside(info.shape[k], 0.3);
   return truth;
 }
 

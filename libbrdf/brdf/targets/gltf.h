@@ -8,12 +8,13 @@ template <class T>
 struct MetalOrDielectric {
   T alpha_x, alpha_y, metallic, eta, specular;
   static constexpr auto fields() {
-    return std::array{
-        Field{&MetalOrDielectric::alpha_x, kAlongInfo}, Field{&MetalOrDielectric::alpha_y, kAcrossInfo},
-        Field{&MetalOrDielectric::metallic, kMetallicInfo},
-        Field{&MetalOrDielectric::eta, kPrincipledIndexInfo},
-        Field{&MetalOrDielectric::specular, ParameterInfo{"specular", 0, 1, 1, 1, "", false,
-                                                          "share of the dielectric part's lobe"}}};
+    return std::array{Field{&MetalOrDielectric::alpha_x, kAlongInfo},
+                      Field{&MetalOrDielectric::alpha_y, kAcrossInfo},
+                      Field{&MetalOrDielectric::metallic, kMetallicInfo},
+                      Field{&MetalOrDielectric::eta, kPrincipledIndexInfo},
+                      Field{&MetalOrDielectric::specular,
+                            ParameterInfo{"specular", 0, 1, 1, 1, "", false,
+                                          "share of the dielectric part's lobe", Role::specular}}};
   }
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };

@@ -10,9 +10,9 @@
 namespace brdf {
 
 std::span<const Reflectance> targets() {
-  static const std::vector<Reflectance> all{blender_glossy{},         blender_principled{}, blender_metallic{},
-                                            mitsuba_roughconductor{}, mitsuba_principled{}, pbrt_conductor{},
-                                            gltf_metallic_roughness{}};
+  static const std::vector<Reflectance> all{
+      blender_glossy{},     blender_principled{}, blender_metallic{},       mitsuba_roughconductor{},
+      mitsuba_principled{}, pbrt_conductor{},     gltf_metallic_roughness{}};
   return all;
 }
 

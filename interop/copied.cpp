@@ -1,0 +1,131 @@
+#include "interop/copied.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brdf::interop {
+namespace {
+
+// What one channel of the wanted material says.
+struct Said {
+  double diffuse = 0, lobe = 0, f0 = 1;
+  double index = 0, extinction = 0;  // index 0: not said
+
+  double normal() const { return std::min(lobe * f0, 1.0); }  // the lobe's reflectance along the normal
+};
+
+Said said_of(const Wanted& wanted, std::size_t channel) {
+  Said said;
+  for (const Term& term : wanted.material.terms) {
+    const ReflectanceInfo& form = info(term.form);
+    const auto value = [&](int k, const std::vector<double>& values) {
+      return k < 0 ? 0 : values[std::size_t(k)];
+    };
+    said.diffuse += value(form.weight_index(Role::diffuse), term.weights[channel]);
+    if (wanted.lobe < 0 || &term != &wanted.material.terms[std::size_t(wanted.lobe)]) continue;
+    said.lobe = value(form.weight_index(Role::specular), term.weights[channel]);
+    said.index = value(form.shape_index(Role::index), term.shape[0]);
+    said.extinction = value(form.shape_index(Role::extinction), term.shape[0]);
+    const double k2 = said.extinction * said.extinction;
+    if (said.index > 0) said.f0 = (std::pow(said.index - 1, 2) + k2) / (std::pow(said.index + 1, 2) + k2);
+    if (form.weight_index(Role::f0) >= 0) said.f0 = value(form.weight_index(Role::f0), term.weights[channel]);
+  }
+  return said;
+}
+
+double dielectric_index(double f0) {
+  const double root = std::sqrt(std::min(f0, 0.99));
+  return (1 + root) / (1 - root);
+}
+
+struct Copy {
+  const Wanted& wanted;
+  const ReflectanceInfo& target;
+  const CopyRules& rules;
+  std::vector<Said> said;
+
+  // Nothing is diffuse: a metal.
+  bool metal() const {
+    return wanted.lobe >= 0 && std::ranges::all_of(said, [](const Said& s) { return s.diffuse == 0; });
+  }
+  double most_lobe() const { return std::min(std::ranges::max(said, {}, &Said::lobe).lobe, 1.0); }
+  double mean_f0() const {
+    double sum = 0;
+    for (const Said& s : said) sum += s.f0;
+    return sum / double(said.size());
+  }
+  // Reflectance along the normal that the target's Fresnel term has: the colours' where those have one each.
+  double f0_of(const Said& s) const {
+    if (!rules.grey_lobe) return mean_f0();
+    return most_lobe() > 0 ? s.normal() / most_lobe() : s.f0;
+  }
+  double lobe_of(const Said& s) const {
+    if (rules.grey_lobe) return most_lobe();
+    const bool has_fresnel = target.shape_index(Role::index) >= 0;
+    return !has_fresnel ? s.normal() : mean_f0() > 0 ? s.normal() / mean_f0() : s.lobe;
+  }
+
+  double weight(const ParameterInfo& p, const Said& s) const {
+    const bool one_colour = target.weight_index(Role::specular) < 0;
+    switch (p.role) {
+      case Role::f0:
+        return f0_of(s);
+      case Role::specular:
+        return lobe_of(s);
+      case Role::diffuse:
+        return one_colour && metal() ? s.normal() : s.diffuse;
+      default:
+        return p.initial;
+    }
+  }
+
+  double shape(const ParameterInfo& p, const Said& s) const {
+    const bool has_lobe = wanted.lobe >= 0, conductor = target.shape_index(Role::extinction) >= 0;
+    const Widths widths = has_lobe ? widths_of(wanted.material.terms[std::size_t(wanted.lobe)]) : Widths();
+    const double f0 = std::min(f0_of(s), 0.9999);  // as pbrt's "reflectance"
+    if (p.map == Map::metallic) return metal() ? 1 : 0;
+    switch (p.role) {
+      case Role::width:
+        return widths.along;
+      case Role::width_across:
+        return widths.across;
+      case Role::specular:
+        return has_lobe ? 1 : 0;
+      case Role::index:
+        if (s.index > 0 || conductor) return s.index > 0 ? s.index : 1;
+        return metal() ? p.initial : has_lobe ? dielectric_index(s.normal()) : 1;
+      case Role::extinction:
+        return s.index > 0 ? s.extinction : 2 * std::sqrt(f0 / (1 - f0));
+      default:
+        return p.initial;
+    }
+  }
+};
+
+double in_range(const ParameterInfo& p, double value) {
+  return std::clamp(value, p.min, p.max);
+}
+
+}  // namespace
+
+Material copied(const Wanted& wanted, const Reflectance& target, const CopyRules& rules) {
+  Material out = make_material(target, wanted.material.channels);
+  const std::size_t channels = out.channels.size();
+  Copy copy{wanted, info(target), rules, {}};
+  for (std::size_t c = 0; c < channels; ++c) copy.said.push_back(said_of(wanted, c));
+  Term& term = out.terms[0];
+  if (rules.fresnel_per_channel && channels > 1) term.shape.assign(channels, term.shape[0]);
+  for (std::size_t c = 0; c < channels; ++c)
+    for (std::size_t k = 0; k < copy.target.weights.size(); ++k) {
+      const ParameterInfo& p = copy.target.weights[k];
+      term.weights[c][k] = in_range(p, copy.weight(p, copy.said[c]));
+    }
+  for (std::size_t s = 0; s < term.shape.size(); ++s)
+    for (std::size_t k = 0; k < copy.target.shape.size(); ++k) {
+      const ParameterInfo& p = copy.target.shape[k];
+      term.shape[s][k] = in_range(p, copy.shape(p, copy.said[s]));
+    }
+  return out;
+}
+
+}  // namespace brdf::interop

@@ -1,0 +1,116 @@
+#include "interop/project.h"
+
+#include <algorithm>
+
+#include "fit/fit.h"
+#include "fit/model/constraints.h"
+#include "interop/pairs.h"
+#include "io/parallel.h"
+
+namespace brdf::interop {
+namespace {
+
+io::SampleTable wanted_values(const Wanted& wanted) {
+  io::SampleTable table = pairs_about(wanted, Pairs::fitted);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
+  std::vector<double> f(table.channels.size());
+  for (std::size_t k = 0; k < d.count; ++k) {
+    brdf::eval(wanted.material, d.wi(k), d.wo(k), f);
+    for (std::size_t c = 0; c < f.size(); ++c) table.values[c].push_back(f[c]);
+  }
+  return table;
+}
+
+bool is_zero(const Term& term, std::size_t weight) {
+  return std::ranges::all_of(term.weights, [&](const auto& w) { return w[weight] == 0; });
+}
+
+// The copy's values as the fit's first start; what is not there (a diffuse part, a lobe) stays at 0.
+void start_at(const Term& copy, fit::FitOptions& options) {
+  const ReflectanceInfo& target = info(copy.form);
+  const bool several = copy.weights.size() > 1;
+  for (std::size_t k = 0; k < target.weights.size(); ++k) {
+    const ParameterInfo& p = target.weights[k];
+    if (p.min == p.max) continue;
+    fit::NamedValues values{std::string(p.name), {}};
+    for (const auto& w : copy.weights) values.values.push_back(w[k]);
+    const bool tied = std::ranges::find(options.tie, p.name) != options.tie.end();
+    if (tied) values.values.resize(1);
+    const bool alone = target.weight_index(Role::specular) >= 0;
+    if (p.role == Role::diffuse && alone && is_zero(copy, k))
+      options.fix.push_back({values.name, {0}});
+    else
+      options.start.push_back(std::move(values));
+  }
+  for (std::size_t k = 0; k < target.shape.size(); ++k) {
+    if (int(k) == target.axes().across && !options.anisotropic) continue;
+    fit::NamedValues values{std::string(target.shape[k].name), {}};
+    for (const auto& shape : copy.shape) values.values.push_back(shape[k]);
+    if (std::ranges::find(options.tie, values.name) != options.tie.end()) values.values.resize(1);
+    options.start.push_back(std::move(values));
+  }
+  if (!several)
+    for (fit::NamedValues& start : options.start) start.values.resize(1);
+}
+
+fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, const Term& copy) {
+  const ReflectanceInfo& target = info(rules.target);
+  fit::FitOptions options;
+  options.cross_validation = false;
+  // The copy is near, and the values have no noise: a few starts besides it find what a grid of hundreds does.
+  options.grid_starts = false;
+  options.random_starts = 4;
+  options.threads = io::all_processors();
+  options.anisotropic = is_anisotropic(wanted.material);
+  options.per_channel = copy.shape.size() > 1;
+  options.bounds = rules.bounds;
+  const auto name = [&](int shape) { return std::string(target.shape[std::size_t(shape)].name); };
+  if (options.per_channel) options.tie.push_back(name(target.axes().along));
+  if (options.per_channel && options.anisotropic) options.tie.push_back(name(target.axes().across));
+  if (rules.copy.grey_lobe) {
+    const std::string lobe(target.weights[std::size_t(target.weight_index(Role::specular))].name);
+    if (copy.weights.size() > 1) options.tie.push_back(lobe);
+    if (!rules.sum_to_one) options.bounds.push_back({lobe, 0, 1});
+  }
+  if (rules.sum_to_one) options.physical = fit::Physical::bounded;
+  if (options.anisotropic) options.fix.push_back({std::string(fit::kTangentInfo.name), {0}});
+  start_at(copy, options);
+  return options;
+}
+
+// What the program's controls do not reach is brought to where they end.
+void bring_within(const std::vector<fit::NamedRange>& bounds, Term& copy) {
+  for (const fit::NamedRange& bound : bounds)
+    if (const int k = info(copy.form).shape_index(bound.name); k >= 0)
+      for (std::vector<double>& shape : copy.shape)
+        shape[std::size_t(k)] = std::clamp(shape[std::size_t(k)], bound.low, bound.high);
+}
+
+}  // namespace
+
+Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
+  Projection out;
+  out.material = copied(wanted, rules.target, rules.copy);
+  bring_within(rules.bounds, out.material.terms[0]);
+  out.copied = out.loss = loss_of(wanted, out.material);
+  if (naive || out.loss.exact()) return out;
+  const fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
+  const fit::FitResult result = fit::fit(wanted_values(wanted), {{rules.target}}, options);
+  const fit::FormFit& best = result.ranking.front();
+  if (!best.solved()) return out;
+  const Loss loss = loss_of(wanted, best.material);
+  if (!(loss.rms < out.loss.rms)) return out;
+  out.material = best.material;
+  out.loss = loss;
+  out.refitted = true;
+  return out;
+}
+
+std::string in_words(const Projection& projection) {
+  if (projection.exact()) return "exact";
+  if (!projection.refitted) return "copied: " + in_words(projection.loss);
+  return "refitted: " + in_words(projection.loss) + "; copied parameters: " + in_words(projection.copied);
+}
+
+}  // namespace brdf::interop

@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "interop/reading.h"
+#include "interop/writers.h"
+#include "io/json.h"
+
+namespace brdf::interop {
+
+std::string write_gltf(const Written& w) {
+  const Reading r(w);
+  r.check_widths(0, 1e4, "nothing");
+  const Colour base = r.weight(Role::diffuse);
+  // alpha_x = alpha_y + (1 - alpha_y) strength^2
+  const double strength = std::sqrt((r.alpha_x() - r.alpha_y()) / std::max(1 - r.alpha_y(), 1e-12));
+  io::Json extensions;
+  extensions["KHR_materials_ior"] = {{"ior", r.shape(Role::index)}};
+  extensions["KHR_materials_specular"] = {{"specularFactor", r.shape(Role::specular)}};
+  if (r.anisotropic())
+    extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", strength},
+                                              {"anisotropyRotation", r.turn() * std::numbers::pi / 180}};
+  io::Json material;
+  material["name"] = w.name;
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {base[0], base[1], base[2], 1}},
+                                      {"metallicFactor", r.metallic()},
+                                      {"roughnessFactor", std::sqrt(r.alpha_y())}};
+  material["extensions"] = extensions;
+  io::Json file;
+  file["asset"] = {{"version", "2.0"}, {"generator", "brdf " BRDF_VERSION}, {"extras", {{"brdf", w.header}}}};
+  file["extensionsUsed"] = io::Json::array();
+  for (const auto& [name, value] : extensions.items()) file["extensionsUsed"].push_back(name);
+  file["materials"] = io::Json::array({material});
+  return io::to_text(file);
+}
+
+}  // namespace brdf::interop

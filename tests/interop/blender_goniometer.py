@@ -1,0 +1,96 @@
+"""Runs inside Blender: measures exported materials.
+
+    blender -b --factory-startup --python blender_goniometer.py -- PAIRS.csv SCRIPT.py...
+
+A plane in z = 0, tangent +x, a sun of angle 0 and irradiance 1, an orthographic camera, no bounces: a pixel is f_r cos_i.
+Beside each SCRIPT.py, which defines make_material(name, tangent), SCRIPT.csv gets f_r in red, green and blue of every
+pair (theta_i, phi_i, theta_o, phi_o in degrees, a row each).
+"""
+import csv
+import math
+import pathlib
+import statistics
+import sys
+import tempfile
+
+import bpy
+from mathutils import Vector
+
+SIZE = 4  # pixels
+
+
+def scene_with_plane():
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.cycles.device = "CPU"
+    scene.cycles.samples = 1
+    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
+    scene.cycles.max_bounces = 0
+    scene.cycles.light_sampling_threshold = 0  # else dark values are left to chance
+    scene.cycles.pixel_filter_type = "BOX"
+    scene.render.resolution_x = scene.render.resolution_y = SIZE
+    scene.render.resolution_percentage = 100
+    scene.render.use_persistent_data = True
+    scene.view_settings.view_transform = "Raw"
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.world = bpy.data.worlds.new("dark")
+    scene.world.use_nodes = True
+    scene.world.node_tree.nodes["Background"].inputs[1].default_value = 0
+    bpy.ops.mesh.primitive_plane_add(size=2)
+    sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
+    sun.data.angle, sun.data.energy = 0, 1
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.type, camera.data.ortho_scale = "ORTHO", 0.02
+    for thing in (sun, camera):
+        scene.collection.objects.link(thing)
+    scene.camera = camera
+    return scene, bpy.context.object, sun, camera
+
+
+def direction(theta, phi):
+    t, p = math.radians(theta), math.radians(phi)
+    return Vector((math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)))
+
+
+def turn_towards(thing, w):
+    """Its +z along w. Euler angles would lose four digits near the normal."""
+    q = (1 + w.z, -w.y, w.x, 0)
+    length = math.sqrt(sum(x * x for x in q))
+    thing.rotation_mode = "QUATERNION"
+    thing.rotation_quaternion = [x / length for x in q]
+
+
+def measure(pairs, scene, sun, camera, picture):
+    scene.render.filepath = picture
+    for theta_i, phi_i, theta_o, phi_o in pairs:
+        wi, wo = direction(theta_i, phi_i), direction(theta_o, phi_o)
+        turn_towards(sun, wi)
+        camera.location = 5 * wo
+        turn_towards(camera, wo)
+        bpy.ops.render.render(write_still=True)
+        image = bpy.data.images.load(picture)
+        pixels = list(image.pixels)
+        bpy.data.images.remove(image)
+        # All pixels are equal but for one that may fall on the edge of the plane's two triangles.
+        yield [statistics.median(pixels[c::4]) / wi.z for c in range(3)]
+
+
+def main():
+    pairs_file, *scripts = sys.argv[sys.argv.index("--") + 1 :]
+    with open(pairs_file) as file:
+        pairs = [[float(x) for x in row] for row in csv.reader(file)]
+    scene, plane, sun, camera = scene_with_plane()
+    with tempfile.TemporaryDirectory() as folder:
+        for script in map(pathlib.Path, scripts):
+            names = {}
+            exec(compile(script.read_text(), script, "exec"), names)
+            plane.data.materials.clear()
+            plane.data.materials.append(names["make_material"](script.stem, tangent=(1, 0, 0)))
+            with open(script.with_suffix(".csv"), "w") as file:
+                csv.writer(file).writerows(measure(pairs, scene, sun, camera, folder + "/pixel.exr"))
+
+
+main()
