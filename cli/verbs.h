@@ -26,6 +26,7 @@ void add_albedo(CLI::App& app);
 void add_synth(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_validate(CLI::App& app);
+void add_prove(CLI::App& app);
 void add_render(CLI::App& app);
 void add_view(CLI::App& app);
 void add_export(CLI::App& app);

@@ -26,6 +26,13 @@ inline constexpr auto call_log1p_with_rest = [](const auto& x, const auto& rest)
 inline constexpr auto call_sqrt = [](const auto& x) { return sqrt(x); };
 inline constexpr auto call_erfcx = [](const auto& x) { return erfcx(x); };
 inline constexpr auto call_atan2 = [](const auto& y, const auto& x) { return atan2(y, x); };
+inline constexpr auto call_upper_half = [](const auto& x) { return upper_half(x); };
+// Types that record formulas keep what others leave out.
+template <class T>
+concept KeepsRests = requires(const T& x) {
+  log1p(x, x);
+  upper_half(x);
+};
 }  // namespace lookup
 
 // x with the lower half of its mantissa set to 0, so that products of two such are exact; x itself in other
@@ -34,6 +41,8 @@ template <class T>
 inline T upper_half(const T& x) {
   if constexpr (Plain<T> || std::same_as<T, Traced>)
     return kernels::upper_half(x);
+  else if constexpr (lookup::KeepsRests<T>)
+    return lookup::call_upper_half(x);
   else
     return x;
 }
@@ -70,7 +79,7 @@ inline T log1p(const T& x, const decltype(value_of(x))& rest) {
     return kernels::log1p(x, rest);
   else if constexpr (Differentiated<T>)
     return T{math::log1p(x.a, rest), x.v * (B(1) / (B(1) + x.a))};
-  else if constexpr (std::same_as<T, Traced>)
+  else if constexpr (std::same_as<T, Traced> || lookup::KeepsRests<T>)
     return lookup::call_log1p_with_rest(x, rest);
   else
     return lookup::call_log1p(x + rest);

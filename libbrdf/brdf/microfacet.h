@@ -123,7 +123,7 @@ template <class G>
 Fraction<G> v_cavities(const Geometry<G>& g) {
   const G scale(kDenominatorScale);
   return {scale * smaller(g.h2, G(4) * g.h.z * smaller(g.cos_i, g.cos_o)),
-          scale * (G(4) * g.cos_i * g.cos_o * g.h2)};
+          scale * (G(4) * (g.cos_i * g.cos_o) * g.h2)};
 }
 
 // Schlick 1994 with k = (alpha + 1)^2/8 (Karis 2013, for analytic lights): G1 = cos/(cos (1 - k) + k). It is

@@ -116,6 +116,11 @@ def study(*samples: Any, **options: Any) -> Any:
     return program("study", *samples, **options)
 
 
+def prove(**options: Any) -> Any:
+    """`brdf prove`: properties of forms over their whole domain; json=True: its results."""
+    return program("prove", **options)
+
+
 def trade(**options: Any) -> Any:
     """`brdf trade`: speed against accuracy, measured; json=True: its rows."""
     return program("trade", **options)

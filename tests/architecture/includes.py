@@ -22,7 +22,7 @@ ORDER = [
     ["libbrdf"],
     ["io"],
     ["measured", "texel"],
-    ["synth", "fit", "validate", "render", "micro"],
+    ["synth", "fit", "validate", "prove", "render", "micro"],
     ["study", "trade", "maps", "interop"],
     ["cli", "docs", "bench", "python"],
 ]

@@ -14,7 +14,8 @@ import re
 import subprocess
 import sys
 
-ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "render", "micro", "trade", "cli", "docs", "bench", "python")
+ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "prove", "render", "micro", "trade", "interop", "cli", "docs", "bench",
+         "python")
 FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/targets/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {
     "trade/questions/": "the trade's questions",

@@ -55,6 +55,8 @@ with tempfile.TemporaryDirectory() as folder:
     check("collect", said("collect", "job", "--json"))
     check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
     check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
+    check("prove", said("prove", "--form", "ward", "--form", "oren_nayar_full", "--seconds", "0.2", "-o", "c.json", "--json"))
+    check("prove", said("prove", "--check", "c.json", "--json"))
     check("trade", json.loads((source / "data/ledger.json").read_text()))
     ledger = source / "data/ledger.json"
     check("trade", said("trade", "--compare", ledger, ledger, "--json"))

@@ -1,0 +1,121 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/verbs.h"
+#include "io/output.h"
+#include "io/settings.h"
+#include "prove/check/certificate.h"
+#include "prove/report.h"
+
+namespace brdf::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> forms, properties, require;
+  bool all = false, json = false;
+  double seconds = 20, gap = prove::Options().gap;
+  std::string output, check;
+};
+
+std::vector<prove::Property> properties_of(const std::string& option, const std::vector<std::string>& names) {
+  std::vector<prove::Property> properties;
+  for (const std::string& name : names) {
+    const auto found = find_named<prove::Property>(name);
+    if (!found) throw InputError(option + " " + name + ": must be one of " + known_names<prove::Property>());
+    properties.push_back(*found);
+  }
+  return properties;
+}
+
+Exit run_check(const Options& o) {
+  if (o.all || !o.forms.empty()) throw InputError("--check " + o.check + ": takes no --form and no --all");
+  const prove::Checked checked = prove::check(io::read_json(o.check), o.check);
+  if (o.json) {
+    io::Json json = io::to_json(io::provenance());
+    json["checked"] = {{"results", checked.results}, {"leaves", checked.leaves}, {"faults", checked.faults}};
+    std::cout << io::to_text(json) << '\n';
+  } else {
+    for (const std::string& fault : checked.faults) std::cout << fault << '\n';
+    std::cout << checked.results << " results, " << checked.leaves
+              << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';
+  }
+  return checked.faults.empty() ? Exit::good : Exit::failed;
+}
+
+std::vector<Reflectance> forms_of(const Options& o) {
+  std::vector<Reflectance> forms;
+  if (o.all) forms.assign(catalogue().begin(), catalogue().end());
+  for (const std::string& name : o.forms) forms.push_back(io::require_form(name));
+  if (forms.empty()) throw InputError("which forms? give --form or --all");
+  return forms;
+}
+
+Exit run(const Options& o) {
+  if (!o.check.empty()) return run_check(o);
+  io::check_targets({{"-o", o.output}});
+  prove::Options options;
+  const auto required = properties_of("--require", o.require);
+  if (!o.properties.empty()) options.properties = properties_of("--property", o.properties);
+  for (const prove::Property p : required)
+    if (std::ranges::find(options.properties, p) == options.properties.end()) options.properties.push_back(p);
+  if (!(o.seconds > 0)) throw InputError("--seconds: must be above 0");
+  if (!(o.gap > 0)) throw InputError("--gap: must be above 0");
+  options.search.seconds = o.seconds;
+  options.gap = o.gap;
+  const std::vector<Reflectance> forms = forms_of(o);
+  std::vector<prove::Proof> proofs;
+  const auto progress = progress_line("brdf prove: forms");
+  for (const Reflectance& form : forms) {
+    for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
+    progress(int(&form - forms.data()) + 1, int(forms.size()));
+  }
+  if (!o.output.empty())
+    io::write_file_atomically(o.output, io::to_line(prove::to_certificate(proofs)) + "\n");
+  if (o.json)
+    std::cout << io::to_text(prove::to_json(proofs)) << '\n';
+  else
+    prove::print(std::cout, proofs);
+  const bool failed = std::ranges::any_of(proofs, [&](const prove::Proof& p) {
+    return p.verdict == prove::Verdict::refuted ||
+           (p.verdict != prove::Verdict::proved &&
+            std::ranges::find(required, p.claim.property) != required.end());
+  });
+  return failed ? Exit::failed : Exit::good;
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = add_verb(app, Purpose::judge, "prove", "Prove properties of forms over their whole domain");
+  add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
+  verb->add_flag("--all", o->all, "every form");
+  offer_names<prove::Property>(
+      verb->add_option("--property", o->properties, "which properties, separated by commas (default: all)")
+          ->delimiter(',')
+          ->allow_extra_args(false));
+  offer_names<prove::Property>(
+      verb->add_option("--require", o->require, "properties that must be proved, else exit 1")
+          ->delimiter(',')
+          ->allow_extra_args(false));
+  verb->add_option("--seconds", o->seconds, "of search for each property of each form")
+      ->capture_default_str();
+  verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
+      ->capture_default_str();
+  verb->add_option("-o,--output", o->output, "certificate of what is proved (JSON)");
+  verb->add_option("--check", o->check, "a certificate to verify, without any search")->option_text("FILE");
+  verb->add_flag("--json", o->json, "JSON on stdout");
+  verb->footer(
+      "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected.\n"
+      "Examples: brdf prove --all --property finite,non_negative -o certificate.json\n"
+      "          brdf prove --check certificate.json\n"
+      "          brdf prove --form oren_nayar --property energy --gap 1e-3\n"
+      "          brdf prove --form ward --require finite,reciprocity --seconds 5 --json");
+  on_run(*verb, [o] { return run(*o); });
+}
+
+}  // namespace brdf::cli

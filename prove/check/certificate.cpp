@@ -1,0 +1,146 @@
+#include "prove/check/certificate.h"
+
+#include "brdf/reflectance.h"
+#include "io/error.h"
+#include "io/fingerprint.h"
+#include "prove/scalar/claim.h"
+#include "prove/scalar/swapped.h"
+
+namespace brdf::prove {
+namespace {
+
+using io::Json;
+using io::JsonPlace;
+
+constexpr std::string_view kFormat = "brdf-proof";
+constexpr int kVersion = 1;
+constexpr int kDeepest = 4000;
+
+template <class Enum>
+Enum named(const JsonPlace& place) {
+  const auto found = find_named<Enum>(place.text());
+  if (!found) place.fail("must be one of " + known_names<Enum>());
+  return *found;
+}
+
+// Walks a cover from its root: every leaf's box follows from the cuts above it, so that nothing is left out.
+struct Walk {
+  const Claim& claim;
+  const Domain& domain;
+  const JsonPlace& cover;
+  double most;
+  std::vector<Bounds> box{};
+  std::size_t at = 0;
+  long leaves = 0;
+  Bounds range{};
+  std::string fault{};
+
+  bool bad(const std::string& what) {
+    if (fault.empty()) fault = what;
+    return false;
+  }
+
+  bool leaf(const JsonPlace& node) {
+    const Bounds stated{node.at(std::size_t(0)).number(), node.at(1).number()};
+    const Bounds found = enclose(claim, box);
+    range = leaves == 0 ? found : Bounds{std::min(range.lo, found.lo), std::max(range.hi, found.hi)};
+    ++leaves;
+    if (!settles(claim.property, found, most))
+      return bad("leaf " + std::to_string(leaves) + " does not settle it");
+    if (found.lo != stated.lo || found.hi != stated.hi)
+      return bad("leaf " + std::to_string(leaves) + " has other bounds");
+    return true;
+  }
+
+  bool visit(int depth) {
+    if (at >= cover.size()) return bad("the cover ends early");
+    if (depth > kDeepest) return bad("the cover is too deep");
+    const JsonPlace node = cover.at(at++);
+    if (node.size() != 2) node.fail("must have two members");
+    if (!node.at(std::size_t(0)).value().is_string()) return leaf(node);
+    const std::string name = node.at(std::size_t(0)).text();
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      if (domain.variables[k].name != name) continue;
+      const double cut = node.at(1).number();
+      const Bounds whole = box[k];
+      if (!(whole.lo < cut && cut < whole.hi)) return bad("a cut lies outside its box");
+      box[k] = {whole.lo, cut};
+      if (!visit(depth + 1)) return false;
+      box[k] = {cut, whole.hi};
+      if (!visit(depth + 1)) return false;
+      box[k] = whole;
+      return true;
+    }
+    return bad("a cut of " + name + ", which the domain does not have");
+  }
+
+  bool run() {
+    for (const Variable& v : domain.variables) box.push_back({v.low, v.high});
+    return visit(0) && (at == cover.size() || bad("the cover goes on after its last leaf"));
+  }
+};
+
+std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
+  const auto domain = domain_of(claim);
+  if (!domain) return "is not shown by boxes";
+  const JsonPlace stated = row.at("domain");
+  if (stated.value().size() != domain->variables.size()) return "has another domain";
+  for (const Variable& v : domain->variables) {
+    if (!stated.has(v.name)) return "has another domain";
+    const JsonPlace range = stated.at(v.name);
+    if (range.at(std::size_t(0)).number() != v.low || range.at(1).number() != v.high)
+      return "has another domain";
+  }
+  const JsonPlace cover = row.at("cover");
+  const double low = row.at("low").number(), high = row.at("high").number();
+  Walk walk{claim, *domain, cover, high};
+  const bool good = walk.run();
+  leaves += walk.leaves;
+  if (!good) return walk.fault;
+  if (walk.range.lo != low || walk.range.hi != high) return "low and high are not those of the leaves";
+  return "";
+}
+
+std::string fault_of(const JsonPlace& row, long& leaves) {
+  const auto form = find_form(row.at("form").text());
+  if (!form) row.at("form").fail("is no form of the catalogue");
+  const Claim claim{catalogue_index(*form), named<Property>(row.at("property")),
+                    named<Precision>(row.at("scalar"))};
+  if (claim.property != Property::reciprocity) return covers(claim, row, leaves);
+  const bool exact = row.at("arithmetic").text() == "exact";
+  return record_both_orders(claim.form, exact ? Rules::exact : Rules::bits).same ? "" : "both orders differ";
+}
+
+}  // namespace
+
+Json sealed(const Json& results) {
+  Json json;
+  json["format"] = kFormat;
+  json["version"] = kVersion;
+  json["seal"] = io::fingerprint({io::to_line(results)});
+  json["results"] = results;
+  return json;
+}
+
+Checked check(const Json& certificate, const std::string& file) {
+  const JsonPlace root(certificate, file);
+  root.allow_keys({"format", "version", "seal", "results"});
+  if (root.at("format").text() != kFormat) root.at("format").fail("must be " + std::string(kFormat));
+  if (root.at("version").number() != kVersion) root.at("version").fail("must be " + std::to_string(kVersion));
+  const JsonPlace results = root.at("results");
+  Checked checked;
+  if (root.at("seal").text() != io::fingerprint({io::to_line(results.value())}))
+    checked.faults.push_back("the seal is not that of the results: something was changed");
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const JsonPlace row = results.at(k);
+    row.allow_keys({"form", "property", "scalar", "arithmetic", "low", "high", "domain", "cover"});
+    const std::string fault = fault_of(row, checked.leaves);
+    ++checked.results;
+    if (!fault.empty())
+      checked.faults.push_back(row.at("form").text() + ", " + row.at("property").text() + ", " +
+                               row.at("scalar").text() + ": " + fault);
+  }
+  return checked;
+}
+
+}  // namespace brdf::prove

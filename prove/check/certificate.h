@@ -1,0 +1,27 @@
+// Certificates: what `brdf prove -o` writes, and the check of it, which searches nothing.
+//
+// {"format": "brdf-proof", "version": 1, "seal": fingerprint of the results' text, "results": [{form, property, scalar,
+// arithmetic, low, high, domain: {variable: [low, high]}, cover}]}. A cover is a tree of cuts in the order root, first half,
+// second half: [variable, where] for a cut, [low, high] for a leaf and the bounds that were enclosed there. Reciprocity has no
+// cover: both orders are recorded again.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/json.h"
+
+namespace brdf::prove {
+
+io::Json sealed(const io::Json& results);
+
+struct Checked {
+  long results = 0, leaves = 0;
+  std::vector<std::string> faults;  // one sentence each; empty: every result holds
+};
+
+// Encloses every leaf again and asks whether it settles the property, whether its bounds are those of the certificate, and
+// whether the tree covers the domain of the form as this program has it. Throws InputError where it is no certificate.
+Checked check(const io::Json& certificate, const std::string& file);
+
+}  // namespace brdf::prove

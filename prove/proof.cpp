@@ -1,0 +1,133 @@
+#include "prove/proof.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "io/numbers.h"
+#include "prove/scalar/energy.h"
+#include "prove/scalar/swapped.h"
+
+namespace brdf::prove {
+namespace {
+
+// 1/pi rounded, times pi.
+constexpr double kRoundedConstants = 1e-15;
+
+std::string open_boxes(const Cover& cover) {
+  return std::to_string(cover.open) + (cover.open == 1 ? " box is" : " boxes are") + " open";
+}
+
+Proof about(const Reflectance& form, const Claim& claim) {
+  Proof p;
+  p.claim = claim;
+  p.form = form.info().name;
+  return p;
+}
+
+Proof by_boxes(const Reflectance& form, const Claim& claim, const Options& options, double most) {
+  Proof p = about(form, claim);
+  p.domain = domain_of(claim);
+  p.arithmetic = "as rounded in " + std::string(name_of(claim.precision));
+  p.cover = cover(
+      *p.domain, [&](const Box& box) { return enclose(claim, box); },
+      [&](Bounds b) { return settles(claim.property, b, most); }, options.search);
+  p.low = p.cover.range.lo;
+  p.high = p.cover.range.hi;
+  p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
+  return p;
+}
+
+Proof finite(const Reflectance& form, const Claim& claim, const Options& options) {
+  Proof p = by_boxes(form, claim, options, 0);
+  p.statement = p.verdict == Verdict::proved
+                    ? "no overflow, no division by 0 and no domain error on the way to f"
+                    : open_boxes(p.cover) + ": an overflow is not excluded there";
+  return p;
+}
+
+Proof non_negative(const Reflectance& form, const Claim& claim, const Options& options) {
+  Options brief = options;
+  if (form.info().violates(name_of(Property::non_negative))) brief.search.leaves = 1;  // its witness is known
+  Proof p = by_boxes(form, claim, brief, 0);
+  p.statement = p.verdict == Verdict::proved ? "f is nowhere below 0"
+                                             : open_boxes(p.cover) + ": f may be below 0 there";
+  if (p.verdict == Verdict::proved) return p;
+  if (auto witness = find_negative(form)) {
+    p.verdict = Verdict::refuted;
+    p.statement = "f is negative";
+    p.high = witness->value;  // the least value is at most that
+    p.witness = std::move(witness);
+  }
+  return p;
+}
+
+Proof reciprocity(const Reflectance& form, const Claim& claim) {
+  Proof p = about(form, claim);
+  const Swapped bits = record_both_orders(claim.form, Rules::bits);
+  p.cover.boxes = bits.cases;
+  if (bits.same || record_both_orders(claim.form, Rules::exact).same) {
+    p.verdict = Verdict::proved;
+    p.arithmetic = bits.same ? "every IEEE precision, bit for bit" : "exact";
+    p.statement = bits.same ? "f(wi, wo) and f(wo, wi) are the same operations"
+                            : "f(wi, wo) and f(wo, wi) are the same sums and products in another order";
+  } else {
+    p.statement = "the formulas for both orders differ";
+  }
+  return p;
+}
+
+// An albedo of at most 1, or, where more is declared, of at most what its witness shows and the gap.
+Proof energy(const Reflectance& form, const Claim& claim, const Options& options) {
+  const EnergyMethod* method = energy_method(claim.form);
+  auto witness = find_gain(form);
+  const bool tied = method != nullptr &&
+                    std::ranges::any_of(method->domain.variables, [](const Variable& v) { return v.tied; });
+  Proof p = about(form, claim);
+  p.arithmetic = "exact, of the constants as rounded";
+  if (method != nullptr) {
+    const double most = witness && !tied ? witness->value + options.gap : 1 + kRoundedConstants;
+    p = by_boxes(form, claim, options, most);
+    p.arithmetic = "exact, of the constants as rounded";
+    p.statement =
+        (p.cover.open == 0 ? "the albedo is at most " + io::short_number(p.high, 8) : open_boxes(p.cover)) +
+        ": " + method->why + (tied ? ", for equal widths" : "");
+  }
+  if (witness) {
+    p.verdict = Verdict::refuted;
+    p.low = witness->value;
+    if (method == nullptr || tied) p.high = std::numeric_limits<double>::infinity();
+    p.statement = "the albedo is above 1" + (p.statement.empty() ? "" : "; " + p.statement);
+    p.witness = std::move(witness);
+  } else if (method == nullptr) {
+    p.statement = "no reason is known to the prover";
+  }
+  return p;
+}
+
+}  // namespace
+
+std::vector<Proof> prove(const Reflectance& form, const Options& options) {
+  std::vector<Proof> proofs;
+  const int place = catalogue_index(form);
+  const auto add = [&](Property property, Precision precision) {
+    const auto start = std::chrono::steady_clock::now();
+    const Claim claim{place, property, precision};
+    Proof p = property == Property::finite         ? finite(form, claim, options)
+              : property == Property::non_negative ? non_negative(form, claim, options)
+              : property == Property::reciprocity  ? reciprocity(form, claim)
+                                                   : energy(form, claim, options);
+    p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    proofs.push_back(std::move(p));
+  };
+  for (const Property property : options.properties) {
+    if (property == Property::finite || property == Property::non_negative)
+      for (const Precision precision : {Precision::float_type, Precision::double_type})
+        add(property, precision);
+    else
+      add(property, Precision::double_type);
+  }
+  return proofs;
+}
+
+}  // namespace brdf::prove

@@ -1,0 +1,60 @@
+// Statements about forms over their whole domain, and the search for them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brdf/reflectance.h"
+#include "prove/scalar/claim.h"
+#include "prove/search.h"
+
+namespace brdf::prove {
+
+// proved: over the whole domain. bounded: within [low, high], some boxes are open. refuted: the witness violates it.
+// no_method: nothing is claimed.
+enum class Verdict { proved, bounded, refuted, no_method };
+
+// Where the property fails, as the program's other verbs show it.
+struct Witness {
+  std::vector<std::pair<std::string, double>> parameters;  // of one channel, by name
+  std::vector<std::pair<std::string, double>> angles;      // degrees, by name
+  double value = 0;                                        // what `command` prints there
+  std::string command;
+};
+
+struct Proof {
+  Claim claim{};
+  std::string form{};
+  Verdict verdict = Verdict::no_method;
+  std::string arithmetic{};  // in which numbers it holds
+  std::string statement{};   // one sentence
+  double low = 0, high = 0;
+  std::optional<Domain> domain{};
+  Cover cover{};
+  std::optional<Witness> witness{};
+  double seconds = 0;
+};
+
+struct Options {
+  SearchOptions search;
+  double gap = 1e-5;  // between a witness of energy and the bound that is searched for
+  std::vector<Property> properties{kAll.begin(), kAll.end()};
+  static constexpr std::array kAll{Property::finite, Property::non_negative, Property::reciprocity,
+                                   Property::energy};
+};
+
+// All that is asked for of a form of the catalogue; finite and non_negative in float and in double.
+std::vector<Proof> prove(const Reflectance& form, const Options& options);
+
+// Where a declared violation shows: a direction in which f is negative, an albedo above 1 by more than the integral's error
+// bound. None where none is declared or found.
+std::optional<Witness> find_negative(const Reflectance& form);
+std::optional<Witness> find_gain(const Reflectance& form);
+
+}  // namespace brdf::prove
+
+template <>
+inline constexpr std::array<std::string_view, 4> brdf::kNames<brdf::prove::Verdict>{"proved", "bounded",
+                                                                                    "refuted", "no_method"};

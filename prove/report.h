@@ -1,0 +1,19 @@
+// Proofs as text, as JSON and as certificates.
+#pragma once
+
+#include <ostream>
+#include <span>
+
+#include "io/json.h"
+#include "prove/proof.h"
+
+namespace brdf::prove {
+
+void print(std::ostream& out, std::span<const Proof> proofs);
+// docs/prove.schema.json.
+io::Json to_json(std::span<const Proof> proofs);
+// What `brdf prove --check` and brdf_check read (prove/check/certificate.h): no times, so that the same proofs give the same
+// bytes on every machine. In it is what is proved, and the bound above what is refuted.
+io::Json to_certificate(std::span<const Proof> proofs);
+
+}  // namespace brdf::prove

@@ -1,0 +1,21 @@
+// Elementary functions of one double, enclosed: series with their remainders, in outward rounded arithmetic.
+//
+// Nothing here trusts a C library but for sqrt, which IEEE 754 rounds correctly.
+#pragma once
+
+namespace brdf::prove {
+
+struct Bounds {
+  double lo, hi;
+};
+
+Bounds exp_at(double x);                      // -745 <= x <= 709
+Bounds log_at(double x);                      // x > 0 and normal
+Bounds log1p_at(double x);                    // x > -1
+Bounds erfcx_at(double x);                    // exp(x^2) erfc(x), 0 <= x <= 11
+Bounds angle_at(double sine, double cosine);  // of the point (cosine, sine), both >= 0, not both 0: 0 to pi/2
+
+// pi lies between these neighbours.
+inline constexpr Bounds kPiBounds{3.14159265358979311600, 3.14159265358979356009};
+
+}  // namespace brdf::prove

@@ -1,0 +1,115 @@
+// The formula of a form as a graph in which what is surely equal is one node: same node, same bits.
+//
+// What IEEE 754 guarantees in every precision, rounding to nearest, is built in: sums and products commute; a sign passes
+// through products, quotients and sums; what rounding takes from a sum is the same in both orders (two-sum is exact).
+// Larger and smaller are taken in either order: the same bits but for the sign of a zero, which no form divides by.
+// Nothing is reassociated, no constants are folded, and kernels are functions of which nothing is known.
+// Choices are taken case by case: a recording follows one assumption of how each pair of numbers that is compared stands,
+// less, equal or more; all combinations are recorded in turn.
+// In exact arithmetic (Rules::exact) sums and products are also associative.
+// Holds for numbers, not for NaN, and with contraction off.
+#pragma once
+
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "brdf/scalar.h"
+
+namespace brdf::prove {
+
+enum class Rules { bits, exact };
+
+class Graph {
+ public:
+  explicit Graph(Rules rules = Rules::bits) : rules_(rules) {}
+  Rules rules() const { return rules_; }
+  // The terms of a sum or the factors of a product; of anything else, the node itself.
+  std::vector<int> parts(std::string_view op, int node) const;
+
+  // The node of this operator and operands; `constant` tells constants apart.
+  int node(std::string_view op, const std::vector<int>& operands, double constant = 0);
+  // How a stands to b, -1, 0 or 1, under the assumption that is followed.
+  int compare(int a, int b);
+
+  // Begins the next combination of assumptions; false after the last. Nodes stay.
+  bool next_case();
+  std::size_t nodes() const { return known_.size(); }
+
+  static Graph& current();
+
+  class Scope {
+   public:
+    explicit Scope(Graph& graph);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Graph* previous_;
+  };
+
+ private:
+  struct Key {
+    std::string_view op;
+    std::vector<int> operands;
+    double constant;
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  Rules rules_;
+  std::map<Key, int> known_;
+  std::vector<const Key*> keys_;
+  std::map<std::pair<int, int>, std::size_t> asked_;  // pairs compared in this case, in order
+  std::vector<int> answers_;                          // -1, 0, 1 for each
+};
+
+class Recorded {
+ public:
+  struct Order {
+    int sign;  // how the left stands to the right
+  };
+
+  Recorded() : Recorded(0.0) {}
+  explicit Recorded(double constant);
+  static Recorded input(std::string_view name);
+
+  friend bool operator==(const Recorded&, const Recorded&) = default;
+
+  friend Recorded operator-(const Recorded& x) { return {x.id_, !x.negative_}; }
+  friend Recorded operator+(const Recorded& a, const Recorded& b) { return sum("+", a, b); }
+  friend Recorded operator-(const Recorded& a, const Recorded& b) { return a + -b; }
+  friend Recorded operator*(const Recorded& a, const Recorded& b);
+  friend Recorded operator/(const Recorded& a, const Recorded& b);
+  friend Recorded sum_rest(const Recorded& a, const Recorded& b, const Recorded&) {
+    return sum("rest", a, b);
+  }
+  friend bool operator<(const Recorded& a, const Recorded& b);
+  friend Recorded larger(const Recorded& a, const Recorded& b) { return extreme("max", a, b); }
+  friend Recorded smaller(const Recorded& a, const Recorded& b) { return extreme("min", a, b); }
+  friend Recorded at_least(const Recorded& x, const Recorded& lower) { return larger(x, lower); }
+  friend Recorded at_most(const Recorded& x, const Recorded& upper) { return smaller(x, upper); }
+
+  friend Recorded sqrt(const Recorded& x) { return function("sqrt", x); }
+  friend Recorded exp(const Recorded& x) { return function("exp", x); }
+  friend Recorded log(const Recorded& x) { return function("log", x); }
+  friend Recorded erfcx(const Recorded& x) { return function("erfcx", x); }
+  friend Recorded log1p(const Recorded& x, const Recorded& rest) { return function("log1p", x, rest); }
+  friend Recorded atan2(const Recorded& y, const Recorded& x) { return function("angle", y, x); }
+  friend Recorded upper_half(const Recorded& x) {
+    return {function("half", {x.id_, false}).id_, x.negative_};
+  }
+
+ private:
+  Recorded(int id, bool negative) : id_(id), negative_(negative) {}
+  int signed_id() const { return negative_ ? -id_ : id_; }
+  static Recorded sum(std::string_view op, const Recorded& a, const Recorded& b);
+  static Recorded extreme(std::string_view op, const Recorded& a, const Recorded& b);
+  static Recorded function(std::string_view name, const Recorded& x);
+  static Recorded function(std::string_view name, const Recorded& x, const Recorded& y);
+
+  int id_;
+  bool negative_ = false;
+};
+
+}  // namespace brdf::prove

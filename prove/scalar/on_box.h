@@ -1,0 +1,86 @@
+// A form's value on a box.
+#pragma once
+
+#include "brdf/forms.h"
+#include "prove/scalar/enclosed.h"
+#include "prove/scalar/lemmas.h"
+
+namespace brdf::prove {
+
+// (cos, sin) of a turn in [-2, 2], see Domain: both monotone between whole turns.
+template <class I>
+void circle(Bounds turn, I& cosine, I& sine) {
+  const auto at = [](double t) {
+    const I x = I(1) - I::of(std::fabs(t), std::fabs(t));
+    const I y = std::fabs(t) <= 1 ? I::of(t, t) : (t > 0 ? I(2) - I::of(t, t) : I(-2) - I::of(t, t));
+    const I length = sqrt(square(x) + square(y));
+    return std::pair(x / length, y / length);
+  };
+  const auto [c0, s0] = at(turn.lo);
+  const auto [c1, s1] = at(turn.hi);
+  cosine = hull(c0, c1);
+  sine = hull(s0, s1);
+  const auto holds = [&](double t) { return turn.lo <= t && t <= turn.hi; };
+  if (holds(0)) cosine.hi = 1;
+  if (holds(-2) || holds(2)) cosine.lo = -1;
+  if (holds(1)) sine.hi = 1;
+  if (holds(-1)) sine.lo = -1;
+}
+
+template <class I>
+Vec3<I> direction(Bounds cosine, Bounds turn) {
+  const double low = std::min(cosine.lo, 1.0), high = std::min(cosine.hi, 1.0);
+  const I s = I::of(std::sqrt((1 - high) * (1 + high)) * (1 - 4 * I::kUnit),
+                    std::sqrt((1 - low) * (1 + low)) * (1 + 4 * I::kUnit));
+  I x, y;
+  circle(turn, x, y);
+  const auto stored = [](const I& c) { return I::widened(c.lo, c.hi, 2); };
+  return {stored(s * x), stored(s * y), stored(I::of(low, high))};
+}
+
+template <class P, class I>
+P parameters_from(std::span<const Bounds> box, std::size_t& at) {
+  P p{};
+  for (const auto& field : P::fields()) {
+    p.*(field.member) = I::of(box[at].lo, box[at].hi);
+    ++at;
+  }
+  return p;
+}
+
+template <class F>
+inline constexpr bool takes_first = !LinearForm<F>;
+
+template <class F, class I>
+struct OnBox {
+  typename F::template Weights<I> weights, first;
+  typename F::template Shape<I> shape;
+  Geometry<I> g;
+
+  explicit OnBox(std::span<const Bounds> box) {
+    using W = typename F::template Weights<I>;
+    std::size_t at = 0;
+    shape = parameters_from<typename F::template Shape<I>, I>(box, at);
+    weights = parameters_from<W, I>(box, at);
+    first = weights;
+    if constexpr (takes_first<F>) first = parameters_from<W, I>(box, at);
+    const Vec3<I> wi = direction<I>(box[at], box[at + 1]), wo = direction<I>(box[at + 2], box[at + 3]);
+    g = geometry(wi, wo);
+  }
+};
+
+template <class F, class Base>
+Bounds enclose(std::span<const Bounds> box, bool with_cosine) {
+  using I = Interval<Base>;
+  const OnBox<F, I> b(box);
+  const auto value = [&](auto side) {
+    sign_of_product = {side, false};
+    const I f = eval(F{}, b.weights, b.first, b.shape, b.g);
+    return with_cosine ? hull(f, eval_cos(F{}, b.weights, b.first, b.shape, b.g)) : f;
+  };
+  I f = value(Side::negative);
+  if (sign_of_product.open) f = hull(f, value(Side::other));
+  return {f.lo, f.hi};
+}
+
+}  // namespace brdf::prove

@@ -1,0 +1,39 @@
+// A form's formula for both orders of the directions, as one graph.
+#pragma once
+
+#include "brdf/form.h"
+#include "prove/scalar/swapped.h"
+
+namespace brdf::prove {
+
+template <class P>
+P recorded_parameters() {
+  P p{};
+  for (const auto& field : P::fields()) p.*(field.member) = Recorded::input(field.info.name);
+  return p;
+}
+
+template <Form F>
+Swapped record(F form, Rules rules, long most) {
+  using Weights = typename F::template Weights<Recorded>;
+  Swapped result;
+  Graph graph(rules);
+  const Graph::Scope scope(graph);
+  const Vec3<Recorded> wi{Recorded::input(".ix"), Recorded::input(".iy"), Recorded::input(".iz")},
+      wo{Recorded::input(".ox"), Recorded::input(".oy"), Recorded::input(".oz")};
+  const auto shape = recorded_parameters<typename F::template Shape<Recorded>>();
+  const auto weights = recorded_parameters<Weights>();
+  do {
+    // The first channel's weights of a listing that mixes channels are the channel's own: for others it is not reciprocal
+    // in any sense.
+    const Recorded there = eval(form, weights, weights, shape, geometry(wi, wo));
+    const Recorded back = eval(form, weights, weights, shape, geometry(wo, wi));
+    ++result.cases;
+    result.same = there == back;
+  } while (result.same && result.cases < most && graph.next_case());
+  if (result.cases >= most) result.same = false;
+  result.nodes = long(graph.nodes());
+  return result;
+}
+
+}  // namespace brdf::prove

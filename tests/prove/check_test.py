@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+"""check_test.py BRDF BRDF_CHECK: witnesses are repeated by the commands that proofs print, exit codes say what was found, and
+certificates are verified by a program that holds nothing of the search."""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+brdf, checker = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
+
+
+def run(*words, cwd=None):
+    return subprocess.run([str(w) for w in words], capture_output=True, text=True, cwd=cwd)
+
+
+symbols = run("nm", "-C", checker).stdout
+assert "brdf::prove::check(" in symbols and "brdf::prove::enclose(" in symbols
+for part in ("prove::cover(", "prove::prove(", "prove::find_negative", "prove::find_gain"):
+    assert part not in symbols, f"{part} is in the checker"
+
+with tempfile.TemporaryDirectory() as folder:
+    done = run(brdf, "prove", "--form", "oren_nayar", "--form", "oren_nayar_full", "--seconds", "5", "-o", "c.json", "--json", cwd=folder)
+    assert done.returncode == 1, done.stderr  # refuted
+    witnesses = [r["witness"] for r in json.loads(done.stdout)["results"] if r["witness"]]
+    assert len(witnesses) >= 4
+    for w in witnesses:
+        said = subprocess.run(["bash", "-c", w["command"].replace("brdf ", f"{brdf} ", 1)], capture_output=True, text=True).stdout
+        numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", said)]
+        assert any(abs(n - w["value"]) <= 1e-9 * abs(w["value"]) for n in numbers), (w, said)
+
+    assert run(checker, "c.json", cwd=folder).returncode == 0
+    assert run(brdf, "prove", "--check", "c.json", cwd=folder).returncode == 0
+    text = pathlib.Path(folder, "c.json").read_text()
+    pathlib.Path(folder, "changed.json").write_text(re.sub(r"0\.3(\d)", lambda m: f"0.3{9 - int(m[1])}", text, count=1))
+    assert pathlib.Path(folder, "changed.json").read_text() != text
+    for words in ([checker], [brdf, "prove", "--check"]):
+        assert run(*words, "changed.json", cwd=folder).returncode == 1
+        pathlib.Path(folder, "none.json").write_text("{}")
+        assert run(*words, "none.json", cwd=folder).returncode == 2
+
+assert run(brdf, "prove", "--form", "ward", "--property", "finite", "--require", "reciprocity").returncode == 0
+assert run(brdf, "prove", "--form", "phong", "--require", "energy").returncode == 1  # nothing is known
+for words in (["--form", "ward", "--property", "beauty"], ["--all", "--check", "x"], [], ["--form", "ward", "--seconds", "0"]):
+    assert run(brdf, "prove", *words).returncode == 2, words
+print("certificates, witnesses and exit codes hold")

@@ -1,0 +1,86 @@
+// The enclosures of elementary functions hold the true value, in 50 digits, and are narrow.
+#include <gtest/gtest.h>
+
+#include <boost/math/special_functions/erf.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <random>
+
+#include "prove/scalar/elementary.h"
+
+namespace brdf::prove {
+namespace {
+
+using Exact = boost::multiprecision::cpp_bin_float_50;
+using Engine = std::mt19937_64;
+
+struct Worst {
+  long outside = 0;
+  double width = 0;  // relative
+  double at = 0;
+};
+void hold(Worst& worst, Bounds b, const Exact& truth, double at) {
+  if (!(Exact(b.lo) <= truth && truth <= Exact(b.hi))) {
+    ++worst.outside;
+    worst.at = at;
+  }
+  const double size = std::abs(double(truth));
+  if (size > 1e-300) worst.width = std::max(worst.width, (b.hi - b.lo) / size);
+}
+
+template <class Draw, class Enclose, class Truth>
+void expect(int count, const Draw& draw, const Enclose& enclose, const Truth& truth, double widest) {
+  Engine e(7);
+  Worst worst;
+  for (int k = 0; k < count; ++k) {
+    const double x = draw(e);
+    hold(worst, enclose(x), truth(Exact(x)), x);
+  }
+  EXPECT_EQ(worst.outside, 0) << "at " << worst.at;
+  EXPECT_LT(worst.width, widest);
+}
+
+auto between(double low, double high) {
+  return [=](Engine& e) { return std::uniform_real_distribution(low, high)(e); };
+}
+auto scales(double low, double high) {  // powers of ten
+  return [=](Engine& e) { return std::pow(10, std::uniform_real_distribution(low, high)(e)); };
+}
+
+TEST(Elementary, ExpHoldsTheTruth) {
+  const auto truth = [](const Exact& x) { return Exact(exp(x)); };
+  expect(BRDF_POINTS, between(-700, 709), exp_at, truth, 2e-14);
+  expect(BRDF_POINTS, between(-1, 1), exp_at, truth, 2e-14);
+}
+
+TEST(Elementary, LogarithmsHoldTheTruth) {
+  const auto truth = [](const Exact& x) { return Exact(log(x)); };
+  expect(BRDF_POINTS, scales(-300, 300), log_at, truth, 2e-14);
+  expect(BRDF_POINTS, between(0.6, 1.6), log_at, truth, 2e-14);
+  expect(
+      BRDF_POINTS, scales(-20, 30), log1p_at, [](const Exact& x) { return Exact(log1p(x)); }, 2e-14);
+  expect(
+      BRDF_POINTS, between(-1, 1), log1p_at, [](const Exact& x) { return Exact(log1p(x)); }, 2e-14);
+}
+
+TEST(Elementary, ErfcxHoldsTheTruth) {
+  const auto truth = [](const Exact& x) { return Exact(exp(x * x) * boost::math::erfc(x)); };
+  expect(BRDF_POINTS / 10, between(0, 11), erfcx_at, truth, 5e-13);
+  expect(BRDF_POINTS / 10, between(0.9, 1.1), erfcx_at, truth, 5e-13);
+}
+
+TEST(Elementary, TheAngleHoldsTheTruth) {
+  Engine e(9);
+  Worst worst;
+  for (int k = 0; k < BRDF_POINTS; ++k) {
+    const double sine = scales(-13, 0)(e), cosine = scales(-13, 0)(e);
+    hold(worst, angle_at(sine, cosine), Exact(atan2(Exact(sine), Exact(cosine))), sine);
+  }
+  EXPECT_EQ(worst.outside, 0) << "at " << worst.at;
+  EXPECT_LT(worst.width, 2e-14);
+  const Exact pi = boost::math::constants::pi<Exact>();
+  EXPECT_LT(Exact(kPiBounds.lo), pi);
+  EXPECT_LT(pi, Exact(kPiBounds.hi));
+}
+
+}  // namespace
+}  // namespace brdf::prove

@@ -1,0 +1,86 @@
+// No value that the library computes lies outside the enclosure of a box that holds its inputs.
+#include <gtest/gtest.h>
+
+#include "tests/prove/boxes.h"
+
+namespace brdf::prove {
+namespace {
+
+template <class T>
+struct Outside {
+  long points = 0, beyond = 0, finite_boxes = 0;
+  std::string first;
+};
+
+template <class T>
+Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned seed) {
+  const Reflectance& reflectance = catalogue()[std::size_t(form)];
+  const Domain domain = domain_of(form);
+  const Parts parts = parts_of(reflectance.info(), domain);
+  Engine e(seed + unsigned(form));
+  Outside<T> found;
+  for (int b = 0; b < boxes; ++b) {
+    const Box box = random_box(e, domain);
+    const Bounds bounds = enclose_value(form, precision, box);
+    found.finite_boxes += std::isfinite(bounds.lo);
+    if (!std::isfinite(bounds.lo)) continue;
+    for (int k = 0; k < points; ++k) {
+      std::vector<double> at;
+      std::vector<T> values;
+      bool inside = true;
+      for (std::size_t j = 0; j < box.size(); ++j) {
+        at.push_back(anywhere(e, domain.variables[j], box[j]));
+        values.push_back(T(at.back()));
+        if (j < parts.directions)
+          inside = inside && box[j].lo <= double(values.back()) && double(values.back()) <= box[j].hi;
+      }
+      if (!inside) continue;  // rounded to T it is no longer in the box
+      const std::size_t d = parts.directions;
+      const Vec3<T> wi = direction_of<T>(e, at[d], at[d + 1]), wo = direction_of<T>(e, at[d + 2], at[d + 3]);
+      const std::span<const T> all(values);
+      const auto info = reflectance.info();
+      const ParameterValues<T> p{all.subspan(parts.weights, info.weights.size()),
+                                 all.subspan(parts.first, info.weights.size()),
+                                 all.subspan(0, info.shape.size())};
+      const Directions<T> directions{&wi.x, &wi.y, &wi.z, &wo.x, &wo.y, &wo.z, 1};
+      T f = 0, f_cos = 0;
+      reflectance->eval(p, directions, &f);
+      reflectance->eval_cos(p, directions, &f_cos);
+      for (const T value : {f, f_cos}) {
+        ++found.points;
+        if (bounds.lo <= double(value) && double(value) <= bounds.hi) continue;
+        if (found.beyond++ == 0) {
+          std::ostringstream text;
+          text.precision(17);
+          text << info.name << ": " << value << " outside " << bounds.lo << " .. " << bounds.hi << " in";
+          for (std::size_t j = 0; j < box.size(); ++j)
+            text << "\n  " << domain.variables[j].name << " " << box[j].lo << " .. " << box[j].hi << " at "
+                 << at[j];
+          found.first = text.str();
+        }
+      }
+    }
+  }
+  return found;
+}
+
+class Enclosures : public testing::TestWithParam<int> {};
+
+TEST_P(Enclosures, HoldEveryValueInDouble) {
+  const auto found = sample<double>(GetParam(), Precision::double_type, BRDF_BOXES, 20, 1);
+  EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
+  EXPECT_GT(found.finite_boxes, BRDF_BOXES / 2);
+}
+TEST_P(Enclosures, HoldEveryValueInFloat) {
+  const auto found = sample<float>(GetParam(), Precision::float_type, BRDF_BOXES, 20, 2);
+  EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
+  EXPECT_GT(found.finite_boxes, BRDF_BOXES / 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Enclosures, testing::Range(0, int(catalogue().size())),
+                         [](const auto& each) {
+                           return std::string(catalogue()[std::size_t(each.param)].info().name);
+                         });
+
+}  // namespace
+}  // namespace brdf::prove

@@ -1,0 +1,144 @@
+// What `brdf prove --all` states, and that its certificate is verified and defended.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/error.h"
+#include "io/settings.h"
+#include "prove/check/certificate.h"
+#include "prove/report.h"
+
+namespace brdf::prove {
+namespace {
+
+const std::vector<Proof>& all() {
+  static const std::vector<Proof> proofs = [] {
+    std::vector<Proof> found;
+    for (const Reflectance& form : catalogue())
+      for (Proof& p : prove(form, {})) found.push_back(std::move(p));
+    return found;
+  }();
+  return proofs;
+}
+
+bool declared(const Proof& p) {
+  return catalogue()[std::size_t(p.claim.form)].info().violates(name_of(p.claim.property));
+}
+
+TEST(Proofs, EveryFormIsFiniteInBothPrecisions) {
+  for (const Proof& p : all())
+    if (p.claim.property == Property::finite)
+      EXPECT_EQ(p.verdict, Verdict::proved) << p.form << ": " << p.statement;
+}
+
+TEST(Proofs, FormsAreNonNegativeUnlessDeclaredOtherwise) {
+  for (const Proof& p : all()) {
+    if (p.claim.property != Property::non_negative) continue;
+    if (!declared(p)) {
+      EXPECT_EQ(p.verdict, Verdict::proved) << p.form << ": " << p.statement;
+      continue;
+    }
+    ASSERT_EQ(p.verdict, Verdict::refuted) << p.form;
+    EXPECT_LT(p.witness->value, -0.01);
+    EXPECT_LT(p.low, p.witness->value);
+  }
+}
+
+TEST(Proofs, ReciprocityIsOfTheOperationsThemselves) {
+  std::map<std::string, int> of;
+  for (const Proof& p : all()) {
+    if (p.claim.property != Property::reciprocity) continue;
+    EXPECT_EQ(p.verdict, declared(p) ? Verdict::no_method : Verdict::proved) << p.form;
+    ++of[p.arithmetic];
+  }
+  EXPECT_EQ(of["every IEEE precision, bit for bit"], 18);
+  EXPECT_EQ(of["exact"], 2);
+}
+
+// A small certificate: the forms that one box proves, and one that takes a few.
+const io::Json& certificate() {
+  static const io::Json json = [] {
+    std::vector<Proof> few;
+    std::ranges::copy_if(all(), std::back_inserter(few),
+                         [](const Proof& p) { return p.cover.nodes.size() < 200; });
+    return to_certificate(few);
+  }();
+  return json;
+}
+
+TEST(Certificate, HoldsAsItIsWritten) {
+  const Checked checked = check(io::parse_json(io::to_line(certificate()), "c"), "c");
+  EXPECT_TRUE(checked.faults.empty()) << checked.faults.front();
+  EXPECT_GT(checked.results, 100);
+  EXPECT_GT(checked.leaves, checked.results / 2);
+}
+
+TEST(Certificate, IsRejectedWithAnyDigitChanged) {
+  const std::string text = io::to_line(certificate());
+  long tried = 0;
+  for (std::size_t k = 0; k < text.size(); k += 97) {
+    const std::size_t at = text.find_first_of("0123456789", k);
+    if (at == std::string::npos) break;
+    std::string changed = text;
+    changed[at] = changed[at] == '9' ? '8' : char(changed[at] + 1);
+    ++tried;
+    try {
+      EXPECT_FALSE(check(io::parse_json(changed, "c"), "c").faults.empty()) << "at " << at;
+    } catch (const InputError&) {  // no longer a certificate at all
+    }
+  }
+  EXPECT_GT(tried, 50);
+}
+
+// What a forger would do: change the content and seal it anew.
+io::Json forged(const std::function<bool(io::Json&)>& change) {
+  io::Json results = certificate()["results"];
+  for (io::Json& row : results)
+    if (change(row)) return sealed(results);
+  ADD_FAILURE() << "nothing to change";
+  return certificate();
+}
+bool rejected(const io::Json& json) {
+  return !check(json, "c").faults.empty();
+}
+bool has_cuts(const io::Json& row) {
+  return row.contains("cover") && row["cover"].size() > 4;
+}
+
+TEST(Certificate, IsRejectedWhenForgedAndSealedAnew) {
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // another bound
+    if (!row.contains("high")) return false;
+    row["high"] = row["high"].get<double>() / 2;
+    return true;
+  })));
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // a smaller domain
+    if (!has_cuts(row)) return false;
+    row["domain"].begin().value()[0] = row["domain"].begin().value()[1];
+    return true;
+  })));
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // a half left out
+    if (!has_cuts(row)) return false;
+    row["cover"].erase(row["cover"].size() - 1);
+    return true;
+  })));
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // the whole as one leaf
+    if (!has_cuts(row)) return false;
+    row["cover"] = io::Json::array({io::Json::array({row["low"], row["high"]})});
+    return true;
+  })));
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // a claim for another precision
+    if (!has_cuts(row) || row["scalar"] != "float") return false;
+    row["scalar"] = "double";
+    return true;
+  })));
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // a form that is not reciprocal
+    if (row.contains("cover")) return false;
+    for (const Proof& p : all())
+      if (p.claim.property == Property::reciprocity && p.verdict != Verdict::proved) row["form"] = p.form;
+    return true;
+  })));
+}
+
+}  // namespace
+}  // namespace brdf::prove

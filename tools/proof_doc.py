@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""proof_doc.py BRDF [--check]: writes docs/proofs.md from docs/proofs.in.md and `BRDF prove --all`; --check fails where it is not
+current."""
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def cell(results):
+    """One property of one form."""
+    verdicts = {r["verdict"] for r in results}
+    if len(verdicts) > 1:
+        return ", ".join(f"{r['verdict']} ({r['scalar']})" for r in results)
+    r = results[0]
+    if r["property"] == "reciprocity" and r["verdict"] == "proved":
+        return "exact" if r["arithmetic"] == "exact" else "bit for bit"
+    if r["property"] == "energy" and r["verdict"] == "proved":
+        return f"proved, at most {r['high']:.9g}"
+    if r["verdict"] == "refuted":
+        bound = f", at most {r['high']:.7g}" if r["property"] == "energy" and r["high"] is not None else ""
+        tied = "; proved for equal widths" if "equal widths" in r["statement"] else ""
+        return f"refuted: {r['witness']['value']:.6g}{bound}{tied}"
+    return {"no_method": "-"}.get(r["verdict"], r["verdict"])
+
+
+def table(results):
+    properties = list(dict.fromkeys(r["property"] for r in results))
+    lines = ["| form | " + " | ".join(properties) + " |", "|---" * (len(properties) + 1) + "|"]
+    for form in dict.fromkeys(r["form"] for r in results):
+        cells = [cell([r for r in results if r["form"] == form and r["property"] == p]) for p in properties]
+        lines.append(f"| `{form}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def main():
+    done = subprocess.run([sys.argv[1], "prove", "--all", "--json"], capture_output=True, text=True)
+    if not done.stdout:
+        sys.exit(done.stderr)
+    results = json.loads(done.stdout)["results"]
+    text = (ROOT / "docs/proofs.in.md").read_text().replace("%table%", table(results))
+    page = ROOT / "docs/proofs.md"
+    if "--check" not in sys.argv:
+        page.write_text(text)
+    elif page.read_text() != text:
+        sys.exit("docs/proofs.md is not current: run tools/proof_doc.py BRDF")
+
+
+main()
