@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/options.h"
+#include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "fit/assess/albedo.h"
 #include "io/json.h"
@@ -14,7 +15,7 @@ namespace brdf::cli {
 namespace {
 
 struct Options {
-  io::MaterialChoice material;
+  MaterialOptions material;
   fit::AlbedoChoice albedo;
   bool json = false;
 };
@@ -33,7 +34,7 @@ void print(const fit::AlbedoRow& row) {
 
 Exit run(const Options& o) {
   fit::options_of(o.albedo);  // refused before a file is read
-  const io::MaterialFile file = io::choose_material_file(o.material);
+  const io::MaterialFile file = choose_material_file(o.material, "albedo");
   const std::vector<fit::AlbedoRow> rows = fit::albedo_rows(file, o.albedo);
   if (o.json) {
     std::cout << io::to_text(fit::to_json(file.material, rows, o.albedo));
@@ -78,7 +79,8 @@ void add_albedo(CLI::App& app) {
       "0,60\n"
       "          brdf albedo --material fitted.json --theta 45 --phi 30 --fixed o --rule adaptive "
       "--tolerance "
-      "1e-8 --json");
+      "1e-8 --json\n"
+      "          brdf albedo --shader disney.brdf --set roughness=0.3 --theta 0,60,85");
   on_run(*verb, [options] { return run(*options); });
 }
 

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/options.h"
+#include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
@@ -51,7 +51,7 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
 
 void add_eval(CLI::App& app) {
   struct Options {
-    io::MaterialChoice material;
+    MaterialOptions material;
     std::string directions, output;
     bool cosine = false;
   };
@@ -64,10 +64,13 @@ void add_eval(CLI::App& app) {
   verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
   verb->footer(
       "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
-      "          brdf eval --material fitted.json --cos directions.csv");
+      "          brdf eval --material fitted.json --cos directions.csv\n"
+      "          brdf eval --shader ggx.glsl --entry \"ggx(L, V, N, alpha)\" --param alpha=0.01:1:0.3:log "
+      "--returns f directions.csv");
   on_run(*verb, [options] {
-    io::check_targets({{"-o", options->output}}, {options->material.material, options->directions});
-    const Material material = io::choose_material(options->material);
+    io::check_targets({{"-o", options->output}},
+                      {options->material.material, options->material.shader.file, options->directions});
+    const Material material = choose_material(options->material, "eval");
     io::SampleTable table = io::read_directions(options->directions);
     add_values(table, material, options->cosine);
     for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));

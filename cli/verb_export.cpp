@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/options.h"
+#include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "interop/programs.h"
 #include "io/error.h"
@@ -18,8 +18,8 @@ namespace brdf::cli {
 namespace {
 
 struct Options {
-  io::MaterialChoice material;
-  std::string measured, to, output;
+  MaterialOptions material;
+  std::string measured, to, output, kernels = "own";
   bool include = false, naive = false;
   std::optional<double> max_loss;
 };
@@ -58,12 +58,13 @@ Exit export_measured(const Options& o) {
 Exit export_formula(const Options& o) {
   if (o.to == kMerl)
     throw InputError("--to merl: needs --measured SAMPLES; brdf convert writes a material's cells");
-  io::check_targets({{"-o", o.output}}, {o.material.material});
-  const Material material = io::choose_material(o.material);
+  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  const Material material = choose_material(o.material, "export");
   const std::string text =
       io::glsl_source(material, {.material = !o.material.material.empty() || !o.material.set.empty(),
                                  .whole = !o.include,
-                                 .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan});
+                                 .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
+                                 .builtin_kernels = o.kernels == "builtin"});
   write(o, text);
   return Exit::good;
 }
@@ -77,8 +78,8 @@ std::string name_of(const Options& o, const io::MaterialFile& file) {
 
 Exit export_program(const Options& o, const interop::Program& program) {
   if (o.include) throw InputError("--include: is for shaders");
-  io::check_targets({{"-o", o.output}}, {o.material.material});
-  const io::MaterialFile file = io::choose_material_file(o.material);
+  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  const io::MaterialFile file = choose_material_file(o.material, "export");
   const interop::Exported made = interop::export_to(program, file.material, name_of(o, file), o.naive);
   write(o, made.text);
   std::cerr << "brdf export: " << made.target << ": " << interop::in_words(made.projection) << '\n';
@@ -118,6 +119,11 @@ void add_export(CLI::App& app) {
       ->required()
       ->check(CLI::IsMember(target_names()));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
+  verb->add_option(
+          "--kernels", options->kernels,
+          "exp, log and their like: own (the library's, bit for bit) or builtin (GLSL's, to be read)")
+      ->check(CLI::IsMember({"own", "builtin"}))
+      ->capture_default_str();
   verb->add_flag("--include", options->include,
                  "Functions only, for an #include: without #version and main()");
   verb->add_flag("--naive", options->naive, "Parameters as they are copied by hand, instead of refitted");
@@ -137,6 +143,7 @@ void add_export(CLI::App& app) {
       "brdf_material(wi, wo) with the parameters as constants is added.\n"
       "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
       "          brdf export --form ward --set alpha=0.1 --to glsl\n"
+      "          brdf export --form ward --to glsl --kernels builtin\n"
       "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
       "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
       "          brdf export --material copper.json --to gltf --naive\n"

@@ -10,6 +10,7 @@
 #include "cli/fit_stack.h"
 #include "cli/inputs.h"
 #include "cli/progress.h"
+#include "cli/shader_options.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/fit.h"
@@ -30,6 +31,8 @@ struct Options {
   unsigned jobs = 1;
   fit::FitChoice choice;
   StackOptions stack;
+  ShaderOptions shader;
+  bool form_given = false;
 };
 
 void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options) {
@@ -37,8 +40,26 @@ void print(const fit::FitResult& result, const io::SampleTable& table, const fit
   fit::print(out, result, table, options, {columns_of(STDOUT_FILENO), colours_on(STDOUT_FILENO)});
 }
 
+constexpr const char* kOneTable = "--shader: is fitted to one table of samples at a time";
+
+// The forms asked for; a shader alone, unless forms are named beside it.
+std::vector<std::vector<Reflectance>> models_of(const Options& o) {
+  const auto shader = load(o.shader, "fit");
+  if (!shader) return fit::models_of(o.choice.form);
+  if (!info(shader->reflectance).fittable())
+    throw InputError(
+        "--shader " + o.shader.file +
+        ": its value is linear in none of its parameters, or not in a colour; a fit takes a sum of terms, "
+        "each times a weight: "
+        "give it a parameter that multiplies it, as `//: param scale 0 10 1` and `return scale * f`");
+  std::vector<std::vector<Reflectance>> models{{shader->reflectance}};
+  if (o.form_given)
+    for (auto& model : fit::models_of(o.choice.form)) models.push_back(std::move(model));
+  return models;
+}
+
 Exit run_one(const Options& o, const fit::FitOptions& options) {
-  io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0]});
+  io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
   io::SampleTable read = io::read_samples(o.samples[0]);
   const std::size_t said = read.warnings.size();
   const io::SampleTable table = fit::arranged(std::move(read), options);
@@ -47,7 +68,7 @@ Exit run_one(const Options& o, const fit::FitOptions& options) {
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
-  const fit::FitResult result = fit::fit(table, fit::models_of(o.choice.form), options, progress);
+  const fit::FitResult result = fit::fit(table, models_of(o), options, progress);
   const fit::FormFit& best = result.ranking.front();
   if (result.interrupted && !o.output.empty() && std::filesystem::is_regular_file(o.output))
     std::cerr << "brdf fit: interrupted: " << o.output << " is kept as it was\n";
@@ -74,13 +95,16 @@ Exit run_many(const Options& o, const std::vector<std::string>& files, const fit
 
 Exit run(Options& o) {
   const fit::FitOptions options = fit_options(o.choice, o.jobs);
-  if (o.samples.size() == 1 && texel::is_stack(o.samples[0]))
+  const bool stack = o.samples.size() == 1 && texel::is_stack(o.samples[0]);
+  if (stack && !o.shader.file.empty()) throw InputError(kOneTable);
+  if (stack)
     return run_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
   if (o.stack.normals != StackOptions().normals || o.stack.memory != StackOptions().memory)
     throw InputError("--normals and --memory-limit are for a stack of photographs");
   const std::vector<std::string> files = sample_files(o.samples);
   const bool folder = files.size() > 1 || names_folder(o.samples) || o.output.ends_with('/') ||
                       std::filesystem::is_directory(o.output);
+  if (folder && !o.shader.file.empty()) throw InputError(kOneTable);
   if (folder) return run_many(o, files, options);
   if (o.no_pictures) throw InputError("--no-pictures is for several sample files: one file's fit draws none");
   return run_one(o, options);
@@ -96,6 +120,7 @@ void add_fit(CLI::App& app) {
                    "Sample tables (CSV, MERL, ...), folders of them, or one stack of photographs")
       ->required();
   add_fit_options(*verb, o.choice);
+  add_shader_options(*verb, o.shader);
   verb->add_option("-o,--output", o.output,
                    "Material file to write; with several sample files, and of a stack: the folder of the "
                    "results");
@@ -108,6 +133,7 @@ void add_fit(CLI::App& app) {
   add_stack_memory_option(*verb, o.stack.memory);
   verb->footer(
       "Examples: brdf fit samples.csv --form all -o material.json\n"
+      "          brdf fit samples.csv --shader walter.brdf --form cook_torrance\n"
       "          brdf fit samples.csv --form auto --json\n"
       "          brdf fit paint.csv --form cook_torrance --physical --tie f0\n"
       "          brdf fit paint.csv --form ward --per-channel --max-theta 75 --aperture 1 --weights "
@@ -122,7 +148,10 @@ void add_fit(CLI::App& app) {
       "          brdf fit a.csv b.csv --free-scale --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options, verb] {
+    options->form_given = verb->get_option("--form")->count() > 0;
+    return run(*options);
+  });
 }
 
 }  // namespace brdf::cli

@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "brdf/targets.h"
+#include "cli/shader_options.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
+#include "io/error.h"
 #include "io/info_json.h"
 #include "io/settings.h"
 #include "io/text.h"
@@ -76,20 +78,25 @@ io::Json list_json(std::span<const Reflectance> forms) {
 void add_models(CLI::App& app) {
   struct Options {
     std::string form;
+    ShaderOptions shader;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* verb =
       add_verb(app, Purpose::look, "models", "List the forms, their parameters and known violations");
   verb->add_option("FORM", options->form, "One form, in detail");
+  add_shader_options(*verb, options->shader);
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(
       "Examples: brdf models ward\n"
-      "          brdf models --json");
+      "          brdf models --json\n"
+      "          brdf models --shader disney.brdf");
   on_run(*verb, [options] {
-    const bool all = options->form.empty();
+    if (!options->form.empty() && !options->shader.file.empty()) throw InputError("give a form or --shader");
+    const auto shader = load(options->shader, "models");
+    const bool all = options->form.empty() && !shader;
     std::vector<Reflectance> forms(catalogue().begin(), catalogue().end());
-    if (!all) forms = {io::require_form(options->form)};
+    if (!all) forms = {shader ? shader->reflectance : io::require_form(options->form)};
     if (options->json) {
       io::Json json;
       json["forms"] = list_json(forms);

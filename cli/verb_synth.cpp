@@ -5,6 +5,7 @@
 #include "cli/microsurface.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "io/output.h"
 #include "synth/instrument.h"
@@ -15,7 +16,7 @@ namespace brdf::cli {
 namespace {
 
 struct Options {
-  io::MaterialChoice material;
+  MaterialOptions material;
   std::string grid = "hemisphere";
   std::vector<double> azimuths;
   synth::Instrument instrument;
@@ -125,7 +126,8 @@ Exit run_stack(const Options& o) {
   stack.saturation = o.instrument.saturation;
   stack.seed = o.instrument.seed;
   io::check_folder_target({"-o", o.output}, {texel::kLightsFile}, {o.material.material});
-  synth::write_stack(o.output, io::choose_material(o.material), stack, progress_line("brdf synth: images"));
+  synth::write_stack(o.output, choose_material(o.material, "synth"), stack,
+                     progress_line("brdf synth: images"));
   std::cerr << "brdf synth: " << stack.lights * stack.viewers << " images of " << stack.width << " x "
             << stack.height << " texels to " << o.output << '\n';
   return Exit::good;
@@ -136,9 +138,10 @@ Exit run(const Options& o) {
   const std::vector<std::string> parts = synth::grid_parts(o.grid);
   std::vector<std::filesystem::path> inputs(parts.begin(), parts.end());
   inputs.push_back(o.material.material);
+  inputs.push_back(o.material.shader.file);
   io::check_targets({{"-o", o.output}}, inputs);
   if (!o.microsurface.surface.empty()) return run_microsurface(o);
-  const Material material = io::choose_material(o.material);
+  const Material material = choose_material(o.material, "synth");
   synth::Instrument instrument = o.instrument;
   instrument.grid.parts = parts;
   instrument.grid.azimuths = o.azimuths.empty() ? synth::usual_azimuths(material) : o.azimuths;

@@ -7,6 +7,7 @@
 #include "cli/microsurface.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/shader_options.h"
 #include "cli/shader_proof.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
@@ -15,6 +16,7 @@
 #include "io/output.h"
 #include "io/settings.h"
 #include "io/text.h"
+#include "validate/against.h"
 #include "validate/error_bounds.h"
 #include "validate/integrators.h"
 #include "validate/judged.h"
@@ -29,6 +31,9 @@ struct Options {
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
+  ShaderOptions shader;
+  std::string such_that, against;
+  std::vector<std::string> maps;
   bool integrators = false, microsurface = false, numerics = false, gpu = false;
 };
 
@@ -43,6 +48,23 @@ std::vector<validate::Picture> read_pictures(const Options& o) {
   return pictures;
 }
 
+// A shader's function, with what its source says of what is found.
+validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
+  validate::OutsideFacts facts{shader.words, shader.oriented, shader.explain};
+  return validate::Subject::outside(file, shader.material, std::move(facts));
+}
+
+// --such-that, of whatever is judged over a domain.
+void restrict_all(const Options& o, std::vector<validate::Subject>& subjects) {
+  const bool domain = o.all || !o.forms.empty() || !o.shader.file.empty();
+  if (!domain && !(o.such_that.empty() && o.against.empty()))
+    throw InputError("--such-that and --against go with --form, --all or --shader");
+  if (!o.maps.empty() && o.against.empty()) throw InputError("--map: goes with --against FORM");
+  if (o.such_that.empty()) return;
+  const io::Condition condition(o.such_that, "--such-that");
+  for (validate::Subject& subject : subjects) subject.restrict_to(condition);
+}
+
 // Forms, materials and tables with their findings.
 validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
@@ -51,10 +73,19 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
     for (const Reflectance& form : catalogue()) content.subjects.push_back(validate::Subject::form(form));
   for (const std::string& name : o.forms)
     content.subjects.push_back(validate::Subject::form(io::require_form(name)));
+  if (const auto shader = load(o.shader, "validate", o.json))
+    content.subjects.push_back(subject_of(*shader, o.shader.file));
+  restrict_all(o, content.subjects);
+  const std::size_t whole_domain = content.subjects.size();
   for (const std::string& file : o.files) validate::add_file(content, file);
   if (content.subjects.empty() && content.tables.empty())
-    throw InputError("nothing to validate: give materials, samples, --form or --all");
+    throw InputError("nothing to validate: give materials, samples, --form, --all or --shader");
+  std::vector<validate::Against> against;  // refused before the work begins
+  for (std::size_t k = 0; !o.against.empty() && k < whole_domain; ++k)
+    against.push_back(validate::parse_against(content.subjects[k], o.against, o.maps));
   validate::judge_all(content, options, progress_line("brdf validate: checks"));
+  for (std::size_t k = 0; k < against.size(); ++k)
+    content.findings.push_back(validate::check_against(content.subjects[k], against[k], options));
   return content;
 }
 
@@ -163,6 +194,12 @@ void add_validate(CLI::App& app) {
   verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
   verb->add_flag("--all", o->all, "every form");
+  add_shader_options(*verb, o->shader);
+  verb->add_option("--such-that", o->such_that,
+                   "what parameters keep, as \"kd + ks <= 1\" (of --form, --all, --shader)");
+  verb->add_option("--against", o->against, "a form: where and by how much does it differ from that one?");
+  add_repeated_option(*verb, "--map", o->maps,
+                      "a parameter of that form from the own ones: alpha=roughness*roughness");
   verb->add_option("--effort", o->effort, "of the search for the worst case")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
@@ -191,6 +228,10 @@ void add_validate(CLI::App& app) {
       "          brdf validate samples.csv --max-theta 80 --picture photograph.png -o sheet.html\n"
       "          brdf validate --form ward --effort full --seed 2\n"
       "          brdf validate --all --json\n"
+      "          brdf validate --shader disney.brdf --param roughness=0.05:1 --require finite,non_negative\n"
+      "          brdf validate --shader ggx.glsl --such-that \"albedo + f0 <= 1\" --against cook_torrance "
+      "--map "
+      "alpha=roughness*roughness\n"
       "          brdf validate --all --numerics\n"
       "          brdf validate --integrators\n"
       "          brdf validate --microsurface\n"

@@ -73,6 +73,32 @@ std::string material_function(const Material& given) {
   return text + "  return f;\n}\n";
 }
 
+// The library's kernels by GLSL's own functions; erfcx, which GLSL has not, stays.
+std::string builtin_kernels(const GlslOptions& options) {
+  const std::string own = glsl_kernels(options);
+  const std::size_t begin = own.find("float brdf_erfcx("), end = own.find("float brdf_angle(");
+  return "float brdf_exp(float x) {\n  return exp(x);\n}\n"
+         "float brdf_log(float x) {\n  return log(x);\n}\n"
+         "float brdf_log1p(float x, float rest) {\n  float u = 1.0 + x;\n"
+         "  return u == 1.0 ? x + rest : log(u) * (x / (u - 1.0)) + rest / u;\n}\n" +
+         own.substr(begin, end - begin) +
+         "float brdf_angle(float sine, float cosine) {\n  return atan(sine, cosine);\n}\n";
+}
+
+// What `--shader` reads: the function, and its parameters' ranges where it takes them.
+std::string annotations(const Material& material, bool whole_material) {
+  if (whole_material) return "//: entry brdf_material(wi, wo)\n";
+  if (material.terms.size() != 1) return "";
+  const ReflectanceInfo& form = info(material.terms.front().form);
+  std::string text = "//: entry brdf_eval_" + std::string(form.name) + "(wi, wo)\n";
+  for (const auto table : {form.shape, form.weights})
+    for (const ParameterInfo& p : table)
+      text += "//: param " + std::string(p.name) + " " + to_text(p.min) + " " + to_text(p.max) + " " +
+              to_text(p.initial) + (p.log_scale ? " log" : "") + " role " + std::string(name_of(p.role)) +
+              "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string glsl_source(const Material& material, const GlslContent& content) {
@@ -81,9 +107,10 @@ std::string glsl_source(const Material& material, const GlslContent& content) {
   // In ES the version must be the first line.
   std::string text = content.whole && es ? "#version 300 es\n" : "";
   text += "// Written by brdf " BRDF_VERSION ": " + provenance().command +
-          "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n";
+          "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n" +
+          annotations(material, content.material);
   if (content.whole) text += es ? "precision highp float;\nprecision highp int;\n" : "#version 450\n";
-  text += glsl_kernels(options);
+  text += content.builtin_kernels ? builtin_kernels(options) : glsl_kernels(options);
   std::vector<Reflectance> written;
   for (const Term& term : material.terms) {
     if (std::find(written.begin(), written.end(), term.form) != written.end()) continue;

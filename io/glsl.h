@@ -13,6 +13,8 @@ struct GlslContent {
   // A shader that compiles as it is: #version and an empty main().
   bool whole = true;
   GlslDialect dialect = GlslDialect::vulkan;
+  // exp, log and the rest by GLSL's own functions: to be read, and for scalars other than float; not the library's bits.
+  bool builtin_kernels = false;
 };
 
 // Throws InputError where a reflectance has no GLSL, and for a material function of channels that are no colours

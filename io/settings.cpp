@@ -155,19 +155,23 @@ ParameterInfo parameter_named(const Material& material, const std::string& name,
 }
 
 MaterialFile choose_material_file(const MaterialChoice& choice) {
-  if (choice.form.empty() == choice.material.empty())
-    throw InputError("exactly one of --form and --material must be given");
+  if (!choice.form.empty() + !choice.material.empty() + choice.made.has_value() != 1)
+    throw InputError("exactly one of --form, --material and --shader must be given");
   const std::vector<Setting> settings = parse_settings(choice.set, "--set");
   MaterialFile file;
   if (!choice.material.empty()) {
     file = read_material_file(choice.material);
   } else {
-    std::size_t channels = 1;
+    std::size_t channels = choice.made ? choice.made->channels.size() : 1;
     for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
     if (channels > kMostChannels)
       throw InputError("--set: " + std::to_string(channels) + " values are more than the " +
                        std::to_string(kMostChannels) + " channels of a material");
-    file.material = make_material(require_form(choice.form), channel_names(channels));
+    if (choice.made && channels == choice.made->channels.size())
+      file.material = *choice.made;
+    else
+      file.material = make_material(choice.made ? choice.made->terms.front().form : require_form(choice.form),
+                                    channel_names(channels));
   }
   if (!settings.empty())
     file = {std::move(file.material), nullptr};  // no longer what was fitted or published

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,9 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::
 // How a verb is told about a material: --form or --material, and --set.
 struct MaterialChoice {
   std::string form;
-  std::string material;          // path of a material's JSON
-  std::vector<std::string> set;  // name=value
+  std::string material;               // path of a material's JSON
+  std::vector<std::string> set;       // name=value
+  std::optional<Material> made = {};  // instead of those: what reflects, at its defaults
 };
 
 // The material chosen. Of a form: the table's defaults with one channel, "fr", or as many as the longest list

@@ -40,6 +40,8 @@ Finding check_normalisation(const Subject& subject, const CheckOptions& options)
 Finding check_white_furnace(const Subject& subject, const CheckOptions& options);
 // f cos_i over the sampling density averages to the albedo.
 Finding check_sampling(const Subject& subject, const CheckOptions& options);
+// Float agrees with double of the same code; of code that is not ours.
+Finding check_float(const Subject& subject, const CheckOptions& options);
 // Derivatives by dual numbers agree with differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 

@@ -40,6 +40,12 @@ WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, 
     double shared = 0;
     for (const std::size_t k : subject.shared_weights()) shared += w[k];
     if (shared > 1) continue;
+    if (subject.is_restricted()) {
+      Material at = make_material(*subject.of_form(), subject.channels());
+      at.terms.front().shape.front().assign(shape.begin(), shape.end());
+      std::fill(at.terms.front().weights.begin(), at.terms.front().weights.end(), w);
+      w = subject.restricted(std::move(at)).terms.front().weights.front();
+    }
     const std::vector<double> linear = linear_weights(f, w);
     double value = 0, bound = 0;
     for (std::size_t k = 0; k < linear.size(); ++k) {

@@ -12,6 +12,7 @@ struct NamedCheck {
   const char* name;
   Finding (*run)(const Subject&, const CheckOptions&);
   double cost;  // about, relative to the others
+  bool outside_only = false;
 };
 
 constexpr NamedCheck kChecks[] = {
@@ -26,6 +27,7 @@ constexpr NamedCheck kChecks[] = {
     {"continuity", check_continuity, 1.5},
     {"sampling", check_sampling, 1},
     {"derivatives", check_derivatives, 1},
+    {"float", check_float, 1, true},
 };
 
 // A witness that the search could not meet proves nothing: its angle lies beyond the limit.
@@ -58,6 +60,9 @@ std::vector<std::string> check_names() {
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
                                 const io::Progress& progress) {
   constexpr std::size_t kCount = std::size(kChecks);
+  const auto applies = [&](std::size_t k) {
+    return !kChecks[k % kCount].outside_only || subjects[k / kCount].is_outside();
+  };
   std::vector<Finding> findings(subjects.size() * kCount);
   // The dear ones first, so that no processor is left alone with one at the end.
   const auto cost = [&](std::size_t k) {
@@ -65,6 +70,7 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   };
   std::vector<std::size_t> order(findings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t k) { return !applies(k); });
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
   const auto run = [&](int j) {
@@ -75,7 +81,10 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
     return k;
   };
   io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
-  return findings;
+  std::vector<Finding> out;
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    if (applies(k)) out.push_back(std::move(findings[k]));
+  return out;
 }
 
 }  // namespace brdf::validate

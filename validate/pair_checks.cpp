@@ -47,6 +47,7 @@ Finding from_best(const Subject& subject, std::string check, const Best& best, d
 Finding check_finite(const Subject& subject, const CheckOptions&) {
   Finding finding{subject.name(), "finite"};
   std::vector<Vec3<double>> directions;
+  std::string explained;
   for (const double z : {1.0, 0.7, 0.1, 1e-3, 1e-6, 1e-9, 1e-13, 1e-300, 0.0, -1e-300, -1e-9, -0.5, -1.0})
     for (const double phi : {0.0, 1.0, kPi / 2, kPi}) directions.push_back(at_cosine(z, phi));
   directions.push_back({1e-310, 0, 1});
@@ -69,11 +70,12 @@ Finding check_finite(const Subject& subject, const CheckOptions&) {
           const auto azimuth = [](const Vec3<double>& w) { return in_degrees(std::atan2(w.y, w.x)); };
           finding.witness =
               pair_witness(subject, m, {wi, wo, polar(wi), azimuth(wi), polar(wo), azimuth(wo)});
+          explained = subject.explained(finding.check, m, wi, wo);
         }
       }
   }
   finding.conclude(!(finding.value > 0), "finite for every pair of directions tried",
-                   "values that are not finite");
+                   "values that are not finite" + explained);
   return finding;
 }
 
@@ -89,6 +91,10 @@ Finding check_non_negative(const Subject& subject, const CheckOptions& options) 
   Finding finding = from_best(subject, "non_negative", best, -best.value, 0, 1);
   finding.conclude(!(finding.value < -1e-12), "never below 0",
                    "f down to " + io::short_number(finding.value, 3) + " /sr");
+  if (finding.outcome == Outcome::fail) {
+    const Pair pair = pair_of(subject, best.point);
+    finding.statement += subject.explained(finding.check, subject.at(best.point), pair.wi, pair.wo);
+  }
   return finding;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/error.h"
 #include "io/shell.h"
 #include "io/text.h"
 
@@ -34,6 +35,14 @@ Subject Subject::form(const Reflectance& form) {
   for (const Role role : {Role::diffuse, Role::specular})
     for (std::size_t k = 0; k < f.weights.size(); ++k)
       if (f.weights[k].role == role) s.shared_.push_back(k);
+  return s;
+}
+
+Subject Subject::outside(std::string name, const Material& material, OutsideFacts facts) {
+  Subject s = form(material.terms.front().form);
+  s.name_ = std::move(name);
+  s.anisotropic_ = s.anisotropic_ || facts.oriented;
+  s.outside_ = std::move(facts);
   return s;
 }
 
@@ -71,7 +80,61 @@ Material Subject::at(std::span<const double> point) const {
   }
   if (shared_.size() > 1) w[shared_.back()] = left;
   std::fill(term.weights.begin() + 1, term.weights.end(), w);
-  return m;
+  return restricted(std::move(m));
+}
+
+Material Subject::restricted(Material at) const {
+  if (!condition_) return at;
+  const auto holds = [&](const Material& m) {
+    const auto named = parameters(m);
+    return condition_->holds([&](std::string_view name) {
+      return std::find_if(named.begin(), named.end(), [&](const auto& p) { return p.first == name; })->second;
+    });
+  };
+  if (holds(at)) return at;
+  const ReflectanceInfo& f = info(*form_);
+  const std::vector<std::string>& names = condition_->names();
+  const auto named = [&](const ParameterInfo& p) {
+    return std::find(names.begin(), names.end(), p.name) != names.end();
+  };
+  // This share of the way from the least values.
+  const auto part = [&](double share) {
+    Material m = at;
+    Term& term = m.terms.front();
+    const auto move = [&](std::span<const ParameterInfo> table, std::vector<double>& values) {
+      for (std::size_t k = 0; k < table.size(); ++k)
+        if (named(table[k])) values[k] = table[k].min + share * (values[k] - table[k].min);
+    };
+    for (auto& set : term.shape) move(f.shape, set);
+    for (auto& set : term.weights) move(f.weights, set);
+    return m;
+  };
+  double low = 0, high = 1;
+  for (int step = 0; step < 50; ++step) {
+    const double middle = (low + high) / 2;
+    (holds(part(middle)) ? low : high) = middle;
+  }
+  return part(low);
+}
+
+void Subject::restrict_to(const io::Condition& condition) {
+  const auto known = parameters(material_);
+  for (const std::string& name : condition.names())
+    if (std::none_of(known.begin(), known.end(), [&](const auto& p) { return p.first == name; }))
+      throw InputError("--such-that: " + name + " is no parameter of " + name_);
+  condition_ = condition;
+  Material least = material_;
+  const ReflectanceInfo& f = info(*form_);
+  for (std::size_t k = 0; k < f.shape.size(); ++k) least.terms.front().shape[0][k] = f.shape[k].min;
+  for (std::size_t k = 0; k < f.weights.size(); ++k) least.terms.front().weights[0][k] = f.weights[k].min;
+  const auto values = parameters(least);
+  if (!condition.holds([&](std::string_view name) {
+        return std::find_if(values.begin(), values.end(), [&](const auto& p) { return p.first == name; })
+            ->second;
+      }))
+    throw InputError(
+        "--such-that: must hold where its parameters are least, as kd + ks <= 1 does; a parameter's own "
+        "range is --param NAME=MIN:MAX");
 }
 
 std::vector<std::pair<std::string, double>> Subject::parameters(const Material& at) const {
@@ -87,11 +150,17 @@ std::vector<std::pair<std::string, double>> Subject::parameters(const Material& 
 
 std::string Subject::selector(const Material& at) const {
   if (!form_) return "--material " + io::shell_file(name_);
-  if (catalogue_index(*form_) < 0) return {};
-  std::string words = "--form " + io::shell_word(name_);
+  if (catalogue_index(*form_) < 0 && !outside_) return {};
+  std::string words = outside_ ? outside_->words : "--form " + io::shell_word(name_);
   for (const auto& [name, value] : parameters(at))
     words += " --set " + io::shell_word(name) + "=" + io::to_text(value);
   return words;
+}
+
+std::string Subject::explained(std::string_view check, const Material& at, const Vec3<double>& wi,
+                               const Vec3<double>& wo) const {
+  const std::string text = outside_ && outside_->explain ? outside_->explain(check, at, wi, wo) : "";
+  return text.empty() ? "" : "; " + text;
 }
 
 std::string Subject::command(const std::string& verb, const Material& at, const std::string& rest) const {

@@ -1,14 +1,26 @@
 // What is judged: a reflectance over its whole parameter domain, or a material with its own parameters.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "brdf/material.h"
+#include "io/expression.h"
 #include "validate/finding.h"
 
 namespace brdf::validate {
+
+// Of code that is not ours: what no form's name says.
+struct OutsideFacts {
+  std::string words;      // of a command line that says the same: "--shader FILE"
+  bool oriented = false;  // turns with its tangent, though it has no two widths
+  // Where in its source what a check found comes from, for one pair of directions; empty where that is not known.
+  std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
+                            const Vec3<double>& wo)>
+      explain = {};
+};
 
 // Parameters are searched on the unit cube. Diffuse and specular weights share
 // the light: their sum is at most 1. The others cover their tables up to 1; a
@@ -17,6 +29,8 @@ class Subject {
  public:
   static Subject form(const Reflectance& form);
   static Subject material(std::string name, Material material);
+  // A reflectance that is not in the catalogue; its channels are those of the material.
+  static Subject outside(std::string name, const Material& material, OutsideFacts facts);
 
   const std::string& name() const { return name_; }
   const std::optional<Reflectance>& of_form() const { return form_; }
@@ -35,6 +49,16 @@ class Subject {
   std::vector<std::pair<std::string, double>> parameters(const Material& at) const;
   // What a verb must be told to say the same of it; empty of a reflectance that is not in the catalogue.
   std::string command(const std::string& verb, const Material& at, const std::string& rest) const;
+  // Restricts parameters: where the condition does not hold, those that it names go towards the least of their tables until it does.
+  // Throws InputError for names that are no parameters, and where it does not hold at the least of all.
+  void restrict_to(const io::Condition& condition);
+  bool is_restricted() const { return condition_.has_value(); }
+  // The same for parameters that are chosen elsewhere.
+  Material restricted(Material at) const;
+  bool is_outside() const { return outside_.has_value(); }
+  // "; " and what the code's source says of it; empty where nothing is known.
+  std::string explained(std::string_view check, const Material& at, const Vec3<double>& wi,
+                        const Vec3<double>& wo) const;
   // Which weights share the light: positions in the table.
   const std::vector<std::size_t>& shared_weights() const { return shared_; }
 
@@ -47,6 +71,8 @@ class Subject {
   std::size_t shape_dimensions_ = 0, weight_dimensions_ = 0;
   std::vector<std::size_t> shared_;
   bool anisotropic_ = false;
+  std::optional<OutsideFacts> outside_;
+  std::optional<io::Condition> condition_;
 };
 
 // What both axes of an anisotropic form are called together: the common part of their names, or the one along.

@@ -36,6 +36,9 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--microsurface", Value::text}, {"--texels", Value::text},
     {"--vary", Value::parameter},    {"--normals", Value::picture},
     {"JOB", Value::folder},          {"--unit-size", Value::text},
+    {"--shader", Value::file},       {"--param", Value::text},
+    {"--entry", Value::text},        {"--against", Value::form},
+    {"--map", Value::text},          {"--such-that", Value::text},
 };
 
 }  // namespace

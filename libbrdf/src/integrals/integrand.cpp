@@ -92,6 +92,18 @@ bool Integrand::measured_root() const {
   return false;
 }
 
+// A quarter turn of both directions, which rounds nothing, changes the value.
+bool Integrand::measured_orientation() const {
+  for (const auto& [theta_f, phi_f, theta_m, phi_m] :
+       {std::array{0.7, 0.4, 0.75, 3.4}, std::array{0.2, 1.2, 0.9, 2.6}, std::array{1.1, 5.9, 1.2, 2.9}}) {
+    const Vec3<double> f = direction(radians(theta_f), radians(phi_f)),
+                       m = direction(radians(theta_m), radians(phi_m));
+    const double here = sum_at(f, m), turned = sum_at({-f.y, f.x, f.z}, {-m.y, m.x, m.z});
+    if (std::abs(here - turned) > 1e-9 * std::max(std::abs(here), std::abs(turned))) return true;
+  }
+  return false;
+}
+
 void Integrand::look() {
   find_constants();
   const ReflectanceInfo& f = info(form_);
@@ -109,6 +121,7 @@ void Integrand::look() {
   for (double* width : {&features_.width_x, &features_.width_y})
     *width = std::max(*width, kLeastWidth);  // a table may allow 0
   features_.root_at_horizon = measured_root();
+  features_.oriented = f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation();
   features_.mirror_lobe = f.kink == Kink::mirror_edge;
   // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
   features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;

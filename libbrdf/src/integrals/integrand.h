@@ -28,7 +28,8 @@ struct Features {
   // Nothing but constants beyond kReach widths: an exponential tail, which the rules cut off there.
   bool compact = false;
   Kink kink = Kink::none;
-  bool anisotropic() const { return width_x != width_y; }
+  bool oriented = false;  // sees the tangent, though it has no two widths
+  bool anisotropic() const { return oriented || width_x != width_y; }
   // Whether the slopes of the half vector are the right variables.
   bool about_half_vector() const {
     return !mirror_lobe && kink != Kink::azimuth && kink != Kink::mirror_edge;
@@ -87,6 +88,7 @@ class Integrand {
   void find_constants();
   double measured_width() const;
   bool measured_root() const;
+  bool measured_orientation() const;
 };
 
 // Collects weighted directions and sums the integrand over them, a block at a time.

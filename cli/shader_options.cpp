@@ -1,0 +1,92 @@
+#include "cli/shader_options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "cli/options.h"
+#include "io/error.h"
+#ifdef BRDF_HAS_SHADER
+#include "shader/blame.h"
+#include "shader/shader.h"
+#endif
+
+namespace brdf::cli {
+#ifdef BRDF_HAS_SHADER
+namespace {
+
+std::string explain(const shader::ShaderReflectance& model, std::string_view check, const Material& at,
+                    const Vec3<double>& wi, const Vec3<double>& wo) {
+  using shader::Fault;
+  const Fault fault = check == "finite"         ? Fault::not_finite
+                      : check == "non_negative" ? Fault::negative
+                                                : Fault::loses_digits;
+  for (std::size_t c = 0; c < at.channels.size(); ++c) {
+    const std::vector<double> values = model.values_of(at.terms.front().values(c));
+    const std::string text =
+        to_text(shader::blame<double>(model.function(), fault, values, wi, wo, std::min<std::size_t>(c, 2)));
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
+}  // namespace
+#endif
+
+void add_shader_options(CLI::App& verb, ShaderOptions& options) {
+  verb.add_option("--shader", options.file,
+                  "A shader's file (GLSL, HLSL, BRDF Explorer's .brdf) whose function is the reflectance");
+  add_repeated_option(verb, "--param", options.parameters,
+                      "A parameter's range, NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, :log after it for a log "
+                      "scale (of --shader)");
+  verb.add_option("--entry", options.entry,
+                  "The function, NAME or NAME(L, V, N, ...) with what its arguments are (of --shader; "
+                  "default: the one called brdf)");
+  offer(verb.add_option("--returns", options.returns,
+                        "What the function returns: f (default), f*cos_i or f*cos_o (of --shader)"),
+        {"f", "f*cos_i", "f*cos_o"});
+}
+
+std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet) {
+  if (options.file.empty()) {
+    for (const auto& [name, given] :
+         {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
+          std::pair("--returns", !options.returns.empty())})
+      if (given) throw InputError(std::string(name) + ": goes with --shader FILE");
+    return std::nullopt;
+  }
+#ifdef BRDF_HAS_SHADER
+  const shader::ShaderChoice choice{options.file, options.parameters, options.entry, options.returns};
+  const auto model = shader::load_shader(choice);
+  LoadedShader loaded{Reflectance(model),
+                      model->material(model),
+                      shader::command_words(choice),
+                      model->function().notes,
+                      model->function().oriented,
+                      [model](std::string_view check, const Material& at, const Vec3<double>& wi,
+                              const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); }};
+  if (!quiet)
+    for (const std::string& note : loaded.notes)
+      std::cerr << "brdf " << verb << ": " << options.file << ": " << note << '\n';
+  return loaded;
+#else
+  (void)verb, (void)quiet;
+  throw EnvironmentError("--shader " + options.file + ": this build has no shader compiler (glslang)");
+#endif
+}
+
+void add_material_options(CLI::App& verb, MaterialOptions& options) {
+  add_material_options(verb, static_cast<io::MaterialChoice&>(options));
+  add_shader_options(verb, options.shader);
+}
+
+io::MaterialFile choose_material_file(const MaterialOptions& options, const std::string& verb) {
+  io::MaterialChoice choice = options;
+  if (const auto shader = load(options.shader, verb)) choice.made = shader->material;
+  return io::choose_material_file(choice);
+}
+
+Material choose_material(const MaterialOptions& options, const std::string& verb) {
+  return choose_material_file(options, verb).material;
+}
+
+}  // namespace brdf::cli

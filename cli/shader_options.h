@@ -1,0 +1,52 @@
+// --shader and what says how to read it, the same in every verb.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+#include "io/settings.h"
+
+namespace CLI {
+class App;
+}
+
+namespace brdf::cli {
+
+struct ShaderOptions {
+  std::string file = {};
+  std::vector<std::string> parameters;
+  std::string entry, returns;
+};
+
+// --shader, --param, --entry, --returns.
+void add_shader_options(CLI::App& verb, ShaderOptions& options);
+
+// What a verb needs of a shader's file.
+struct LoadedShader {
+  Reflectance reflectance;
+  Material material;               // at the shader's own defaults
+  std::string words;               // of a command line that says the same
+  std::vector<std::string> notes;  // sentences on how it was read
+  bool oriented = false;           // sees the tangent
+  // The source line that what a check found comes from (validate/subject.h).
+  std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
+                            const Vec3<double>& wo)>
+      explain;
+};
+
+// Nothing where --shader is not given. Notes are printed on stderr unless `quiet`. Throws InputError where the file is no reflectance,
+// or the other options are given without it; EnvironmentError where this build has no shader compiler.
+std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet = false);
+
+// --form, --material and --set, or a shader and --set.
+struct MaterialOptions : io::MaterialChoice {
+  ShaderOptions shader;
+};
+void add_material_options(CLI::App& verb, MaterialOptions& options);
+Material choose_material(const MaterialOptions& options, const std::string& verb);
+io::MaterialFile choose_material_file(const MaterialOptions& options, const std::string& verb);
+
+}  // namespace brdf::cli

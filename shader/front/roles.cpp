@@ -1,0 +1,168 @@
+#include "shader/front/roles.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "io/text.h"
+
+namespace brdf::shader {
+namespace {
+
+struct Names {
+  Axis axis;
+  std::string_view letter;  // in products: n of NdotL
+  std::array<std::string_view, 26> words;
+};
+
+// Without underscores, in small letters.
+constexpr Names kNamesOf[] = {
+    {Axis::light,
+     "l",
+     {"wi",
+      "l",
+      "light",
+      "lightdir",
+      "lightdirection",
+      "lightvec",
+      "lightvector",
+      "ldir",
+      "tolight",
+      "incoming",
+      "incident",
+      "omegai",
+      "omegain",
+      "wil",
+      "directiontolight",
+      "dirlight",
+      "lightdirn",
+      "win",
+      "surfacetolight",
+      "lvec",
+      "i"}},
+    {Axis::view,
+     "v",
+     {"wo",
+      "v",
+      "view",
+      "viewdir",
+      "viewdirection",
+      "viewvec",
+      "viewvector",
+      "vdir",
+      "toview",
+      "toviewer",
+      "eye",
+      "eyedir",
+      "eyevec",
+      "outgoing",
+      "omegao",
+      "omegaout",
+      "wov",
+      "directiontoeye",
+      "directiontocamera",
+      "tocamera",
+      "cameradir",
+      "toeye",
+      "wout",
+      "surfacetoview",
+      "o",
+      "vvec"}},
+    {Axis::normal,
+     "n",
+     {"n", "normal", "norm", "normaldir", "surfacenormal", "shadingnormal", "worldnormal", "nrm", "ns", "nor",
+      "nvec", "normalvector", "ng"}},
+    {Axis::half,
+     "h",
+     {"h", "half", "halfvector", "halfvec", "halfway", "halfdir", "halfwaydir", "wh", "wm", "m", "hvec",
+      "halfwayvector"}},
+    {Axis::tangent,
+     "t",
+     {"x", "t", "tangent", "tangentdir", "tan", "tangentu", "tvec", "dpdu", "worldtangent"}},
+    {Axis::bitangent,
+     "b",
+     {"y", "b", "bitangent", "binormal", "bitangentdir", "tangentv", "bvec", "dpdv", "worldbitangent"}}};
+
+std::string plain(std::string_view name) {
+  std::string out = io::lower_case(name);
+  std::erase(out, '_');
+  return out;
+}
+
+// Prefixes that say where a variable comes from: vNormal, uLightDir, in_normal, a_tangent.
+std::optional<Axis> axis_of(const std::string& word) {
+  for (const Names& names : kNamesOf)
+    if (!word.empty() && std::find(names.words.begin(), names.words.end(), word) != names.words.end())
+      return names.axis;
+  return std::nullopt;
+}
+
+std::optional<Axis> letter_axis(std::string_view letters) {
+  if (letters == "x") return Axis::tangent;
+  if (letters == "y") return Axis::bitangent;
+  if (letters == "i") return Axis::light;
+  if (letters == "o" || letters == "e") return Axis::view;
+  if (letters == "m") return Axis::half;
+  for (const Names& names : kNamesOf)
+    if (letters == names.letter) return names.axis;
+  return axis_of(std::string(letters));
+}
+
+// ndotl, nol, dotnl, nl; a cosine alone is that to the normal.
+std::optional<std::pair<Axis, Axis>> product_of(const std::string& word) {
+  const auto pair = [](std::string_view a, std::string_view b) -> std::optional<std::pair<Axis, Axis>> {
+    const auto x = letter_axis(a), y = letter_axis(b);
+    if (!x || !y || *x == *y) return std::nullopt;
+    return std::pair(*x, *y);
+  };
+  if (const std::size_t at = word.find("dot"); at != word.npos) {
+    if (at > 0) return pair(std::string_view(word).substr(0, at), std::string_view(word).substr(at + 3));
+    const std::string_view rest = std::string_view(word).substr(3);
+    return rest.size() == 2 ? pair(rest.substr(0, 1), rest.substr(1)) : std::nullopt;
+  }
+  if (word.size() == 3 && word[1] == 'o')
+    return pair(std::string_view(word).substr(0, 1), std::string_view(word).substr(2));
+  if (word.size() == 2 && std::string_view("nlvh").find(word[0]) != std::string_view::npos &&
+      std::string_view("nlvh").find(word[1]) != std::string_view::npos)
+    return pair(std::string_view(word).substr(0, 1), std::string_view(word).substr(1));
+  for (const std::string_view begin : {"costheta", "cos"}) {
+    if (!word.starts_with(begin)) continue;
+    const std::string_view rest = std::string_view(word).substr(begin.size());
+    if (rest == "i" || rest == "l" || rest == "in") return std::pair(Axis::normal, Axis::light);
+    if (rest == "o" || rest == "v" || rest == "r" || rest == "out")
+      return std::pair(Axis::normal, Axis::view);
+    if (rest == "h" || rest == "m") return std::pair(Axis::normal, Axis::half);
+    if (rest == "d") return std::pair(Axis::light, Axis::half);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
+  const std::string whole = plain(name);
+  const std::size_t dot = whole.rfind('.');
+  const std::string word = dot == whole.npos ? whole : whole.substr(dot + 1),
+                    before = dot == whole.npos ? "" : whole.substr(0, dot);
+  if (word == "lightcolor" || word == "lightcolour" || word == "radiance" || word == "lightintensity" ||
+      word == "lightradiance" || word == "attenuation" ||
+      (before.find("light") != before.npos && (word == "color" || word == "intensity")))
+    return Meaning{Meaning::Kind::white};
+  if (!vector) {
+    if (const auto product = product_of(word))
+      return Meaning{Meaning::Kind::product, product->first, product->second};
+    return std::nullopt;
+  }
+  if (word == "direction" || word == "dir") {
+    if (before.find("light") != before.npos) return Meaning{Meaning::Kind::vector, Axis::light};
+    if (before.find("view") != before.npos) return Meaning{Meaning::Kind::vector, Axis::view};
+  }
+  if (const auto axis = axis_of(word)) return Meaning{Meaning::Kind::vector, *axis};
+  // Where a variable comes from, before its name: vNormal, uLightDir, in_normal.
+  for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world"})
+    if (word.size() > begin.size() + 2 && word.starts_with(begin))
+      if (const auto axis = axis_of(word.substr(begin.size()))) return Meaning{Meaning::Kind::vector, *axis};
+  return std::nullopt;
+}
+
+}  // namespace brdf::shader

@@ -1,0 +1,278 @@
+#include "shader/front/source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/content.h"
+#include "io/error.h"
+#include "io/text.h"
+
+namespace brdf::shader {
+namespace {
+
+constexpr int kDeepest = 100;                // brackets within brackets
+constexpr std::size_t kLongestChain = 2000;  // operators without a semicolon or a bracket between
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
+}
+
+// What would exhaust a compiler's stack.
+void check_depth(const std::string& name, const std::string& text) {
+  int depth = 0;
+  std::size_t chain = 0, at = 0;
+  for (const char c : text) {
+    ++at;
+    depth += c == '(' || c == '[' || c == '{';
+    depth -= c == ')' || c == ']' || c == '}';
+    chain = c == ';' || c == '{' || c == '}' || c == ','
+                ? 0
+                : chain + (std::string_view("+-*/%&|^!~<>=?:").find(c) != std::string_view::npos);
+    if (depth > kDeepest || chain > kLongestChain)
+      throw InputError(name + ":" + std::to_string(io::line_of(text, at - 1)) +
+                       ": is nested too deeply to be a reflectance");
+  }
+}
+
+double number_of(std::string_view word, const std::string& where) {
+  double value;
+  if (!io::parse_number(word, value) || !std::isfinite(value))
+    throw InputError(where + io::shown(word) + " is not a finite number");
+  return value;
+}
+
+std::optional<Role> role_of(std::string_view word) {
+  return find_named<Role>(std::string(word));
+}
+
+// Words after a parameter's name: numbers, then "log" and "role ROLE".
+struct Words {
+  std::vector<double> numbers;
+  bool log_scale = false;
+  Role role = Role::other;
+};
+Words read_words(std::span<const std::string_view> words, const std::string& where) {
+  Words out;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] == "log") {
+      out.log_scale = true;
+    } else if (words[k] == "role") {
+      const auto role = k + 1 < words.size() ? role_of(words[k + 1]) : std::nullopt;
+      if (!role) throw InputError(where + "role must be one of " + known_names<Role>());
+      out.role = *role;
+      ++k;
+    } else {
+      out.numbers.push_back(number_of(words[k], where));
+    }
+  }
+  return out;
+}
+
+void check(const Declared& p, const std::string& where) {
+  if (p.min && p.max && !(*p.min <= *p.max))
+    throw InputError(where + p.name + ": its least value is above its largest");
+  for (const double value : p.initial)
+    if ((p.min && value < *p.min) || (p.max && value > *p.max))
+      throw InputError(where + p.name + ": its default is out of its range");
+  if (p.log_scale && p.max && !(*p.max > 0))
+    throw InputError(where + p.name + ": a log scale needs values above 0");
+}
+
+// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", and BRDF Explorer's "float NAME MIN MAX DEFAULT".
+Declared read_declared(std::string_view kind, std::span<const std::string_view> words, std::uint32_t line,
+                       const std::string& where) {
+  if (words.empty()) throw InputError(where + "the parameter's name is missing");
+  const Words w = read_words(words.subspan(1), where);
+  Declared p{std::string(words[0])};
+  p.line = line;
+  p.log_scale = w.log_scale;
+  p.role = w.role;
+  const std::size_t count = w.numbers.size();
+  if (kind == "bool") {
+    if (count > 1) throw InputError(where + "a bool has one default, 0 or 1");
+    p.min = 0, p.max = 1;
+    p.initial = {count == 1 && w.numbers[0] != 0 ? 1.0 : 0.0};
+  } else if (kind == "color") {
+    if (count != 3 && count != 1) throw InputError(where + "a color has three numbers");
+    p.min = 0, p.max = std::max(1.0, *std::max_element(w.numbers.begin(), w.numbers.end()));
+    p.initial = w.numbers;
+  } else {
+    if (count != 2 && count != 3) throw InputError(where + "must be NAME MIN MAX DEFAULT [log]");
+    p.min = w.numbers[0], p.max = w.numbers[1];
+    if (count == 3) p.initial = {w.numbers[2]};
+  }
+  check(p, where);
+  return p;
+}
+
+// A line that begins with //: says something to this program.
+void read_note(Source& source, std::string_view line, std::uint32_t number) {
+  const std::string where = source.name + ":" + std::to_string(number) + ": ";
+  std::vector<std::string_view> words;
+  io::split_blanks(io::trimmed(line), words);
+  if (words.empty()) return;
+  const std::string rest(io::trimmed(io::trimmed(line).substr(words[0].size())));
+  if (words[0] == "param" || words[0] == "bool" || words[0] == "color")
+    source.parameters.push_back(
+        read_declared(words[0], std::span<const std::string_view>(words).subspan(1), number, where));
+  else if (words[0] == "entry")
+    source.entry = parse_entry(rest);
+  else if (words[0] == "returns")
+    source.returns = parse_returns(rest);
+  else
+    throw InputError(where + "//: " + std::string(words[0]) +
+                     ": must be param, bool, color, entry or returns");
+}
+
+// BRDF Explorer's file becomes GLSL: its parameters are globals, in the lines where they stood; other lines are empty.
+void read_explorer(Source& source) {
+  source.explorer = true;
+  std::string glsl, block;
+  bool has_shader = false;
+  std::uint32_t number = 0;
+  std::size_t at = 0;
+  std::vector<std::string_view> words;
+  while (at < source.text.size()) {
+    const std::size_t stop = std::min(source.text.find('\n', at), source.text.size());
+    const std::string_view line(source.text.data() + at, stop - at);
+    at = stop + 1;
+    ++number;
+    io::split_blanks(io::trimmed(line), words);
+    const std::string where = source.name + ":" + std::to_string(number) + ": ";
+    if (!words.empty() && words[0] == "::begin") {
+      if (words.size() < 2) throw InputError(where + "::begin what?");
+      block = words[1];
+      has_shader = has_shader || block == "shader";
+    } else if (!words.empty() && words[0] == "::end") {
+      block.clear();
+    } else if (block == "shader") {
+      glsl += line;
+    } else if (block == "parameters" && !words.empty() && !words[0].starts_with("#") &&
+               !words[0].starts_with("//")) {
+      if (words[0] != "float" && words[0] != "bool" && words[0] != "color")
+        throw InputError(where + "a parameter is a float, a bool or a color");
+      std::span<const std::string_view> rest = std::span<const std::string_view>(words).subspan(1);
+      for (std::size_t k = 0; k < rest.size(); ++k)
+        if (rest[k].starts_with("#") || rest[k].starts_with("//")) rest = rest.first(k);
+      source.parameters.push_back(read_declared(words[0], rest, number, where));
+      const std::string& name = source.parameters.back().name;
+      if (!std::all_of(name.begin(), name.end(), is_letter))
+        throw InputError(where + io::shown(name) + " is no name");
+      source.globals.push_back(name);
+      glsl += (words[0] == "color" ? "vec3 " : std::string(words[0]) + " ") + name + ";";
+    }
+    glsl += '\n';
+  }
+  if (!has_shader)
+    throw InputError(source.name +
+                     ": has no ::begin shader; a .brdf file has its function BRDF(L, V, N, X, Y) there");
+  source.text = std::move(glsl);
+  if (!source.entry) source.entry = EntryLine{"BRDF"};
+}
+
+bool begins_a_block(std::string_view text) {
+  return text.starts_with("::begin") || text.find("\n::begin") != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string without_comments(std::string_view text) {
+  std::string out(text);
+  for (std::size_t k = 0; k < out.size();) {
+    if (out.compare(k, 2, "//") == 0) {
+      while (k < out.size() && out[k] != '\n') out[k++] = ' ';
+    } else if (out.compare(k, 2, "/*") == 0) {
+      const std::size_t stop = out.find("*/", k + 2);
+      for (const std::size_t end = stop == out.npos ? out.size() : stop + 2; k < end; ++k)
+        if (out[k] != '\n') out[k] = ' ';
+    } else {
+      ++k;
+    }
+  }
+  return out;
+}
+
+std::string line_of_text(std::string_view text, std::uint32_t line) {
+  std::size_t at = 0;
+  for (std::uint32_t k = 1; k < line; ++k) {
+    at = text.find('\n', at);
+    if (at == text.npos) return "";
+    ++at;
+  }
+  return line == 0 ? "" : std::string(io::trimmed(text.substr(at, text.find('\n', at) - at)));
+}
+
+Declared parse_parameter(const std::string& text) {
+  const std::string where = "--param '" + text + "': ";
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || equals == 0)
+    throw InputError(where + "must be NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, with :log for a log scale");
+  std::vector<std::string_view> fields;
+  io::split(std::string_view(text).substr(equals + 1), ':', fields);
+  Declared p{std::string(io::trimmed(std::string_view(text).substr(0, equals)))};
+  if (!fields.empty() && fields.back() == "log") {
+    p.log_scale = true;
+    fields.pop_back();
+  }
+  if (fields.size() < 2 || fields.size() > 3)
+    throw InputError(where + "must be NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, with :log for a log scale");
+  p.min = number_of(fields[0], where), p.max = number_of(fields[1], where);
+  if (fields.size() == 3) p.initial = {number_of(fields[2], where)};
+  check(p, where);
+  return p;
+}
+
+EntryLine parse_entry(const std::string& text) {
+  EntryLine entry{std::string(io::trimmed(text))};
+  const std::size_t open = text.find('(');
+  if (open != text.npos) {
+    const std::size_t close = text.find(')', open);
+    if (close == text.npos) throw InputError("entry '" + text + "': must be NAME or NAME(L, V, N, ...)");
+    entry.name = io::trimmed(std::string_view(text).substr(0, open));
+    std::vector<std::string_view> fields;
+    io::split(std::string_view(text).substr(open + 1, close - open - 1), ',', fields);
+    entry.arguments.emplace();
+    for (const std::string_view field : fields)
+      if (!field.empty()) entry.arguments->emplace_back(field.substr(field.find_last_of(" \t") + 1));
+  }
+  if (entry.name.empty() || !std::all_of(entry.name.begin(), entry.name.end(), is_letter))
+    throw InputError("entry '" + text + "': must be NAME or NAME(L, V, N, ...)");
+  return entry;
+}
+
+Returns parse_returns(const std::string& text) {
+  std::string word;
+  for (const char c : text)
+    if (c != ' ') word += c;
+  const auto found = find_named<Returns>(word);
+  if (!found) throw InputError("returns '" + text + "': must be one of " + known_names<Returns>());
+  return *found;
+}
+
+Source parse_source(std::string name, std::string text, std::filesystem::path folder) {
+  Source source{std::move(name), std::move(folder), std::move(text)};
+  if (source.text.find('\0') != source.text.npos) throw InputError(source.name + ": is no text");
+  std::erase(source.text, '\r');
+  const std::string kind = io::lower_case(std::filesystem::path(source.name).extension().string());
+  if (kind == ".hlsl" || kind == ".hlsli" || kind == ".fx" || kind == ".fxh" || kind == ".usf" ||
+      kind == ".ush")
+    source.language = Language::hlsl;
+  std::uint32_t number = 0;
+  for (std::size_t at = 0; at < source.text.size();) {
+    const std::size_t stop = std::min(source.text.find('\n', at), source.text.size());
+    const std::string_view line = io::trimmed(std::string_view(source.text).substr(at, stop - at));
+    ++number;
+    if (line.starts_with("//:")) read_note(source, line.substr(3), number);
+    at = stop + 1;
+  }
+  if (begins_a_block(source.text)) read_explorer(source);
+  check_depth(source.name, without_comments(source.text));
+  return source;
+}
+
+Source read_source(const std::filesystem::path& path) {
+  io::Content content = io::read_content(path, kLargestShader);
+  return parse_source(content.name, std::move(content.bytes), std::filesystem::absolute(path).parent_path());
+}
+
+}  // namespace brdf::shader

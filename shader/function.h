@@ -1,0 +1,184 @@
+// A shader's reflectance as a function of directions and parameters, in any scalar.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brdf/geometry.h"
+#include "brdf/parameter.h"
+#include "shader/front/roles.h"
+#include "shader/front/source.h"
+#include "shader/program/program.h"
+#include "shader/run/machine.h"
+
+namespace brdf::shader {
+
+// A parameter of the function: a number, or a colour of three.
+struct Parameter {
+  std::string name, doc;
+  double min = 0, max = 1;
+  std::array<double, 3> initial{0.5, 0.5, 0.5};
+  bool log_scale = false, colour = false;
+  Role role = Role::other;
+  std::size_t first = 0;  // of its one or three values
+  bool boolean = false, whole = false;
+  bool declared = false;  // the file or the command line says its range
+};
+
+// What fills a slot before a run.
+struct Binding {
+  enum class From { coordinate, product, value, one, zero } from = From::zero;
+  std::uint32_t slot = 0;
+  bool integer = false, boolean = false;
+  Axis a = Axis::normal, b = Axis::normal;
+  int component = 0;      // of a coordinate
+  std::size_t value = 0;  // of a parameter
+};
+
+struct Function {
+  Source source;
+  std::string entry;   // its signature
+  Program as_written;  // for float
+  Program as_meant;    // for other scalars: the library's kernels are what they stand for
+  std::vector<Binding> bindings, bindings_as_meant;
+  std::deque<Parameter> parameters;
+  std::size_t values = 0;  // of all parameters
+  Returns returns = Returns::f;
+  std::vector<std::string> notes;
+  bool oriented = false;  // sees the tangent
+
+  template <class T>
+  const Program& program() const {
+    return std::is_same_v<T, float> ? as_written : as_meant;
+  }
+  template <class T>
+  const std::vector<Binding>& bound() const {
+    return std::is_same_v<T, float> ? bindings : bindings_as_meant;
+  }
+  std::vector<double> defaults() const;
+  std::uint64_t number = 0;  // of this function, for caches: no two share one
+};
+
+// Compiles and flattens. `parameters` are --param's texts; `entry` and `returns` win over the file's where they are not empty.
+// Throws InputError.
+struct ShaderChoice {
+  std::string file;
+  std::vector<std::string> parameters = {};
+  std::string entry = {}, returns = {};
+};
+Function make_function(const ShaderChoice& choice);
+Function make_function(Source source, const ShaderChoice& choice = {});
+
+// A function's bank for runs of W directions, filled by its parameters' values.
+template <class T, int W>
+class Runner {
+ public:
+  using Lanes = std::array<std::array<T, W>, 3>;  // of a vector's coordinates
+  explicit Runner(const Function& function)
+      : number_(function.number), program_(&function.template program<T>()), bank_(*program_) {}
+  std::uint64_t number() const { return number_; }
+
+  void set_values(const Function& function, std::span<const T> values) {
+    for (const Binding& b : function.template bound<T>()) {
+      if (b.from != Binding::From::value) continue;
+      const T& value = values[b.value];
+      if (!b.integer) {
+        bank_.set(b.slot, value);
+        continue;
+      }
+      const double v = Functions<T>::value(value);
+      bank_.set_integer(b.slot, b.boolean
+                                    ? std::uint32_t(v >= 0.5)
+                                    : detail::to_integer(std::floor(v + 0.5), -2147483648.0, 2147483647.0));
+    }
+  }
+  // Of all lanes.
+  void set_directions(const Function& function, const Lanes& wi, const Lanes& wo) {
+    const T one = Functions<T>::number(1), zero = Functions<T>::number(0);
+    Lanes half;
+    bool has_half = false;
+    const auto axis = [&](Axis a) -> const Lanes& {
+      if (a != Axis::half) return a == Axis::light ? wi : wo;
+      if (!std::exchange(has_half, true))
+        for (std::size_t l = 0; l < W; ++l) {
+          const T x = wi[0][l] + wo[0][l], y = wi[1][l] + wo[1][l], z = wi[2][l] + wo[2][l];
+          const T length = Functions<T>::sqrt(x * x + y * y + z * z);
+          half[0][l] = x / length, half[1][l] = y / length, half[2][l] = z / length;
+        }
+      return half;
+    };
+    // Which coordinate an axis of the frame is; -1 of the others.
+    const auto frame = [](Axis a) {
+      return a == Axis::tangent ? 0 : a == Axis::bitangent ? 1 : a == Axis::normal ? 2 : -1;
+    };
+    for (const Binding& b : function.template bound<T>()) {
+      if (b.from == Binding::From::value) continue;
+      if (b.integer) {
+        bank_.set_integer(b.slot, b.from == Binding::From::one);
+        continue;
+      }
+      T* const out = bank_.number(b.slot);
+      if (b.from == Binding::From::coordinate && frame(b.a) < 0) {
+        std::copy_n(axis(b.a)[std::size_t(b.component)].begin(), W, out);
+      } else if (b.from == Binding::From::product && (frame(b.a) < 0 || frame(b.b) < 0)) {
+        // The product with an axis of the frame is a coordinate.
+        const bool first = frame(b.a) >= 0, second = frame(b.b) >= 0;
+        if (first || second) {
+          std::copy_n(axis(first ? b.b : b.a)[std::size_t(frame(first ? b.a : b.b))].begin(), W, out);
+        } else {
+          const Lanes &x = axis(b.a), &y = axis(b.b);
+          for (std::size_t l = 0; l < W; ++l)
+            out[l] = x[0][l] * y[0][l] + x[1][l] * y[1][l] + x[2][l] * y[2][l];
+        }
+      } else {
+        const bool is_one = b.from == Binding::From::one ||
+                            (b.from == Binding::From::coordinate && frame(b.a) == b.component) ||
+                            (b.from == Binding::From::product && b.a == b.b);
+        std::fill_n(out, W, is_one ? one : zero);
+      }
+    }
+  }
+  void set_directions(const Function& function, const Vec3<T>& wi, const Vec3<T>& wo)
+    requires(W == 1)
+  {
+    set_directions(function, Lanes{{{wi.x}, {wi.y}, {wi.z}}}, Lanes{{{wo.x}, {wo.y}, {wo.z}}});
+  }
+  void run(int lanes) { shader::run<T, W>(*program_, bank_, lanes); }
+  // What the function returned; `component` of a colour.
+  const T& result(int lane, std::size_t component) const {
+    return bank_.number(program_->results[std::min(component, program_->results.size() - 1)])[lane];
+  }
+  Bank<T, W>& bank() { return bank_; }
+
+ private:
+  std::uint64_t number_;
+  const Program* program_;
+  Bank<T, W> bank_;
+};
+
+// f_r (or f_r cos_i) of what the function returned.
+template <class T>
+T reflectance_of_returned(Returns returns, const T& value, const T& cos_i, const T& cos_o,
+                          bool times_cosine) {
+  const T least = Functions<T>::number(kMinCosine<T>), i = at_least(cos_i, least), o = at_least(cos_o, least);
+  if (returns == Returns::f) return times_cosine ? value * i : value;
+  if (returns == Returns::f_cos_i) return times_cosine ? value : value / i;
+  return times_cosine ? value / o * i : value / o;
+}
+
+// f_r at one pair of unit directions, 1/sr; 0 below the horizon. `values`: of all parameters in order, a colour's three together.
+// Throws EndlessLoop.
+template <class T>
+T evaluate(const Function& function, Runner<T, 1>& runner, std::span<const T> values, const Vec3<T>& wi,
+           const Vec3<T>& wo, std::size_t component) {
+  runner.set_values(function, values);
+  runner.set_directions(function, wi, wo);
+  runner.run(1);
+  return reflectance_of_returned<T>(function.returns, runner.result(0, component), wi.z, wo.z, false);
+}
+
+}  // namespace brdf::shader

@@ -1,0 +1,227 @@
+#include "shader/linear.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/directions.h"
+#include "brdf/random.h"
+
+namespace brdf::shader {
+namespace {
+
+constexpr int kProbes = 24;
+constexpr double kSame = 1e-9;
+
+// Values of the function at random directions and parameters, some of which are then changed.
+class Probe {
+ public:
+  explicit Probe(const Function& function) : f_(function), runner_(function) {}
+
+  // A new place: directions above the horizon, all parameters within their ranges (weights below 1).
+  void move() {
+    const auto direction_at_random = [&] {
+      return direction(radians(1.4 * uniform()), radians(2 * kPi * uniform()));
+    };
+    wi_ = direction_at_random();
+    // Often next to the mirror direction: elsewhere a lobe is 0, and anything looks linear.
+    const double u = uniform();
+    wo_ = u < 0.7 ? near({-wi_.x, -wi_.y, wi_.z}, u * 0.4) : direction_at_random();
+    values_ = f_.defaults();
+    for (const Parameter& p : f_.parameters)
+      for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k)
+        values_[p.first + k] = within(p, 0.1 + 0.8 * uniform());
+  }
+  double within(const Parameter& p, double x) const {
+    const double max = std::min(p.max, std::max(p.min + 1, 1.0));
+    return p.log_scale && p.min > 0 ? p.min * std::pow(p.max / p.min, x) : p.min + (max - p.min) * x;
+  }
+  void set(std::size_t parameter, double value) {
+    const Parameter& p = f_.parameters[parameter];
+    for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k) values_[p.first + k] = value;
+  }
+  // Another value of the other two components of all colours.
+  void recolour() {
+    for (const Parameter& p : f_.parameters)
+      if (p.colour) values_[p.first + 1] = within(p, uniform()), values_[p.first + 2] = within(p, uniform());
+  }
+  // Colours made grey.
+  void whiten() {
+    for (const Parameter& p : f_.parameters)
+      if (p.colour) values_[p.first + 1] = values_[p.first + 2] = values_[p.first];
+  }
+  double value(std::size_t component = 0) {
+    return evaluate<double>(f_, runner_, values_, wi_, wo_, component);
+  }
+  double uniform() { return random_.uniform(); }
+
+ private:
+  Vec3<double> near(const Vec3<double>& w, double by) {
+    const double phi = 2 * kPi * uniform();
+    const Vec3<double> v{w.x + by * std::cos(phi), w.y + by * std::sin(phi), w.z + 0.02};
+    return v * (1 / std::sqrt(dot(v, v)));
+  }
+
+  const Function& f_;
+  Runner<double, 1> runner_;
+  std::vector<double> values_;
+  Vec3<double> wi_{}, wo_{};
+  Random random_{1};
+};
+
+bool same(double a, double b, double scale) {
+  return std::abs(a - b) <= kSame * scale;
+}
+
+// f(x) is a straight line in the parameter; `seen`: it changes with it somewhere.
+bool is_affine(const Function& f, std::size_t parameter, bool& seen) {
+  Probe probe(f);
+  seen = false;
+  for (int k = 0; k < kProbes; ++k) {
+    probe.move();
+    double y[4];
+    for (int j = 0; j < 4; ++j) {
+      probe.set(parameter, j / 4.0);
+      y[j] = probe.value();
+    }
+    const double scale = std::max({std::abs(y[0]), std::abs(y[1]), std::abs(y[2]), std::abs(y[3])});
+    if (!std::isfinite(scale)) return false;
+    if (!same(y[2] - y[1], y[1] - y[0], scale) || !same(y[3] - y[2], y[2] - y[1], scale)) return false;
+    seen = seen || !same(y[3], y[0], scale);
+  }
+  return seen;
+}
+
+// No term holds both.
+bool is_separate(const Function& f, std::size_t a, std::size_t b) {
+  Probe probe(f);
+  for (int k = 0; k < kProbes; ++k) {
+    probe.move();
+    double y[2][2];
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        probe.set(a, 0.2 + 0.6 * i);
+        probe.set(b, 0.3 + 0.6 * j);
+        y[i][j] = probe.value();
+      }
+    const double scale =
+        std::max({std::abs(y[0][0]), std::abs(y[0][1]), std::abs(y[1][0]), std::abs(y[1][1])});
+    if (!same(y[1][1] - y[1][0], y[0][1] - y[0][0], scale)) return false;
+  }
+  return true;
+}
+
+// Whether nothing is left where all weights but one are 0, and f0 does not matter there.
+bool vanishes(const Function& f, const Linear& linear, int but) {
+  Probe probe(f);
+  for (int k = 0; k < kProbes; ++k) {
+    probe.move();
+    for (std::size_t j = 0; j < linear.weights.size(); ++j)
+      if (int(j) != linear.f0) probe.set(linear.weights[j], int(j) == but ? 0.5 : 0);
+    if (but < 0 && probe.value() != 0) return false;
+    if (but >= 0 && linear.f0 >= 0) {
+      probe.set(linear.weights[std::size_t(linear.f0)], 0);
+      const double without = probe.value();
+      probe.set(linear.weights[std::size_t(linear.f0)], 1);
+      if (!same(probe.value(), without, std::abs(without))) return false;
+    }
+  }
+  return true;
+}
+
+// The others are separate from one another, and the f0 from all but one of them.
+std::optional<Linear> with_f0(const Function& f, std::vector<std::size_t> weights,
+                              std::optional<std::size_t> f0) {
+  Linear out;
+  out.weights = std::move(weights);
+  if (f0) {
+    out.weights.push_back(*f0);
+    std::sort(out.weights.begin(), out.weights.end());
+    out.f0 = int(std::find(out.weights.begin(), out.weights.end(), *f0) - out.weights.begin());
+  }
+  if (out.weights.size() == (f0 ? 1u : 0u) || !vanishes(f, out, -1)) return std::nullopt;
+  int divided = -1;
+  for (std::size_t k = 0; k < out.weights.size(); ++k) {
+    if (int(k) == out.f0) continue;
+    if (f0 && !vanishes(f, out, int(k))) {
+      if (divided >= 0) return std::nullopt;
+      divided = int(k);
+      out.lobes.push_back({k, LobeWeight::Factor::f0});
+      out.lobes.push_back({k, LobeWeight::Factor::rest});
+    } else {
+      out.lobes.push_back({k, LobeWeight::Factor::one});
+    }
+  }
+  if (f0 && divided < 0) return std::nullopt;
+  return out;
+}
+
+}  // namespace
+
+std::optional<Linear> linear_parameters(const Function& f) {
+  std::vector<std::size_t> affine;
+  for (std::size_t k = 0; k < f.parameters.size(); ++k) {
+    const Parameter& p = f.parameters[k];
+    bool seen = false;
+    const bool is = !p.boolean && !p.whole && p.role != Role::width && p.role != Role::width_across &&
+                    is_affine(f, k, seen);
+    if (is)
+      affine.push_back(k);
+    else if (p.colour)
+      return std::nullopt;  // what is per channel must be a weight
+  }
+  // Colours first, then what says that it is a weight, then the others in their order.
+  const auto rank = [&](std::size_t k) {
+    const Parameter& p = f.parameters[k];
+    return p.role == Role::f0                                    ? 3
+           : p.colour                                            ? 0
+           : p.role == Role::diffuse || p.role == Role::specular ? 1
+                                                                 : 2;
+  };
+  std::vector<std::size_t> order = affine, weights, others;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  for (const std::size_t k : order) {
+    const bool fits =
+        std::all_of(weights.begin(), weights.end(), [&](std::size_t w) { return is_separate(f, k, w); });
+    (fits ? weights : others).push_back(k);
+  }
+  std::sort(weights.begin(), weights.end());
+  const auto holds_colours = [&](const Linear& linear) {
+    for (std::size_t k = 0; k < f.parameters.size(); ++k)
+      if (f.parameters[k].colour &&
+          std::find(linear.weights.begin(), linear.weights.end(), k) == linear.weights.end())
+        return false;
+    return true;
+  };
+  for (const std::size_t f0 : others)
+    if (const auto linear = with_f0(f, weights, f0); linear && holds_colours(*linear)) return linear;
+  if (const auto linear = with_f0(f, weights, std::nullopt); linear && holds_colours(*linear)) return linear;
+  return std::nullopt;
+}
+
+bool keeps_channels(const Function& f) {
+  Probe probe(f);
+  for (int k = 0; k < kProbes; ++k) {
+    probe.move();
+    const double value = probe.value();
+    probe.recolour();
+    const double other = probe.value();
+    if (other != value && !(std::isnan(other) && std::isnan(value))) return false;
+  }
+  return true;
+}
+
+bool same_in_all_channels(const Function& f) {
+  if (f.as_meant.results.size() == 1) return true;
+  Probe probe(f);
+  for (int k = 0; k < 2 * kProbes; ++k) {
+    probe.move();
+    probe.whiten();
+    const double r = probe.value(0);
+    for (const std::size_t c : {1, 2})
+      if (const double v = probe.value(c); v != r && !(std::isnan(v) && std::isnan(r))) return false;
+  }
+  return true;
+}
+
+}  // namespace brdf::shader

@@ -1,0 +1,28 @@
+// In which parameters a shader's value is linear, found out by asking it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "brdf/reflectance.h"
+#include "shader/function.h"
+
+namespace brdf::shader {
+
+struct Linear {
+  std::vector<std::size_t> weights;  // parameters, in their order
+  std::vector<LobeWeight> lobes;     // by place in `weights`
+  int f0 = -1;                       // place in `weights` of the one that divides the lobes of another
+};
+
+// Nothing where the value is not linear in anything, or in not all colours. f = sum over lobes of weight times lobe to 1e-9 at many
+// directions and parameters chosen at random.
+std::optional<Linear> linear_parameters(const Function& function);
+
+// Whether a channel's value depends on its own component of every colour only.
+bool keeps_channels(const Function& function);
+
+// Whether equal components of all colours give equal components of the value.
+bool same_in_all_channels(const Function& function);
+
+}  // namespace brdf::shader

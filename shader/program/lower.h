@@ -1,0 +1,31 @@
+// From a SPIR-V module to a flattened program.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include "shader/program/program.h"
+#include "shader/spirv/module.h"
+
+namespace brdf::shader {
+
+struct LowerOptions {
+  // Global variables that are parameters (others keep their initial value).
+  std::set<std::string> parameters = {};
+  // The library's kernels, where an exported shader holds them, by their meaning and not by their bits: for scalars that are no float.
+  bool kernels_by_meaning = false;
+  std::size_t most_steps = 200'000;  // of the program
+};
+
+// Throws InputError, with the line, for what a reflectance cannot have (textures, derivatives of the screen, discard), and where
+// the program would be larger than allowed.
+Program lower(const spirv::Module& module, const spirv::Function& entry, const LowerOptions& options = {});
+
+// Whether the module holds kernels that mean more than their bits.
+bool holds_kernels(const spirv::Module& module);
+
+// Removes what no result needs.
+void remove_unused(Program& program);
+
+}  // namespace brdf::shader

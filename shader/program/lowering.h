@@ -1,0 +1,128 @@
+// The work of lower(): one pass over the code from the entry on, with calls inlined.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <tuple>
+
+#include "shader/program/lower.h"
+
+namespace brdf::shader {
+
+using Slot = std::uint32_t;
+using Slots = std::vector<Slot>;
+using spirv::Id;
+
+// What a source line says of itself when it is refused.
+std::string at_line(std::uint32_t line);
+
+class Lowering {
+ public:
+  Lowering(const spirv::Module& module, const LowerOptions& options) : module_(module), options_(options) {}
+  Program run(const spirv::Function& entry);
+
+ private:
+  // Scalars in memory: number k of the value is slot numbers + k or integers + k, by its kind.
+  struct Variable {
+    Slot numbers = 0, integers = 0;
+    std::vector<bool> integer = {};          // of each scalar
+    std::map<std::size_t, Slot> known = {};  // in this stretch: slots that hold the value of a scalar
+    std::set<std::size_t> unwritten = {};    // of those: not yet in the variable's own slots
+  };
+  struct Pointer {
+    Variable* to = nullptr;
+    Id type = 0;  // of what it points at
+    std::size_t offset = 0;
+    std::optional<Slot> index = {};  // an integer that is added to the offset
+  };
+  // One inlined call.
+  struct Frame {
+    const spirv::Function* function = nullptr;
+    std::map<Id, std::pair<Id, Slots>> values = {};  // type and slots
+    std::map<Id, Pointer> pointers = {};
+    std::map<Id, std::uint32_t> stretch_of = {};  // of a label
+    std::map<Id, const spirv::Block*> blocks = {};
+    struct Jump {
+      std::uint32_t stretch;
+      int which;
+      Id label;
+    };
+    std::vector<Jump> jumps = {};
+    std::vector<std::pair<std::uint32_t, int>> returns = {};  // jumps to what follows the call
+    Slots result = {};  // where returns leave the value, if there are several
+    bool returned = false;
+  };
+
+  // lower.cpp: control
+  Slots call(const spirv::Function& function,
+             const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
+  void block(Frame& frame, const spirv::Block& block, bool last);
+  void end(Frame& frame, const spirv::Block& block, const spirv::Instruction& i, bool last);
+  void leave(Frame& frame, Slots value, bool last);
+  void branch(Frame& frame, const spirv::Block& from, Slot condition, Id yes, Id no);
+  void choose(Frame& frame, const spirv::Block& from, const spirv::Instruction& i);
+  void jump(Frame& frame, int which, Id from, Id to);
+  bool has_phis(const Frame& frame, Id label) const;
+  void set_phis(Frame& frame, Id from, Id to);
+  void begin_stretch();
+  void end_stretch(End end);
+  std::optional<Slots> kernel(const spirv::Function& function,
+                              const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
+
+  // lower_values.cpp
+  const std::vector<bool>& kinds(Id type);
+  Variable& new_variable(Id type);
+  Variable& global_variable(Id id);
+  void make_input(Variable& variable, Id type, const std::string& name, int argument, std::size_t offset = 0);
+  std::string spelled(Id type);
+  Slots value(Frame& frame, Id id);
+  Slot scalar(Frame& frame, Id id) { return value(frame, id).at(0); }
+  Id type_of(Frame& frame, Id id);
+  Slots constant(Id id);
+  Slot number_constant(double value);
+  Slot integer_constant(std::uint32_t value);
+  Pointer pointer(Frame& frame, Id id);
+  Pointer chain(Frame& frame, const spirv::Instruction& i);
+  Slots load(const Pointer& from);
+  void store(const Pointer& to, const Slots& value);
+  void write_back(Variable& variable);
+  void remember(Variable& variable, std::size_t k, Slot slot, bool written);
+  // The first scalar of a part of a composite, and the part's type.
+  std::pair<std::size_t, Id> part(Id type, std::span<const std::uint32_t> path);
+  std::optional<Slots> composite(Frame& frame, const spirv::Instruction& i);
+
+  // lower_operations.cpp
+  void instruction(Frame& frame, const spirv::Instruction& i);
+  Slots operation(Frame& frame, const spirv::Instruction& i);
+  Slots matrix(Frame& frame, const spirv::Instruction& i);
+  Slots convert(Frame& frame, const spirv::Instruction& i);
+  Slots select(Frame& frame, const spirv::Instruction& i);
+  // lower_functions.cpp: GLSL's own
+  Slots function(Frame& frame, const spirv::Instruction& i);
+  Slots geometric(Frame& frame, const spirv::Instruction& i, std::uint32_t which);
+  Slot dot(const Slots& a, const Slots& b);
+  Slots scaled(const Slots& a, Slot by);
+
+  Slot emit(Op op, Slot a = 0, Slot b = 0, Slot c = 0);
+  void emit_to(Op op, Slot r, Slot a, Slot b = 0, Slot c = 0);
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  const spirv::Module& module_;
+  const LowerOptions& options_;
+  Program program_;
+  std::map<Id, std::vector<bool>> kinds_;
+  std::vector<std::unique_ptr<Variable>> variables_;
+  std::map<Id, Variable*> globals_;
+  std::vector<Variable*> touched_;  // those with known values in this stretch
+  std::map<std::uint64_t, Slot> number_constants_;
+  std::map<std::uint32_t, Slot> integer_constants_;
+  // What this stretch has computed.
+  std::map<std::tuple<Op, Slot, Slot, Slot>, Slot> computed_;
+  std::uint32_t line_ = 0;
+  std::size_t steps_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace brdf::shader

@@ -1,0 +1,331 @@
+#include "shader/shader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/numbers.h"
+#include "io/shell.h"
+#include "io/text.h"
+#include "shader/linear.h"
+
+namespace brdf::shader {
+namespace {
+
+constexpr int kLanes = 16;
+constexpr int kPartials = 4;  // derivatives taken at a time
+
+// A runner that is kept between calls: filling constants costs as much as many runs.
+template <class T, int W>
+Runner<T, W>& runner_of(const Function& function) {
+  thread_local std::unique_ptr<Runner<T, W>> kept;
+  if (!kept || kept->number() != function.number) kept = std::make_unique<Runner<T, W>>(function);
+  return *kept;
+}
+
+// An identifier that says where it comes from.
+std::string identifier(const std::string& file) {
+  std::string out = std::filesystem::path(file).stem().string();
+  for (char& c : out)
+    if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'))) c = '_';
+  return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "shader_" + out : out;
+}
+
+// What a channel's value has of the other channels' colours, a table of one channel cannot say: three numbers of all can.
+void split_colours(Function& function) {
+  std::deque<Parameter> parameters;
+  for (const Parameter& p : function.parameters) {
+    for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c) {
+      Parameter& part = parameters.emplace_back(p);
+      if (!p.colour) continue;
+      part.name += std::string("_") + "rgb"[c];
+      part.colour = false;
+      part.first += c;
+      part.initial.fill(p.initial[c]);
+    }
+  }
+  function.parameters = std::move(parameters);
+}
+
+}  // namespace
+
+ShaderReflectance::ShaderReflectance(Function function)
+    : function_(std::move(function)), name_(identifier(function_.source.name)) {
+  try {
+    find_tables();
+  } catch (const EndlessLoop& loop) {
+    endless(loop);
+  }
+}
+
+void ShaderReflectance::find_tables() {
+  if (!keeps_channels(function_)) split_colours(function_);
+  const std::deque<Parameter>& parameters = function_.parameters;
+  const std::optional<Linear> linear = linear_parameters(function_);
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const bool weight =
+        linear ? std::find(linear->weights.begin(), linear->weights.end(), k) != linear->weights.end()
+               : parameters[k].colour;
+    (weight ? weights_ : shape_).push_back(k);
+  }
+  const auto table = [&](const std::vector<std::size_t>& of) {
+    std::vector<ParameterInfo> out;
+    for (const std::size_t k : of) {
+      const Parameter& p = parameters[k];
+      const double initial = p.colour ? (p.initial[0] + p.initial[1] + p.initial[2]) / 3 : p.initial[0];
+      // Beyond 1 a weight is for samples without a scale.
+      const double usual = &of == &weights_ ? std::min(p.max, std::max({1.0, initial, p.min})) : p.max;
+      out.push_back({p.name, p.min, p.max, initial, usual, "", p.log_scale, p.doc, p.role});
+    }
+    return out;
+  };
+  weight_table_ = table(weights_);
+  shape_table_ = table(shape_);
+  if (linear) {
+    lobes_ = linear->lobes;
+    if (linear->f0 >= 0) weight_table_[std::size_t(linear->f0)].role = Role::f0;
+  }
+  if (!same_in_all_channels(function_)) channels_ = {"r", "g", "b"};
+  info_.name = name_;
+  info_.family = "shader";
+  info_.weights = weight_table_;
+  info_.shape = shape_table_;
+  info_.channels = channels_;
+  info_.lobes = lobes_;
+  info_.mixes_channels = lobes_.empty() && !weights_.empty();
+  info_.differentiable = true;
+}
+
+template <class T>
+std::vector<T> ShaderReflectance::values_of(const ParameterValues<T>& p) const {
+  std::vector<T> values(function_.values, T(0));
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    const Parameter& parameter = function_.parameters[weights_[k]];
+    for (std::size_t c = 0; c < (parameter.colour ? 3u : 1u); ++c) values[parameter.first + c] = p.weights[k];
+  }
+  for (std::size_t k = 0; k < shape_.size(); ++k) {
+    values[function_.parameters[shape_[k]].first] = p.shape[k];
+  }
+  return values;
+}
+template std::vector<double> ShaderReflectance::values_of(const ParameterValues<double>&) const;
+template std::vector<float> ShaderReflectance::values_of(const ParameterValues<float>&) const;
+
+void ShaderReflectance::endless(const EndlessLoop& loop) const {
+  const std::string where = function_.source.name + (loop.line > 0 ? ":" + std::to_string(loop.line) : "");
+  throw InputError(where + ": the loop here does not end: more than " + std::to_string(kMostStepsRun) +
+                   " operations in one evaluation (" + line_of_text(function_.source.text, loop.line) + ")");
+}
+
+template <class T, int W>
+void ShaderReflectance::evaluate_block(const std::vector<T>& values, std::size_t component,
+                                       const Directions<T>& d, bool times_cosine, T* out) const {
+  Runner<T, W>& runner = runner_of<T, W>(function_);
+  runner.set_values(function_, values);
+  for (std::size_t first = 0; first < d.count; first += W) {
+    const int lanes = int(std::min<std::size_t>(W, d.count - first));
+    typename Runner<T, W>::Lanes wi, wo;
+    for (std::size_t l = 0; l < W; ++l) {  // those beyond the last repeat it
+      const std::size_t k = first + std::min(l, std::size_t(lanes - 1));
+      wi[0][l] = d.wi_x[k], wi[1][l] = d.wi_y[k], wi[2][l] = d.wi_z[k];
+      wo[0][l] = d.wo_x[k], wo[1][l] = d.wo_y[k], wo[2][l] = d.wo_z[k];
+      if (!(smaller(wi[2][l], wo[2][l]) < T(0))) continue;
+      // Below the horizon the shader is not asked.
+      wi[0][l] = wi[1][l] = wo[0][l] = wo[1][l] = T(0);
+      wi[2][l] = wo[2][l] = T(1);
+    }
+    runner.set_directions(function_, wi, wo);
+    runner.run(lanes);
+    for (int l = 0; l < lanes; ++l) {
+      const std::size_t k = first + std::size_t(l);
+      const bool below = smaller(d.wi_z[k], d.wo_z[k]) < T(0);
+      out[k] = below ? T(0)
+                     : reflectance_of_returned<T>(function_.returns, runner.result(l, component), d.wi_z[k],
+                                                  d.wo_z[k], times_cosine);
+    }
+  }
+}
+
+template <class T>
+void ShaderReflectance::evaluate_all(const ParameterValues<T>& p, const Directions<T>& d, bool times_cosine,
+                                     T* out) const {
+  const std::vector<T> values = values_of(p);
+  const std::size_t component = std::min<std::size_t>(p.channel, 2);
+  try {
+    if (d.count < kLanes / 2) return evaluate_block<T, 1>(values, component, d, times_cosine, out);
+    evaluate_block<T, kLanes>(values, component, d, times_cosine, out);
+  } catch (const EndlessLoop& loop) {
+    endless(loop);
+  }
+}
+
+void ShaderReflectance::eval(const ParameterValues<double>& p, const Directions<double>& d,
+                             double* out) const {
+  evaluate_all(p, d, false, out);
+}
+void ShaderReflectance::eval_cos(const ParameterValues<double>& p, const Directions<double>& d,
+                                 double* out) const {
+  evaluate_all(p, d, true, out);
+}
+void ShaderReflectance::eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const {
+  evaluate_all(p, d, false, out);
+}
+void ShaderReflectance::eval_cos(const ParameterValues<float>& p, const Directions<float>& d,
+                                 float* out) const {
+  evaluate_all(p, d, true, out);
+}
+
+template <class T>
+void ShaderReflectance::lobes_of(std::span<const T> shape, const Directions<T>& d,
+                                 const LobeRows<T>& out) const {
+  const int f0 = info_.weight_index(Role::f0);
+  for (std::size_t k = 0; k < lobes_.size(); ++k) {
+    std::vector<T> weights(weights_.size(), T(0));
+    weights[lobes_[k].weight] = T(1);
+    if (f0 >= 0) weights[std::size_t(f0)] = T(lobes_[k].factor == LobeWeight::Factor::f0 ? 1 : 0);
+    evaluate_all<T>({weights, weights, shape}, d, false, out.data + k * out.stride);
+  }
+}
+
+void ShaderReflectance::derivatives(const std::vector<double>& values, const std::vector<std::size_t>& by,
+                                    bool by_phi, std::size_t component, const Directions<double>& d,
+                                    double* first, std::size_t stride) const {
+  using D = Dual<double, kPartials>;
+  const std::size_t count = by.size() + by_phi;
+  Runner<D, 1>& runner = runner_of<D, 1>(function_);
+  for (std::size_t begin = 0; begin < count; begin += kPartials) {
+    std::vector<D> variables(values.begin(), values.end());
+    for (std::size_t j = begin; j < std::min(begin + kPartials, by.size()); ++j) {
+      const Parameter& p = function_.parameters[by[j]];
+      for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c)
+        variables[p.first + c] = D::variable(values[p.first + c], j - begin);
+    }
+    runner.set_values(function_, variables);
+    const std::size_t phi =
+        by_phi && by.size() >= begin && by.size() < begin + kPartials ? by.size() - begin : kPartials;
+    const auto turning = [&](const Vec3<double>& w) -> Vec3<D> {
+      const auto number = [&](double value, double slope) {
+        return D(value,
+                 Partials<double, kPartials>::make([&](std::size_t j) { return j == phi ? slope : 0.0; }));
+      };
+      return {number(w.x, w.y), number(w.y, -w.x), number(w.z, 0)};
+    };
+    for (std::size_t k = 0; k < d.count; ++k) {
+      const bool below = smaller(d.wi_z[k], d.wo_z[k]) < 0;
+      D value(0.0);
+      if (!below) {
+        const Vec3<D> wi = turning(d.wi(k)), wo = turning(d.wo(k));
+        runner.set_directions(function_, wi, wo);
+        runner.run(1);
+        value = reflectance_of_returned<D>(function_.returns, runner.result(0, component), wi.z, wo.z, false);
+      }
+      for (std::size_t j = begin; j < std::min(begin + kPartials, count); ++j)
+        first[j * stride + k] = value.v[j - begin];
+    }
+  }
+}
+
+void ShaderReflectance::lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
+                              const LobeRows<double>& out) const {
+  if (partial == Partial::none) return lobes_of(shape, d, out);
+  const bool by_phi = partial == Partial::shape_and_phi;
+  const std::size_t rows = 1 + shape_.size() + by_phi;
+  const int f0 = info_.weight_index(Role::f0);
+  try {
+    for (std::size_t k = 0; k < lobes_.size(); ++k) {
+      std::vector<double> weights(weights_.size(), 0.0);
+      weights[lobes_[k].weight] = 1;
+      if (f0 >= 0) weights[std::size_t(f0)] = lobes_[k].factor == LobeWeight::Factor::f0 ? 1 : 0;
+      const ParameterValues<double> p{weights, weights, shape};
+      double* const row = out.data + k * rows * out.stride;
+      evaluate_all(p, d, false, row);
+      derivatives(values_of(p), shape_, by_phi, 0, d, row + out.stride, out.stride);
+    }
+  } catch (const EndlessLoop& loop) {
+    endless(loop);
+  }
+}
+
+void ShaderReflectance::lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
+                              const LobeRows<float>& out) const {
+  if (partial == Partial::none) return lobes_of(shape, d, out);
+  const std::size_t rows = lobes_.size() * (1 + shape_.size() + (partial == Partial::shape_and_phi));
+  DirectionArrays<double> wide(d.count);
+  for (std::size_t k = 0; k < d.count; ++k) {
+    const Vec3<float> wi = d.wi(k), wo = d.wo(k);
+    wide.set(k, {wi.x, wi.y, wi.z}, {wo.x, wo.y, wo.z});
+  }
+  std::vector<double> values(rows * d.count);
+  const std::vector<double> at(shape.begin(), shape.end());
+  lobes(std::span<const double>(at), partial, wide.view(), {values.data(), d.count});
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t k = 0; k < d.count; ++k) out.data[r * out.stride + k] = float(values[r * d.count + k]);
+}
+
+void ShaderReflectance::gradient(const ParameterValues<double>& p, const Directions<double>& d,
+                                 const LobeRows<double>& out) const {
+  std::vector<std::size_t> by = shape_;
+  by.insert(by.end(), weights_.begin(), weights_.end());
+  const std::size_t component = std::min<std::size_t>(p.channel, 2);
+  evaluate_all(p, d, false, out.data);
+  try {
+    derivatives(values_of(p), by, false, component, d, out.data + out.stride, out.stride);
+  } catch (const EndlessLoop& loop) {
+    endless(loop);
+  }
+}
+
+std::vector<ReflectanceModel::TableWeight> ShaderReflectance::weights_of(
+    std::span<const double> lobe_weights) const {
+  std::vector<TableWeight> out;
+  const int f0 = info_.weight_index(Role::f0);
+  for (std::size_t w = 0; w < weights_.size(); ++w) {
+    TableWeight weight{0, std::vector<double>(lobes_.size(), 0.0)};
+    if (int(w) == f0) {
+      double part = 0, whole = 0;
+      for (std::size_t k = 0; k < lobes_.size(); ++k) {
+        if (lobes_[k].factor == LobeWeight::Factor::one) continue;
+        whole += lobe_weights[k];
+        if (lobes_[k].factor == LobeWeight::Factor::f0) part += lobe_weights[k];
+      }
+      weight.value = whole > 0 ? part / whole : weight_table_[w].initial;
+      for (std::size_t k = 0; k < lobes_.size() && whole > 0; ++k)
+        if (lobes_[k].factor != LobeWeight::Factor::one)
+          weight.by_lobe[k] = ((lobes_[k].factor == LobeWeight::Factor::f0) - weight.value) / whole;
+    } else {
+      for (std::size_t k = 0; k < lobes_.size(); ++k)
+        if (lobes_[k].weight == w) weight.value += lobe_weights[k], weight.by_lobe[k] = 1;
+    }
+    out.push_back(std::move(weight));
+  }
+  return out;
+}
+
+Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> self) const {
+  const bool coloured =
+      !channels_.empty() || std::any_of(weights_.begin(), weights_.end(), [&](std::size_t k) {
+        const Parameter& p = function_.parameters[k];
+        return p.colour && (p.initial[0] != p.initial[1] || p.initial[0] != p.initial[2]);
+      });
+  Material m = make_material(Reflectance(std::move(self)), coloured ? std::vector<std::string>{"r", "g", "b"}
+                                                                    : std::vector<std::string>{"fr"});
+  for (std::size_t c = 0; c < m.channels.size(); ++c)
+    for (std::size_t k = 0; k < weights_.size(); ++k)
+      m.terms.front().weights[c][k] =
+          function_.parameters[weights_[k]].initial[function_.parameters[weights_[k]].colour ? c : 0];
+  return m;
+}
+
+std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice) {
+  return std::make_shared<const ShaderReflectance>(make_function(choice));
+}
+
+std::string command_words(const ShaderChoice& choice) {
+  std::string words = "--shader " + io::shell_file(choice.file);
+  for (const std::string& p : choice.parameters) words += " --param " + io::shell_word(p);
+  if (!choice.entry.empty()) words += " --entry " + io::shell_word(choice.entry);
+  if (!choice.returns.empty()) words += " --returns " + io::shell_word(choice.returns);
+  return words;
+}
+
+}  // namespace brdf::shader

@@ -1,0 +1,75 @@
+// A user's shader as a reflectance like any other.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brdf/material.h"
+#include "shader/function.h"
+
+namespace brdf::shader {
+
+// f_r as the shader computes it, in the scalar that is asked for: float rounds each operation correctly, double evaluates the same code
+// with the constants as they are written. 0 below the horizon, where the shader is not called; else whatever it gives, finite or not.
+// Colours are weights; where f is linear in some parameters (found out by asking it) those are weights, too, it has lobes and can be
+// fitted; all others are its shape. Evaluation throws InputError with the line where a loop does not end.
+class ShaderReflectance final : public ReflectanceModel {
+ public:
+  explicit ShaderReflectance(Function function);
+
+  const ReflectanceInfo& info() const override { return info_; }
+  const Function& function() const { return function_; }
+  // The colours' own defaults, for one channel, or for red, green and blue where the shader tells them apart.
+  Material material(std::shared_ptr<const ShaderReflectance> self) const;
+
+  void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override;
+  void eval_cos(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override;
+  void eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override;
+  void eval_cos(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override;
+  void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
+             const LobeRows<double>& out) const override;
+  void lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
+             const LobeRows<float>& out) const override;
+  void gradient(const ParameterValues<double>& p, const Directions<double>& d,
+                const LobeRows<double>& out) const override;
+  std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override;
+
+  // The function's values of a channel's parameters, in its order.
+  template <class T>
+  std::vector<T> values_of(const ParameterValues<T>& p) const;
+  // Which parameter of the function stands where in the tables.
+  const std::vector<std::size_t>& weight_parameters() const { return weights_; }
+  const std::vector<std::size_t>& shape_parameters() const { return shape_; }
+
+ private:
+  template <class T>
+  void evaluate_all(const ParameterValues<T>& p, const Directions<T>& d, bool times_cosine, T* out) const;
+  template <class T, int W>
+  void evaluate_block(const std::vector<T>& values, std::size_t component, const Directions<T>& d,
+                      bool times_cosine, T* out) const;
+  template <class T>
+  void lobes_of(std::span<const T> shape, const Directions<T>& d, const LobeRows<T>& out) const;
+  // Rows 1 on: derivatives by values and, last, by the tangent's azimuth, in the order of `by`.
+  void derivatives(const std::vector<double>& values, const std::vector<std::size_t>& by, bool by_phi,
+                   std::size_t component, const Directions<double>& d, double* first,
+                   std::size_t stride) const;
+  [[noreturn]] void endless(const EndlessLoop& loop) const;
+  void find_tables();
+
+  Function function_;
+  std::string name_;
+  std::vector<std::size_t> weights_, shape_;  // parameters of the function, in the tables' order
+  std::vector<ParameterInfo> weight_table_, shape_table_;
+  std::vector<LobeWeight> lobes_;
+  std::vector<std::string> channels_;
+  ReflectanceInfo info_;
+};
+
+// The file as a reflectance. Throws InputError.
+std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice);
+
+// The words of a command line that say the same.
+std::string command_words(const ShaderChoice& choice);
+
+}  // namespace brdf::shader

@@ -1,0 +1,250 @@
+#include "shader/spirv/module.h"
+
+#define SPV_ENABLE_UTILITY_CODE
+#include <glslang/SPIRV/spirv.hpp>
+
+#include "io/error.h"
+
+namespace brdf::shader::spirv {
+namespace {
+
+constexpr std::size_t kMostWords = 1u << 22, kMostScalars = 1u << 14;
+
+class Parser {
+ public:
+  explicit Parser(std::span<const std::uint32_t> words) : words_(words) {}
+
+  Module run() {
+    if (words_.size() < 5 || words_.size() > kMostWords || words_[0] != spv::MagicNumber)
+      fail("is no SPIR-V module");
+    for (std::size_t at = 5; at < words_.size();) {
+      const std::uint32_t length = words_[at] >> 16, code = words_[at] & 0xffff;
+      if (length == 0 || length > words_.size() - at) fail("ends within an instruction");
+      read(code, words_.subspan(at + 1, length - 1));
+      at += length;
+    }
+    if (function_) fail("ends within a function");
+    return std::move(module_);
+  }
+
+ private:
+  using Words = std::span<const std::uint32_t>;
+  [[noreturn]] static void fail(const std::string& what) { throw InputError("SPIR-V: " + what); }
+
+  static std::uint32_t word(Words w, std::size_t k) {
+    if (k >= w.size()) fail("an instruction is too short");
+    return w[k];
+  }
+  static std::string text(Words w) {
+    std::string out;
+    for (const std::uint32_t four : w)
+      for (int byte = 0; byte < 4; ++byte) {
+        const char c = char(four >> (8 * byte) & 0xff);
+        if (c == 0) return out;
+        out += c;
+      }
+    return out;
+  }
+
+  void read(std::uint32_t code, Words w) {
+    switch (code) {
+      case spv::OpName:
+        module_.names[word(w, 0)] = text(w.subspan(1));
+        return;
+      case spv::OpMemberName:
+        word(w, 1);
+        module_.member_names[w[0]][w[1]] = text(w.subspan(2));
+        return;
+      case spv::OpLine:
+        line_ = word(w, 1);
+        return;
+      case spv::OpNoLine:
+        line_ = 0;
+        return;
+      case spv::OpEntryPoint:
+        module_.entry = word(w, 1);
+        return;
+      case spv::OpExtInstImport:
+        if (text(w.subspan(1)) == "GLSL.std.450") module_.extended = word(w, 0);
+        return;
+      default:
+        break;
+    }
+    if (is_type(code))
+      add_type(code, w);
+    else if (function_ || code == spv::OpFunction)
+      in_function(code, w);
+    else
+      global(code, w);
+  }
+
+  static bool is_type(std::uint32_t code) { return code >= spv::OpTypeVoid && code <= spv::OpTypeFunction; }
+
+  void add_type(std::uint32_t code, Words w) {
+    Type type;
+    const Id id = word(w, 0);
+    const auto known = [&](std::size_t k) {
+      module_.type(word(w, k));
+      return w[k];
+    };
+    switch (code) {
+      case spv::OpTypeVoid:
+        type.kind = Kind::nothing;
+        break;
+      case spv::OpTypeBool:
+        type.kind = Kind::boolean;
+        break;
+      case spv::OpTypeInt:
+        type.kind = word(w, 1) == 32 ? Kind::integer : Kind::opaque;
+        type.is_signed = word(w, 2) != 0;
+        break;
+      case spv::OpTypeFloat:
+        type.kind = word(w, 1) == 32 ? Kind::number : Kind::opaque;
+        break;
+      case spv::OpTypeVector:
+      case spv::OpTypeMatrix:
+        type.kind = code == spv::OpTypeVector ? Kind::vector : Kind::matrix;
+        type.element = known(1);
+        type.count = word(w, 2);
+        if (type.count < 1 || type.count > 4) fail("a vector's length is wrong");
+        break;
+      case spv::OpTypeArray:
+        type.kind = Kind::array;
+        type.element = known(1);
+        type.count = length_of(word(w, 2));
+        break;
+      case spv::OpTypeStruct:
+        type.kind = Kind::structure;
+        for (std::size_t k = 1; k < w.size(); ++k) type.members.push_back(known(k));
+        if (type.members.empty()) fail("a struct has no members");
+        break;
+      case spv::OpTypePointer:
+        type.kind = Kind::pointer;
+        type.storage = word(w, 1);
+        type.element = known(2);
+        break;
+      case spv::OpTypeFunction:
+        type.kind = Kind::opaque;
+        type.element = known(1);
+        for (std::size_t k = 2; k < w.size(); ++k) type.members.push_back(known(k));
+        break;
+      default:
+        type.kind = Kind::opaque;
+    }
+    if (!module_.types.emplace(id, std::move(type)).second) fail("a type is declared twice");
+  }
+
+  std::uint32_t length_of(Id constant) {
+    const auto found = module_.globals.find(constant);
+    if (found == module_.globals.end() || found->second.instruction.words.empty())
+      fail("an array's length is unknown");
+    const std::uint32_t length = found->second.instruction.words[0];
+    if (length < 1 || length > kMostScalars) fail("an array is too long");
+    return length;
+  }
+
+  Instruction instruction(std::uint32_t code, Words w) const {
+    Instruction i;
+    i.code = code;
+    i.line = line_;
+    bool has_result = false, has_type = false;
+    spv::HasResultAndType(spv::Op(code), &has_result, &has_type);
+    std::size_t at = 0;
+    if (has_type) i.type = word(w, at++);
+    if (has_result) i.result = word(w, at++);
+    i.words.assign(w.begin() + long(at), w.end());
+    return i;
+  }
+
+  void global(std::uint32_t code, Words w) {
+    const bool constant = (code >= spv::OpConstantTrue && code <= spv::OpConstantNull) ||
+                          (code >= spv::OpSpecConstantTrue && code <= spv::OpSpecConstantOp) ||
+                          code == spv::OpUndef;
+    if (!constant && code != spv::OpVariable) return;
+    Instruction i = instruction(code, w);
+    module_.type(i.type);
+    const Id id = i.result;
+    module_.globals[id] = {std::move(i), code == spv::OpVariable};
+  }
+
+  void in_function(std::uint32_t code, Words w) {
+    if (code == spv::OpFunction) {
+      if (function_) fail("a function within a function");
+      const Instruction i = instruction(code, w);
+      function_ = &module_.functions[i.result];
+      *function_ = {i.result, i.type, name_of(i.result)};
+      function_->line = line_;
+      module_.type(i.type);
+    } else if (code == spv::OpFunctionParameter) {
+      const Instruction i = instruction(code, w);
+      module_.type(i.type);
+      function_->parameters.push_back(i.result);
+      function_->parameter_types.push_back(i.type);
+    } else if (code == spv::OpLabel) {
+      function_->blocks.push_back({word(w, 0)});
+    } else if (code == spv::OpFunctionEnd) {
+      function_ = nullptr;
+      line_ = 0;
+    } else {
+      if (function_->blocks.empty()) fail("an instruction outside a block");
+      Instruction i = instruction(code, w);
+      if (function_->line == 0) function_->line = i.line;
+      function_->blocks.back().code.push_back(std::move(i));
+    }
+  }
+
+  // "brdf(vf3;vf3;" is what the compiler makes of the source's brdf.
+  std::string name_of(Id id) const {
+    const auto found = module_.names.find(id);
+    if (found == module_.names.end()) return "";
+    return found->second.substr(0, found->second.find('('));
+  }
+
+  Words words_;
+  Module module_;
+  Function* function_ = nullptr;
+  std::uint32_t line_ = 0;
+};
+
+}  // namespace
+
+const Type& Module::type(Id id) const {
+  const auto found = types.find(id);
+  if (found == types.end()) throw InputError("SPIR-V: a type is not declared");
+  return found->second;
+}
+
+std::size_t Module::scalars(Id id) const {
+  const Type& t = type(id);
+  std::size_t sum = 0;
+  switch (t.kind) {
+    case Kind::boolean:
+    case Kind::integer:
+    case Kind::number:
+      return 1;
+    case Kind::vector:
+    case Kind::matrix:
+    case Kind::array:
+      sum = t.count * scalars(t.element);
+      break;
+    case Kind::structure:
+      for (const Id member : t.members) sum += scalars(member);
+      break;
+    default:
+      throw InputError("has a value that is no number, vector, matrix, array or struct of 32-bit numbers");
+  }
+  if (sum > kMostScalars)
+    throw InputError("has a value of more than " + std::to_string(kMostScalars) + " numbers");
+  return sum;
+}
+
+std::string Module::name(Id id) const {
+  const auto found = names.find(id);
+  return found == names.end() ? "" : found->second;
+}
+
+Module parse(std::span<const std::uint32_t> words) {
+  return Parser(words).run();
+}
+
+}  // namespace brdf::shader::spirv

@@ -1,0 +1,119 @@
+// The shaders that the library writes, through the interpreter: an oracle that needs nobody else's code.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <map>
+
+#include "brdf/random.h"
+#include "io/glsl.h"
+#include "tests/shader/texts.h"
+
+namespace brdf::shader {
+namespace {
+
+std::shared_ptr<const ShaderReflectance> exported(const Reflectance& form) {
+  static std::map<std::string_view, std::shared_ptr<const ShaderReflectance>> known;
+  auto& shader = known[form.info().name];
+  if (!shader) shader = shader_of(io::glsl_source(make_material(form), {.material = false}));
+  return shader;
+}
+
+struct Drawn {
+  std::vector<float> weights, shape;
+};
+Drawn draw(const ReflectanceInfo& info, Random& random) {
+  Drawn d;
+  for (const ParameterInfo& p : info.weights)
+    d.weights.push_back(float(random.uniform(p.min, std::min(p.max, 1.0))));
+  for (const ParameterInfo& p : info.shape)
+    d.shape.push_back(float(p.log_scale && p.min > 0 ? random.log_uniform(p.min, p.usual_max)
+                                                     : random.uniform(p.min, p.usual_max)));
+  return d;
+}
+
+// Half of them about the mirror direction, some below the horizon.
+Vec3<double> somewhere(Random& random) {
+  return direction(degrees(random.uniform(0, 92)), degrees(random.uniform(0, 360)));
+}
+
+TEST(ExportedForm, IsTheFloatLibraryBitForBit) {
+  for (const Reflectance& form : catalogue()) {
+    const auto shader = exported(form);
+    Random random(1);
+    for (int set = 0; set < 6; ++set) {
+      const Drawn p = draw(form.info(), random);
+      constexpr std::size_t kCount = 300;
+      DirectionArrays<float> d(kCount);
+      const auto to_float = [](const Vec3<double>& w) {
+        return Vec3<float>{float(w.x), float(w.y), float(w.z)};
+      };
+      for (std::size_t k = 0; k < kCount; ++k) {
+        const Vec3<double> wi = somewhere(random),
+                           wo = k % 2 ? somewhere(random)
+                                      : Vec3<double>{-wi.x + random.uniform(0, 0.02), -wi.y, wi.z};
+        d.set(k, to_float(wi), to_float(wo));
+      }
+      const ParameterValues<float> values{p.weights, p.weights, p.shape};
+      std::vector<float> library(kCount), interpreted(kCount), alone(kCount);
+      form->eval(values, d.view(), library.data());
+      shader->eval(values, d.view(), interpreted.data());
+      for (std::size_t k = 0; k < kCount; ++k) shader->eval(values, d.view().part(k, 1), &alone[k]);
+      for (std::size_t k = 0; k < kCount; ++k) {
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(library[k]), std::bit_cast<std::uint32_t>(interpreted[k]))
+            << form.info().name << ' ' << k;
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(library[k]), std::bit_cast<std::uint32_t>(alone[k]))
+            << form.info().name << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(ExportedForm, HasTheFormsTablesAndLobes) {
+  for (const Reflectance& form : catalogue()) {
+    const auto shader = exported(form);
+    const ReflectanceInfo &f = form.info(), &s = shader->info();
+    const auto same = [&](std::span<const ParameterInfo> a, std::span<const ParameterInfo> b) {
+      ASSERT_EQ(a.size(), b.size()) << f.name;
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        EXPECT_EQ(a[k].name, b[k].name) << f.name;
+        EXPECT_EQ(a[k].min, b[k].min) << f.name;
+        EXPECT_EQ(a[k].max, b[k].max) << f.name;
+        EXPECT_EQ(a[k].role, b[k].role) << f.name;
+      }
+    };
+    same(f.weights, s.weights);
+    same(f.shape, s.shape);
+    if (!f.fittable()) continue;
+    ASSERT_EQ(f.lobes.size(), s.lobes.size()) << f.name;
+    for (std::size_t k = 0; k < f.lobes.size(); ++k) {
+      EXPECT_EQ(f.lobes[k].weight, s.lobes[k].weight) << f.name;
+      EXPECT_EQ(f.lobes[k].factor, s.lobes[k].factor) << f.name;
+    }
+  }
+}
+
+// In double the constants are those of the text, which has nine digits.
+TEST(ExportedForm, HasTheFormsDerivatives) {
+  for (const Reflectance& form : catalogue()) {
+    if (!form.info().fittable()) continue;
+    const auto shader = exported(form);
+    Random random(2);
+    for (int set = 0; set < 8; ++set) {
+      const Drawn drawn = draw(form.info(), random);
+      const std::vector<double> w(drawn.weights.begin(), drawn.weights.end()),
+          s(drawn.shape.begin(), drawn.shape.end());
+      const Vec3<double> wi = direction(degrees(random.uniform(2, 70)), degrees(20)),
+                         wo = direction(degrees(random.uniform(2, 70)), degrees(190));
+      const std::size_t rows = 1 + w.size() + s.size();
+      std::vector<double> ours(rows), theirs(rows);
+      form->gradient({w, w, s}, one_pair(wi, wo), {ours.data(), 1});
+      shader->gradient({w, w, s}, one_pair(wi, wo), {theirs.data(), 1});
+      for (std::size_t k = 0; k < rows; ++k)
+        EXPECT_NEAR(theirs[k], ours[k], 2e-5 * (std::abs(ours[k]) + std::abs(ours[0]) + 1e-3))
+            << form.info().name << ' ' << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brdf::shader

@@ -1,0 +1,151 @@
+// Programs: branches that part the lanes, loops, arrays, what the source's lines say of a fault.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "brdf/random.h"
+#include "io/error.h"
+#include "shader/blame.h"
+#include "tests/shader/texts.h"
+
+namespace brdf::shader {
+namespace {
+
+using testing::HasSubstr;
+
+// Collatz steps of a number made of the directions: every lane takes its own way.
+constexpr const char* kParting = R"(
+float brdf(vec3 L, vec3 V, vec3 N) {
+  int n = int(100.0 * abs(L.x)) + 1;
+  float table[4] = float[4](0.5, 1.5, 2.5, 3.5);
+  float sum = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    if (n == 1) break;
+    if (n % 2 == 0) { n = n / 2; sum += table[n & 3]; continue; }
+    n = 3 * n + 1;
+    table[n & 3] += 0.25;
+  }
+  switch (n + int(10.0 * V.z)) {
+    case 5: sum += 100.0; break;
+    case 8: sum += 200.0;
+    case 9: sum += 300.0; break;
+    default: sum += L.y > 0.0 && V.y > 0.0 ? 7.0 : 11.0;
+  }
+  return sum;
+}
+)";
+
+double parting(const Vec3<double>& l, const Vec3<double>& v) {
+  int n = int(100.0 * std::abs(l.x)) + 1;
+  double table[4] = {0.5, 1.5, 2.5, 3.5}, sum = 0;
+  for (int k = 0; k < 200 && n != 1; ++k) {
+    if (n % 2 == 0) {
+      n /= 2;
+      sum += table[n & 3];
+    } else {
+      n = 3 * n + 1;
+      table[n & 3] += 0.25;
+    }
+  }
+  const int which = n + int(10.0 * v.z);
+  if (which == 5) return sum + 100;
+  if (which == 8) return sum + 500;
+  if (which == 9) return sum + 300;
+  return sum + (l.y > 0 && v.y > 0 ? 7 : 11);
+}
+
+TEST(Interpreter, LanesThatPartMeetAgain) {
+  const auto shader = shader_of(kParting);
+  Random random(3);
+  constexpr std::size_t kCount = 777;
+  DirectionArrays<double> d(kCount);
+  for (std::size_t k = 0; k < kCount; ++k)
+    d.set(k, direction(degrees(random.uniform(0, 89)), degrees(random.uniform(0, 360))),
+          direction(degrees(random.uniform(0, 89)), degrees(random.uniform(0, 360))));
+  std::vector<double> out(kCount);
+  shader->eval(ParameterValues<double>{}, d.view(), out.data());
+  for (std::size_t k = 0; k < kCount; ++k) ASSERT_EQ(out[k], parting(d.view().wi(k), d.view().wo(k))) << k;
+}
+
+TEST(Interpreter, AnEndlessLoopEndsWithItsLine) {
+  try {
+    shader_of(
+        "//: param k 0 1 1\nfloat brdf(vec3 L, vec3 V, float k) {\n  float s = k;\n  while (s >= 0.0)\n    s "
+        "+= 1.0;\n  return s;\n}");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("the loop here does not end"));
+    EXPECT_TRUE(std::string(e.what()).starts_with("test.glsl:4") ||
+                std::string(e.what()).starts_with("test.glsl:5"))
+        << e.what();
+  }
+}
+
+TEST(Interpreter, FloatRoundsEveryOperation) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N, float a, float b) { return exp(a) * log(b) + pow(b, a) / sqrt(a) - "
+      "exp2(b); }",
+      {.file = "", .parameters = {"a=0.1:8:1", "b=0.1:8:1"}});
+  Random random(4);
+  const Vec3<float> up{0, 0, 1};
+  for (int k = 0; k < 2000; ++k) {
+    const float a = float(random.uniform(0.1, 8)), b = float(random.uniform(0.1, 8));
+    const auto f = [](double x) { return float(x); };
+    const float expected = f(std::exp(double(a))) * f(std::log(double(b))) +
+                           f(std::pow(double(b), double(a))) / std::sqrt(a) - f(std::exp2(double(b)));
+    const std::vector<float> shape{a, b};
+    float value;
+    shader->eval(ParameterValues<float>{{}, {}, shape}, one_pair(up, up), &value);
+    ASSERT_EQ(value, expected) << a << ' ' << b;
+  }
+}
+
+TEST(Interpreter, ConstantsAreWhatTheSourceSays) {
+  const auto shader = shader_of("float brdf(vec3 L, vec3 V) { return 0.1 + 0.0 * L.x; }");
+  EXPECT_EQ(value_at(shader, 10, 0, 20, 0), 0.1);
+}
+
+TEST(Blame, NoNumberAtNormalIncidence) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N) {\n  vec3 t = L - N * dot(N, L);\n  vec3 u = normalize(t);\n  "
+      "return 0.3 + 0.1 * dot(u, V);\n}");
+  const Vec3<double> up{0, 0, 1}, aside = direction(degrees(30), {});
+  const Blame b = blame<double>(shader->function(), Fault::not_finite, {}, up, aside, 0);
+  EXPECT_EQ(b.line, 3u);
+  EXPECT_EQ(b.expression, "vec3 u = normalize(t);");
+  EXPECT_THAT(b.operation, HasSubstr("0 / 0 = "));
+  EXPECT_TRUE(blame<double>(shader->function(), Fault::not_finite, {}, aside, up, 0).operation.empty());
+}
+
+TEST(Blame, TheSubtractionThatGoesBelowZero) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N) {\n  float c = dot(N, L);\n  float d = 0.5 * c - 0.5;\n  return "
+      "2.0 * d * c;\n}");
+  const Blame b =
+      blame<double>(shader->function(), Fault::negative, {}, direction(degrees(60), {}), {0, 0, 1}, 0);
+  EXPECT_EQ(b.line, 3u);
+  EXPECT_THAT(b.operation, HasSubstr("0.25 - 0.5 = -0.25"));
+}
+
+TEST(Blame, DivisionByZeroInFloatOnly) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N) {\n  float x = 1.0 + 1e-9 * dot(N, L);\n  float d = x - 1.0;\n  "
+      "return 1e-9 / d;\n}");
+  const Vec3<double> w = direction(degrees(30), {});
+  const Blame b = blame<float>(shader->function(), Fault::loses_digits, {}, w, w, 0);
+  EXPECT_EQ(b.line, 4u);
+  EXPECT_THAT(b.operation, HasSubstr("/ 0 = inf"));
+  EXPECT_TRUE(blame<double>(shader->function(), Fault::not_finite, {}, w, w, 0).operation.empty());
+}
+
+TEST(Blame, TheOperationThatLosesDigits) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N) {\n  float c = dot(N, L);\n  float s2 = 1.0 - c * c;\n  float r = "
+      "3.0 * s2;\n  return r + 1e-20;\n}");
+  const Vec3<double> w = direction(degrees(0.02), {});
+  const Blame b = blame<float>(shader->function(), Fault::loses_digits, {}, w, w, 0);
+  EXPECT_EQ(b.line, 3u);
+  EXPECT_THAT(b.operation, HasSubstr(", in double "));
+}
+
+}  // namespace
+}  // namespace brdf::shader

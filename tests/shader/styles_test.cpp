@@ -1,0 +1,222 @@
+// Functions as people write them: each is understood, or refused with a sentence that says what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "brdf/integrals.h"
+#include "io/error.h"
+#include "tests/shader/texts.h"
+
+namespace brdf::shader {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text, const ShaderChoice& choice = {},
+                    const std::string& name = "test.glsl") {
+  try {
+    shader_of(text, choice, name);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+std::vector<std::string> names(std::span<const ParameterInfo> table) {
+  std::vector<std::string> out;
+  for (const ParameterInfo& p : table) out.emplace_back(p.name);
+  return out;
+}
+
+TEST(Style, VectorsWithParametersAndColours) {
+  const auto shader = shader_of(kGgx);
+  EXPECT_THAT(names(shader->info().weights), testing::ElementsAre("f0", "albedo"));
+  EXPECT_THAT(names(shader->info().shape), testing::ElementsAre("roughness"));
+  EXPECT_EQ(shader->info().shape[0].min, 0.05);
+  // GGX of width 0.25, Smith's masking in two factors, Schlick's F of f0 0.5, beside 0.5/pi; from the formula by hand.
+  const double h2 = 1, a2 = 0.0625, d = h2 * (a2 - 1) + 1,
+               g = 2 * 0.5 / (0.5 + std::sqrt(a2 + (1 - a2) * 0.25));
+  const double f = 0.5 + 0.5 * std::pow(0.5, 5);
+  EXPECT_NEAR(value_at(shader, 60, 0, 60, 180), 0.5 / kPi + a2 / (kPi * d * d) * g * g * f / (4 * 0.25),
+              1e-6);
+}
+
+TEST(Style, ExplorersFileHasItsBlocksAsParameters) {
+  const auto shader = shader_of(R"(analytic
+# two lobes
+::begin parameters
+color baseColor .82 .67 .16
+float Ks 0 2 .1   # of the lobe
+float n 1 1000 100
+bool squared 0
+::end parameters
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
+{
+  float s = pow(max(0, dot(reflect(-L, N), V)), n);
+  if (squared) s *= s;
+  return baseColor / 3.14159265358979 + vec3(Ks * s);
+}
+::end shader
+)",
+                                {}, "two.brdf");
+  EXPECT_THAT(names(shader->info().shape), testing::ElementsAre("n", "squared"));
+  EXPECT_THAT(names(shader->info().weights), testing::ElementsAre("baseColor", "Ks"));
+  EXPECT_TRUE(shader->info().fittable());
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180, 2), 0.16 / kPi + 0.1, 1e-7);
+  EXPECT_NEAR(value_at(shader, 30, 0, 40, 180, 0),
+              0.82 / kPi + 0.1 * std::pow(std::cos(degrees(10).radians()), 100), 1e-7);
+}
+
+TEST(Style, ProductsAreArguments) {
+  const auto shader = shader_of(
+      "float diffuse_brdf(float NdotL, float dotNV, float LoV, float k) { return NdotL + 10.0 * dotNV + "
+      "100.0 * LoV; }");
+  const double expected = std::cos(0.5) + 10 * std::cos(0.3) + 100 * std::cos(0.8);
+  EXPECT_NEAR(value_at(shader, radians(0.5).degrees(), 0, radians(0.3).degrees(), 180), expected, 1e-9);
+}
+
+TEST(Style, StructsUniformsAndInputs) {
+  const auto shader = shader_of(R"(
+struct Light { vec3 color; vec3 direction; };
+struct Surface { vec3 diffuseColor; float roughness; };
+uniform float scale = 0.25;
+in vec3 vNormal;
+vec3 shadeBRDF(const in Light light, const in vec3 viewDir, const in Surface material) {
+  return light.color * material.diffuseColor * scale * dot(vNormal, light.direction) * (1.0 + 0.0 * viewDir.x);
+}
+)");
+  EXPECT_THAT(names(shader->info().weights), testing::Contains("diffuseColor"));
+  EXPECT_NEAR(value_at(shader, 60, 0, 10, 0), 0.5 * 0.25 * 0.5, 1e-12);
+}
+
+TEST(Style, HlslWithABufferOfConstants) {
+  const auto shader = shader_of(R"(
+cbuffer Material : register(b0) { float gRoughness; float3 gBaseColor; };
+float3 BRDF(float3 L, float3 V, float3 N) {
+  float3 H = normalize(L + V);
+  return lerp(gBaseColor, 0.5f.xxx, saturate(gRoughness)) * rsqrt(4.0) * dot(N, H);
+}
+)",
+                                {}, "a.hlsl");
+  EXPECT_THAT(names(shader->info().weights), testing::ElementsAre("gBaseColor"));
+  EXPECT_NEAR(value_at(shader, 40, 0, 40, 180), 0.25, 1e-7);
+}
+
+TEST(Style, TheCosineMayBeIn) {
+  const std::string text = "float brdf(vec3 L, vec3 V, vec3 N) { return 0.25 * dot(N, L); }";
+  EXPECT_NEAR(value_at(shader_of(text), 60, 0, 0, 0), 0.125, 1e-12);
+  EXPECT_NEAR(value_at(shader_of(text, {.file = "", .returns = "f*cos_i"}), 60, 0, 0, 0), 0.25, 1e-12);
+  EXPECT_NEAR(value_at(shader_of("//: returns f * cos_o\n" + text), 60, 0, 60, 0), 0.25, 1e-12);
+}
+
+TEST(Style, TheCommandLineWins) {
+  const std::string text =
+      "//: param k 0 1 0.5\nfloat first(vec3 L, vec3 V, float k) { return k; }\nfloat second(vec3 L, vec3 V, "
+      "float k) { return 2.0 * k; }";
+  const auto shader = shader_of(text, {.file = "", .parameters = {"k=1:4:2:log"}, .entry = "second"});
+  const ParameterInfo k =
+      shader->info().weights.empty() ? shader->info().shape[0] : shader->info().weights[0];
+  EXPECT_EQ(k.min, 1);
+  EXPECT_EQ(k.max, 4);
+  EXPECT_TRUE(k.log_scale);
+  EXPECT_EQ(value_at(shader, 10, 0, 20, 0), 4);
+  EXPECT_THAT(refusal(text), HasSubstr("--entry NAME"));
+}
+
+TEST(Style, AFunctionMayShadowABuiltInOne) {
+  const auto shader = shader_of(
+      "\nvec3 reflect(vec3 I, vec3 N) { return 2.0 * dot(I, N) * N - I; }\n"
+      "float brdf(vec3 L, vec3 V, vec3 N) { return max(0.0, dot(reflect(L, N), V)); }");
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 1, 1e-12);
+  EXPECT_THAT(shader->function().notes.front(), HasSubstr("line 2: reflect() shadows the built-in"));
+}
+
+TEST(Style, NeighboursOfASnippetAreKnown) {
+  const auto shader = shader_of(
+      "vec3 BRDF_Lambert(const in vec3 diffuseColor) { return RECIPROCAL_PI * diffuseColor; }\n"
+      "vec3 brdf(vec3 lightDir, vec3 viewDir, vec3 normal, vec3 c) { return saturate(2.0) * BRDF_Lambert(c); "
+      "}");
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.5 / kPi, 1e-7);
+}
+
+TEST(Refused, WithTheSentenceThatHelps) {
+  const std::string only_main = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
+  EXPECT_THAT(refusal(only_main), HasSubstr("test.glsl: has main() and no function brdf"));
+  EXPECT_THAT(refusal(only_main), HasSubstr("//: entry NAME"));
+  EXPECT_THAT(
+      refusal("uniform sampler2D lut;\nfloat brdf(vec3 L, vec3 V) {\n return texture(lut, L.xy).r; }"),
+      HasSubstr("test.glsl:3: reads the texture lut; give what it holds as a parameter"));
+  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n if (L.x > 0.1) discard;\n return 1.0; }"),
+              HasSubstr("test.glsl:2: discards the pixel"));
+  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n return dott(L, V); }"),
+              HasSubstr("test.glsl:2: 'dott'"));
+  EXPECT_THAT(refusal("mat3 brdf(vec3 L, vec3 V) { return mat3(1.0); }", {.file = "", .entry = "brdf"}),
+              HasSubstr("a reflectance is a float or a vec3"));
+  EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"rough=0:1"}}),
+              HasSubstr("--param rough: is no argument, uniform or global variable of"));
+  EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"roughness=1:0"}}),
+              HasSubstr("its least value is above its largest"));
+  EXPECT_THAT(refusal(kGgx, {.file = "", .entry = "shade"}), HasSubstr("has no function shade (it has "));
+  EXPECT_THAT(refusal(kGgx, {.file = "", .returns = "f*cos"}),
+              HasSubstr("must be one of f, f*cos_i, f*cos_o"));
+  EXPECT_THAT(refusal("//: parameter a 0 1 0\nfloat brdf(vec3 L, vec3 V) { return 1.0; }"),
+              HasSubstr("test.glsl:1: //: parameter: must be param"));
+  EXPECT_THAT(refusal("::begin parameters\nfloat a 0\n::end parameters\n", {}, "a.brdf"),
+              HasSubstr("a.brdf:2: must be NAME MIN MAX DEFAULT"));
+  EXPECT_THAT(refusal(std::string(300, '(')), HasSubstr("nested too deeply"));
+  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) { return dFdx(L.x); }"),
+              HasSubstr("derivatives across the screen"));
+}
+
+TEST(Refused, AFileOutsideTheShadersFolder) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "brdf_shader_includes";
+  std::filesystem::create_directories(folder / "inside");
+  std::ofstream(folder / "outside.glsl") << "float secret() { return 1.0; }\n";
+  std::ofstream(folder / "inside" / "part.glsl") << "float part(float x) { return 2.0 * x; }\n";
+  const auto read = [&](const std::string& include) {
+    std::ofstream(folder / "inside" / "a.glsl")
+        << "#include \"" << include << "\"\nfloat brdf(vec3 L, vec3 V, float k) { return part(k); }\n";
+    return load_shader({(folder / "inside" / "a.glsl").string()});
+  };
+  EXPECT_EQ(value_at(read("part.glsl"), 10, 0, 10, 0), 1);
+  for (const std::string name : {"../outside.glsl", "/etc/passwd", "missing.glsl"}) {
+    try {
+      read(name);
+      ADD_FAILURE() << name;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("is no file of the shader's own folder"));
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Refused, WhatAsksForMoreThanItsShare) {
+  std::string bomb = "#define A0 1.0\n";
+  for (int k = 1; k < 40; ++k)
+    bomb +=
+        "#define A" + std::to_string(k) + " A" + std::to_string(k - 1) + "+A" + std::to_string(k - 1) + "\n";
+  EXPECT_THAT(refusal(bomb + "float brdf(vec3 L, vec3 V) { return A39; }"),
+              HasSubstr("the shader compiler needs more than"));
+  std::string calls = "float f0(float x) { return sin(x) + x; }\n";
+  for (int k = 1; k < 30; ++k) {
+    const std::string before = "f" + std::to_string(k - 1);
+    calls +=
+        "float f" + std::to_string(k) + "(float x) { return " + before + "(x) * " + before + "(x + 1.0); }\n";
+  }
+  EXPECT_THAT(refusal(calls + "float brdf(vec3 L, vec3 V) { return f29(L.x); }"),
+              HasSubstr("larger than 200000 operations"));
+}
+
+TEST(Energy, AClampedProductReflectsMoreThanItReceives) {
+  const auto albedo = [](const std::string& s) {
+    const auto shader = shader_of(energy_preserving(s));
+    return directional_albedo(shader->material(shader).terms[0], 0, degrees(85), {}, {}).value;
+  };
+  EXPECT_NEAR(albedo("max(LdotV, 0.0)"), 1.1429, 1e-4);
+  EXPECT_NEAR(albedo("LdotV"), 1.00000, 5e-6);
+}
+
+}  // namespace
+}  // namespace brdf::shader
