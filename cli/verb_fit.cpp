@@ -97,8 +97,7 @@ Exit run(Options& o) {
   const fit::FitOptions options = fit_options(o.choice, o.jobs);
   const bool stack = o.samples.size() == 1 && texel::is_stack(o.samples[0]);
   if (stack && !o.shader.file.empty()) throw InputError(kOneTable);
-  if (stack)
-    return run_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
+  if (stack) return run_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
   if (o.stack.normals != StackOptions().normals || o.stack.memory != StackOptions().memory)
     throw InputError("--normals and --memory-limit are for a stack of photographs");
   const std::vector<std::string> files = sample_files(o.samples);

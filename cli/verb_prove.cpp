@@ -91,7 +91,8 @@ Exit run(const Options& o) {
 
 void add_prove(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  CLI::App* verb = add_verb(app, Purpose::judge, "prove", "Prove properties of forms over their whole domain");
+  CLI::App* verb =
+      add_verb(app, Purpose::judge, "prove", "Prove properties of forms over their whole domain");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
   verb->add_flag("--all", o->all, "every form");
   offer_names<prove::Property>(
