@@ -5,10 +5,13 @@
 
 #include "cli/environment_options.h"
 #include "cli/options.h"
+#include "cli/solver_beside.h"
 #include "cli/verbs.h"
 #include "io/error.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "render/job.h"
+#include "render/viewer/commands.h"
 #include "render/viewer/viewer.h"
 
 namespace brdf::cli {
@@ -39,12 +42,21 @@ render::ViewState initial_state(const render::Job& given, int width, int height)
   return render::state_of(job);
 }
 
+// What the window's title names.
+std::filesystem::path file_of(const render::Job& job) {
+  if (!job.state.empty()) return job.state;
+  if (!job.scene.empty()) return job.scene;
+  if (!job.materials.empty()) return job.materials[0];
+  return job.measured;
+}
+
 }  // namespace
 
 void add_view(CLI::App& app) {
   struct Options {
     render::Job job;
     render::ViewerOptions viewer;
+    bool commands = false;
   };
   auto options = std::make_shared<Options>();
   render::ViewerOptions& viewer = options->viewer;
@@ -69,26 +81,32 @@ void add_view(CLI::App& app) {
       ->capture_default_str();
   add_environment_options(*verb, options->job, viewer.samples);
   add_memory_option(*verb, viewer.memory_limit);
+  verb->add_option("--scale", viewer.scale, "Of text and panels, instead of the display's")
+      ->check(CLI::Range(0.5, 4.0));
+  verb->add_flag("--orbit", viewer.orbit,
+                 "Turn the camera with every frame; with --frames the frames' time is told");
+  verb->add_flag("--commands", options->commands,
+                 "Print what can be asked of the window, as JSON, and open none");
   verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::Range(0, 1000000000));
   verb->add_flag("--validation", viewer.validation,
                  "Run under Vulkan's validation and synchronisation layers");
   verb->footer(
-      "Drag: orbit (on the line of a split: move it), right drag: pan, wheel: zoom, shift-click: probe, "
-      "drop: open a file.\n"
-      "n, shift-n: next form, family; m: shading; c: tone map; +, -: exposure; s: split; b: flip; k: what B "
-      "is;\n"
-      "d: false-colour difference; g: the seven targets; l: lobe plot; t: turntable; o: open; r, f: reset, "
-      "fit;\n"
-      "p: screenshot; ctrl-s, ctrl-l: save, load the state; h: hide the panels; q: quit.\n"
+      "Keys and mouse:\n" + render::command_help(100) +
       "Examples: brdf view fitted.json --measured samples.csv\n"
       "          brdf view fitted.json --hard-light\n"
       "          brdf view --scene scenes/vase.json\n"
       "          brdf view fitted.json --environment studio --rotate 30 --samples 256 --shape shader_ball\n"
       "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
       "600\n"
-      "          brdf view a.json b.json --gbuffer-bits 16 --memory-limit 1G --validation --frames 100");
+      "          brdf view a.json b.json --gbuffer-bits 16 --memory-limit 1G --validation --frames 100\n"
+      "          brdf view fitted.json --hard-light --orbit --frames 100 --scale 2\n"
+      "          brdf view --commands");
   on_run(*verb, [options, verb] {
     const render::Job& job = options->job;
+    if (options->commands) {
+      std::cout << render::command_json();
+      return Exit::good;
+    }
     std::vector<io::Target> targets;  // those that were asked for: the others may never be written
     if (verb->count("--save-as") > 0) targets.push_back({"--save-as", options->viewer.state_file});
     if (verb->count("--screenshot") > 0) targets.push_back({"--screenshot", options->viewer.screenshot});
@@ -98,7 +116,13 @@ void add_view(CLI::App& app) {
     options->viewer.state = initial_state(options->job, options->viewer.width, options->viewer.height);
     for (const std::string& note : render::colour_notes(options->viewer.state))
       std::cerr << "brdf view: " << note << '\n';
-    return render::view(options->viewer) > 0 ? Exit::failed : Exit::good;
+    options->viewer.file = file_of(job);
+    options->viewer.solver = solver_beside();
+    const render::ViewerReport report = render::view(options->viewer);
+    if (options->viewer.orbit && options->viewer.frames > 0)
+      std::cout << "median of " << report.frames << " frames: " << io::short_number(report.median_frame_ms, 3)
+                << " ms, " << io::short_number(1000 / report.median_frame_ms, 3) << " frames/s\n";
+    return report.validation_messages > 0 ? Exit::failed : Exit::good;
   });
 }
 

@@ -15,6 +15,7 @@ namespace brdf::io {
 namespace {
 
 constexpr const char* kFormat = "brdf-material";
+constexpr std::string_view kViewFormat = "brdf-view";
 constexpr int kVersion = 1;
 
 // The shortest decimal in degrees that gives this angle back; the nearest one where none does.
@@ -163,6 +164,17 @@ MaterialFile material_from_json(const JsonPlace& place) {
   return file;
 }
 
+namespace {
+
+// A saved state of `brdf view` holds a scene: the material is that of the object that was selected.
+MaterialFile material_of_view(const JsonPlace& view) {
+  const JsonPlace objects = view.at("scene").at("objects");
+  const auto selected = std::size_t(view.at("selected").number(0, double(objects.size()) - 1));
+  return material_from_json(objects.at(selected).at("material"));
+}
+
+}  // namespace
+
 MaterialFile read_material_file(const Content& content) {
   if (!content.bytes.empty() && !is_json(content))
     throw InputError(content.name + ": is no material, which is JSON; `brdf fit` makes materials of samples");
@@ -172,7 +184,7 @@ MaterialFile read_material_file(const Content& content) {
   if (place.has("ranking"))
     throw InputError(content.name +
                      ": is the result of a fit (fit --json); the material is what its -o wrote");
-  place.at("format");
+  if (place.at("format").value() == kViewFormat) return material_of_view(place);
   place.at("version");
   return material_from_json(place);
 }

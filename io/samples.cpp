@@ -4,6 +4,7 @@
 #include "io/astm.h"
 #include "io/csv.h"
 #include "io/error.h"
+#include "io/material_file.h"
 #include "io/merl.h"
 #include "io/rgl.h"
 #include "io/table_rules.h"
@@ -41,10 +42,23 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
 
 namespace {
 
+// A saved state of the window: what it is, and of which forms the material is that it shows.
+[[noreturn]] void refuse_view(const Content& text) {
+  std::string forms;
+  for (const Term& term : read_material(text).terms)
+    forms += (forms.empty() ? "" : "+") + std::string(info(term.form).name);
+  throw InputError(text.name +
+                   ": is a saved state of `brdf view`, not a table of samples; it shows a material of " +
+                   forms);
+}
+
 SampleTable read_text(Content text, bool need_values) {
   for (const auto& [magic, kind] : {std::pair("\x89PNG", "PNG"), std::pair("\xff\xd8\xff", "JPEG")})
     if (text.bytes.starts_with(magic))
       throw InputError(text.name + ": is a picture (" + kind + "), not a table of samples");
+  const std::size_t format = text.bytes.find("\"format\"");
+  if (is_json(text) && format < 10 && text.bytes.substr(format, 30).find("brdf-view") != text.bytes.npos)
+    refuse_view(text);
   if (is_json(text)) {
     const bool material = text.bytes.find("\"brdf-material\"") != text.bytes.npos;
     throw InputError(text.name +

@@ -65,8 +65,11 @@ std::vector<LobeCurve> lobe_curves(const Material& given, const std::string& nam
 std::vector<LobeCurve> lobe_curves(const ViewState& state) {
   const double theta = double(state.plot_theta);
   std::vector<LobeCurve> curves = lobe_curves(state.scene.objects.at(state.selected).material, "A", theta);
-  if (state.other != Other::material || !state.material) return curves;
-  for (LobeCurve& curve : lobe_curves(*state.material, "B", theta, true)) curves.push_back(std::move(curve));
+  const auto add = [&](const Material& material, const std::string& name) {
+    for (LobeCurve& curve : lobe_curves(material, name, theta, true)) curves.push_back(std::move(curve));
+  };
+  if (state.other == Other::material && state.material) add(*state.material, "B");
+  for (const auto& [name, material] : state.kept) add(material, name);
   return curves;
 }
 

@@ -25,7 +25,7 @@ inline constexpr int kSteepest = 89, kLobePoints = 2 * kSteepest + 1;
 std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& name, double theta_i_degrees,
                                    bool second = false);
 
-// Of the selected object's material, and of B where it is a material.
+// Of the selected object's material, of B where it is a material, and of those that are kept.
 std::vector<LobeCurve> lobe_curves(const ViewState& state);
 
 // A measured value in the plane of incidence, by the name of its curve's channel.

@@ -10,6 +10,7 @@
 #include "io/samples.h"
 #include "render/light/formula.h"
 #include "render/mesh/mesh.h"
+#include "render/scene/camera_view.h"
 #include "render/scene/scene_json.h"
 
 namespace brdf::render {
@@ -52,7 +53,8 @@ std::optional<Json> json_of(const std::filesystem::path& file, const io::Content
 ViewState state_from_json(const JsonPlace& root) {
   require_format(root, "brdf-view");
   root.allow_keys({"format", "version", "scene", "selected", "compare_with", "material", "material_name",
-                   "everywhere", "samples", "display", "split", "turntable", "plot"});
+                   "everywhere", "samples", "display", "split", "turntable", "plot", "kept",
+                   "light_follows"});
   ViewState state;
   state.scene = scene_from_json(root.at("scene"), "");
   state.selected = std::size_t(root.at("selected").number(0, double(state.scene.objects.size() - 1)));
@@ -70,7 +72,13 @@ ViewState state_from_json(const JsonPlace& root) {
   plot.allow_keys({"shown", "theta", "solo"});
   state.show_plot = read_flag(plot.at("shown"));
   state.plot_theta = float(plot.at("theta").number(0, 90));
-  state.plot_solo = int(plot.at("solo").number(-1, 5));
+  state.plot_solo = int(plot.at("solo").number(-1, kMostCurves));
+  for (std::size_t k = 0; root.has("kept") && k < root.at("kept").size(); ++k) {
+    const JsonPlace one = root.at("kept").at(k);
+    one.allow_keys({"name", "material"});
+    state.kept.emplace_back(one.at("name").text(), io::material_from_json(one.at("material")).material);
+  }
+  if (root.has("light_follows")) state.light_follows = read_flag(root.at("light_follows"));
   return state;
 }
 
@@ -99,6 +107,9 @@ std::string state_text(const ViewState& state) {
   json["split"] = state.split;
   json["turntable"] = state.turntable;
   json["plot"] = {{"shown", state.show_plot}, {"theta", state.plot_theta}, {"solo", state.plot_solo}};
+  for (const auto& [name, material] : state.kept)
+    json["kept"].push_back({{"name", name}, {"material", io::to_json(material)}});
+  if (state.light_follows) json["light_follows"] = true;
   return io::to_text(json);
 }
 
@@ -245,6 +256,66 @@ void fit(Camera& camera, const glm::vec4& bounds) {
   const float narrow = std::atan(std::tan(half) * std::min(1.0f, float(camera.width) / float(camera.height)));
   camera.target = glm::vec3(bounds);
   camera.position = camera.target + direction * (bounds.w * 1.05f / std::sin(narrow));
+}
+
+namespace {
+
+struct Box {
+  glm::vec3 low{1e30f}, high{-1e30f};
+  glm::vec3 size() const { return high - low; }
+  bool flat() const {
+    return std::min({size().x, size().y, size().z}) < 1e-3f * std::max({size().x, size().y, size().z});
+  }
+  void add(const glm::vec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+};
+
+glm::vec4 sphere_round(const Box& box) {
+  return glm::vec4((box.low + box.high) / 2.0f, std::max(glm::length(box.size()) / 2, 1e-4f));
+}
+
+}  // namespace
+
+glm::vec4 bounds_of(const PreparedScene& scene, std::optional<std::size_t> object) {
+  Box solid;
+  for (const Item& item : scene.layers[0]) {
+    if (object && item.object != *object) continue;
+    Box own;
+    for (const Vertex& vertex : scene.meshes[item.object]->vertices)
+      own.add(item.origin + item.linear * vertex.position);
+    if (!object && own.flat()) continue;
+    solid.add(own.low);
+    solid.add(own.high);
+  }
+  return solid.low.x <= solid.high.x ? sphere_round(solid) : scene.bounds;
+}
+
+void turn_light(Scene& scene, float right, float up) {
+  const Camera& camera = scene.camera;
+  const glm::vec3 axis = glm::normalize(camera.up);
+  const glm::vec3 side = glm::normalize(glm::cross(axis, camera.position - camera.target));
+  const glm::mat3 turn =
+      glm::mat3(glm::rotate(glm::mat4(1), right, axis)) * glm::mat3(glm::rotate(glm::mat4(1), up, side));
+  for (Light& light : scene.lights)
+    if (!light.point) light.vector = turn * light.vector;
+  if (scene.environment)
+    scene.environment->rotation = std::remainder(scene.environment->rotation + glm::degrees(right), 360.0f);
+}
+
+void follow_camera(Scene& scene, const Camera& before) {
+  const View now = make_view(scene.camera), then = make_view(before);
+  const auto frame = [](const View& v) {
+    return glm::mat3(glm::normalize(v.right), glm::normalize(v.up), glm::normalize(v.forward));
+  };
+  if (frame(now) == frame(then)) return;
+  const glm::mat3 turn = frame(now) * glm::transpose(frame(then));
+  for (Light& light : scene.lights)
+    if (!light.point) light.vector = turn * light.vector;
+  if (!scene.environment) return;
+  const float round = std::atan2(now.forward.x, now.forward.z) - std::atan2(then.forward.x, then.forward.z);
+  scene.environment->rotation = std::remainder(scene.environment->rotation + glm::degrees(round), 360.0f);
 }
 
 }  // namespace brdf::render

@@ -6,13 +6,15 @@
 #include <string>
 
 #include "render/compare/arrange.h"
-#include "render/scene/scene.h"
+#include "render/scene/prepared.h"
 
 namespace brdf {
 namespace render {
 
 // What A is compared with.
 enum class Other { material, samples, embree };
+
+inline constexpr int kMostCurves = 1000;  // of the lobe plot
 
 struct ViewState {
   Scene scene;               // A
@@ -26,8 +28,10 @@ struct ViewState {
   float split = 0.5f;  // share of the width that shows A
   bool turntable = false;
   bool show_ui = true, show_plot = false;
-  float plot_theta = 45;  // degrees
-  int plot_solo = -1;     // curve shown alone; -1: all
+  float plot_theta = 45;                               // degrees
+  int plot_solo = -1;                                  // curve shown alone; -1: all
+  std::vector<std::pair<std::string, Material>> kept;  // further materials in the lobe plot, with their names
+  bool light_follows = false;                          // the lights turn with the camera
   friend bool operator==(const ViewState&, const ViewState&) = default;
 };
 
@@ -54,6 +58,15 @@ void orbit(Camera& camera, float right, float up);
 void zoom(Camera& camera, float factor);
 void pan(Camera& camera, glm::vec2 share_of_picture);
 void fit(Camera& camera, const glm::vec4& bounds);
+
+// The sphere round an object, or (`all`) round all that are not flat, as a ground is; round everything where nothing else
+// is there.
+glm::vec4 bounds_of(const PreparedScene& scene, std::optional<std::size_t> object);
+// Turns what lights the scene about the camera's axes: directional lights and, about the vertical axis only, the environment.
+// Point lights stay where they are. Radians.
+void turn_light(Scene& scene, float right, float up);
+// Turns it as the camera has turned since it was `before`.
+void follow_camera(Scene& scene, const Camera& before);
 
 }  // namespace render
 

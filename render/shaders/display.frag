@@ -5,6 +5,8 @@
 // What the window shows: A, B, both, their difference, or the seven targets. Encodes for a UNORM swapchain.
 layout(push_constant) uniform Push {
   ivec2 size;      // of the pictures
+  ivec2 origin;    // in the window, of what is shown
+  ivec2 place;     // its size there
   int display;     // enum Display
   int tone_map;    // enum ToneMap
   float gain;      // 2^exposure
@@ -22,16 +24,17 @@ vec3 shown(vec3 linear) { return tone_curve(push.tone_map, linear * push.gain); 
 
 // To a whole byte, as the picture's file has it.
 vec3 dithered(vec3 value) {
-  const float threshold = texelFetch(dither, ivec2(gl_FragCoord.xy) % textureSize(dither, 0), 0).r;
+  const float threshold = texelFetch(dither, (ivec2(gl_FragCoord.xy) - push.origin) % textureSize(dither, 0), 0).r;
   precise const vec3 scaled = clamp(value, 0.0, 1.0) * 255.0 + 1.0 - threshold;
   return floor(scaled) / 255.0;
 }
 
-// Four columns, two rows; the last place shows the lighting.
+// Three columns and three rows, whose places have the picture's aspect; after the targets the lighting, then nothing.
 vec3 gbuffer(vec2 uv) {
-  const ivec2 cell = ivec2(uv * vec2(4.0, 2.0));
-  const int k = cell.y * 4 + cell.x;
-  const ivec2 pixel = ivec2(fract(uv * vec2(4.0, 2.0)) * vec2(push.size));
+  const ivec2 cell = ivec2(uv * 3.0);
+  const int k = cell.y * 3 + cell.x;
+  const ivec2 pixel = ivec2(fract(uv * 3.0) * vec2(push.size));
+  if (k > kTargetCount) return vec3(0.1);
   if (k == kTargetCount) return shown(texelFetch(pictures[0], pixel, 0).rgb);
   if (texelFetch(targets[target_position], pixel, 0).a < 0.5 / 255.0) return vec3(0.0);
   vec3 v = vec3(0.0);
@@ -46,9 +49,10 @@ vec3 gbuffer(vec2 uv) {
 }
 
 void main() {
-  const ivec2 pixel = ivec2(gl_FragCoord.xy);
+  const vec2 at = gl_FragCoord.xy - vec2(push.origin);  // in what is shown
+  const ivec2 pixel = push.size == push.place ? ivec2(at) : ivec2(at * vec2(push.size) / vec2(push.place));
   if (push.display == display_gbuffer) {
-    color = vec4(gbuffer(gl_FragCoord.xy / vec2(push.size)), 1.0);
+    color = vec4(gbuffer(at / vec2(push.place)), 1.0);
     return;
   }
   // Where nobody measured (picture.h: kNotMeasured), as io/hatching.h.

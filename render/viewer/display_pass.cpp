@@ -14,7 +14,7 @@ constexpr std::array kBindings{
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
 
 struct Push {  // of shaders/display.frag
-  glm::ivec2 size;
+  glm::ivec2 size, origin, place;
   int display, tone_map;
   float gain, split, extent;
   int bits, plus_minus;
@@ -57,15 +57,21 @@ void DisplayPass::show(const Image& a, const Image& b, Renderer* targets) {
   }
 }
 
-void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, VkExtent2D extent,
-                         float object_extent, int bits) {
-  const VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
-  const VkRect2D scissor{{0, 0}, extent};
+void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place,
+                         VkExtent2D pictures, float object_extent, int bits) {
+  const VkViewport viewport{float(place.offset.x),
+                            float(place.offset.y),
+                            float(place.extent.width),
+                            float(place.extent.height),
+                            0,
+                            1};
   vkCmdSetViewport(commands, 0, 1, &viewport);
-  vkCmdSetScissor(commands, 0, 1, &scissor);
+  vkCmdSetScissor(commands, 0, 1, &place);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set_, 0, nullptr);
-  const Push push{{int(extent.width), int(extent.height)},
+  const Push push{{int(pictures.width), int(pictures.height)},
+                  {place.offset.x, place.offset.y},
+                  {int(place.extent.width), int(place.extent.height)},
                   int(state.display),
                   int(state.scene.tone_map),
                   std::exp2(state.scene.exposure),

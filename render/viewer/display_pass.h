@@ -12,8 +12,9 @@ class DisplayPass {
   // What is shown from now on. `b` may be the same as `a`;
   // without targets pass null. The device must be idle.
   void show(const Image& a, const Image& b, Renderer* targets);
-  void record(VkCommandBuffer commands, const ViewState& state, VkExtent2D extent, float object_extent,
-              int bits);
+  // `place`: where in the window, in pixels; pictures of another size are drawn larger or smaller.
+  void record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place, VkExtent2D pictures,
+              float object_extent, int bits);
 
  private:
   Device* device_;

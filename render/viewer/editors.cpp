@@ -3,9 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "render/compare/state.h"
+#include "io/channel_colours.h"
+#include "io/glossary.h"
+#include "render/viewer/sliders.h"
 
 namespace brdf::render {
 
@@ -24,23 +27,9 @@ bool combo(const char* label, std::size_t& index, const std::vector<std::string>
 
 namespace {
 
-// A slider in double; Ctrl-click puts the default back.
-bool slider(const char* label, double& value, double min, double max, double initial, bool logarithmic) {
-  float shown = float(value);
-  const ImGuiSliderFlags flags =
-      ImGuiSliderFlags_NoInput |
-      (logarithmic && min > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  const bool moved = ImGui::SliderFloat(label, &shown, float(min), float(max), "%.4g", flags);
-  if (ImGui::IsItemHovered() && ImGui::GetIO().KeyCtrl && ImGui::GetIO().MouseDown[0]) {
-    value = initial;
-    return true;
-  }
-  if (moved) value = double(shown);
-  return moved;
-}
-
 // The families of the catalogue and the forms of the term's own; what is not in the catalogue is a family of one.
-void form_panel(Term& term) {
+void form_panel(Session& session, std::size_t place) {
+  const Term& term = session.state().scene.objects[session.state().selected].material.terms[place];
   std::vector<std::vector<Reflectance>> groups = families();
   if (catalogue_index(term.form) < 0) groups.push_back({term.form});
   std::vector<std::string> names, forms;
@@ -54,42 +43,115 @@ void form_panel(Term& term) {
   }
   for (const Reflectance& f : groups[family]) forms.emplace_back(info(f).name);
   if (combo("family", family, names))
-    switch_form(term, groups[family].front());
+    session.switch_form(place, groups[family].front());
   else if (combo("form", form, forms))
-    switch_form(term, groups[family][form]);
+    session.switch_form(place, groups[family][form]);
 }
 
-void parameter_sliders(Term& term, const std::vector<std::string>& channels) {
-  const ReflectanceInfo& form = info(term.form);
-  for (std::size_t k = 0; k < form.weights.size(); ++k) {
-    const ParameterInfo& p = form.weights[k];
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      const std::string label = std::string(p.name) + " " + channels[c];
-      slider(label.c_str(), term.weights[c][k], p.min, p.usual_max, p.initial, false);
-    }
-  }
-  for (std::size_t set = 0; set < term.shape.size(); ++set) {
-    for (std::size_t k = 0; k < form.shape.size(); ++k) {
-      const ParameterInfo& p = form.shape[k];
-      std::string label(p.name);
-      if (term.shape.size() > 1) label += " " + channels[set];
-      slider(label.c_str(), term.shape[set][k], p.min, p.usual_max, p.initial, p.log_scale);
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(p.doc).c_str());
-    }
-  }
-  if (!form.anisotropic()) return;
-  double in_degrees = term.tangent_phi.degrees();
-  if (slider("tangent_phi", in_degrees, -90, 90, 0, false)) term.tangent_phi = degrees(in_degrees);
+// "diffuse reflectance  kd"
+void name_line(const ReflectanceInfo& form, const ParameterInfo& p) {
+  const std::string plain = io::plain_name(form, p);
+  ImGui::TextUnformatted(plain.empty() ? std::string(p.name).c_str() : plain.c_str());
+  if (plain.empty()) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", std::string(p.name).c_str());
 }
+
+// One swatch for a weight of three channels that are colours, as light of sRGB's primaries.
+void swatch(Term& term, std::size_t weight, const ParameterInfo& p,
+            const std::vector<std::string>& channels) {
+  const auto colours = io::channel_colours(channels);
+  if (!colours || channels.size() != 3) return;
+  std::array<float, 3> color;
+  for (std::size_t c = 0; c < 3; ++c) color[c] = float(term.weights[colours->of[c]][weight]);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * ImGui::GetFrameHeight());
+  const std::string label = "##colour of " + std::string(p.name);
+  if (!ImGui::ColorEdit3(label.c_str(), color.data(),
+                         ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoInputs))
+    return;
+  for (std::size_t c = 0; c < 3; ++c)
+    term.weights[colours->of[c]][weight] = std::clamp(double(color[c]), p.min, p.max);
+}
+
+class TermSliders {
+ public:
+  TermSliders(Session& session, std::size_t place, const std::vector<Interval>& intervals)
+      : material_(session.state().scene.objects[session.state().selected].material),
+        term_(material_.terms[place]),
+        in_file_(session.in_file(place)),
+        place_(place),
+        intervals_(intervals) {}
+
+  void draw() {
+    const ReflectanceInfo& form = info(term_.form);
+    for (std::size_t k = 0; k < form.weights.size(); ++k) weight(form, k);
+    for (std::size_t k = 0; k < form.shape.size(); ++k) shape(form, k);
+    if (form.anisotropic()) tangent();
+  }
+
+ private:
+  void weight(const ReflectanceInfo& form, std::size_t k) {
+    const ParameterInfo& p = form.weights[k];
+    name_line(form, p);
+    swatch(term_, k, p, material_.channels);
+    for (std::size_t c = 0; c < material_.channels.size(); ++c) {
+      ImGui::PushID(int(c));
+      ImGui::SetNextItemWidth(-2.5f * ImGui::GetFontSize());
+      SliderMarks marks = marks_of(true, k, c);
+      if (in_file_) marks.in_file = in_file_->weights[c][k];
+      parameter_slider(material_.channels[c] + "##" + std::string(p.name), p, term_.weights[c][k], marks);
+      ImGui::PopID();
+    }
+  }
+
+  void shape(const ReflectanceInfo& form, std::size_t k) {
+    const ParameterInfo& p = form.shape[k];
+    name_line(form, p);
+    for (std::size_t set = 0; set < term_.shape.size(); ++set) {
+      ImGui::PushID(int(set));
+      ImGui::SetNextItemWidth(-2.5f * ImGui::GetFontSize());
+      SliderMarks marks = marks_of(false, k, set);
+      if (in_file_) marks.in_file = in_file_->shape[set][k];
+      const std::string label = term_.shape.size() > 1 ? material_.channels[set] : "";
+      parameter_slider(label + "##" + std::string(p.name), p, term_.shape[set][k], marks);
+      ImGui::PopID();
+    }
+  }
+
+  void tangent() {
+    constexpr ParameterInfo kTurned{"tangent", -90, 90, 0, 90, "deg", false, "azimuth of the tangent"};
+    ImGui::TextUnformatted("turned by, degrees");
+    double shown = term_.tangent_phi.degrees();
+    SliderMarks marks;
+    if (in_file_) marks.in_file = in_file_->tangent_phi.degrees();
+    ImGui::SetNextItemWidth(-2.5f * ImGui::GetFontSize());
+    if (parameter_slider("##tangent", kTurned, shown, marks)) term_.tangent_phi = degrees(shown);
+  }
+
+  SliderMarks marks_of(bool is_weight, std::size_t parameter, std::size_t channel) const {
+    SliderMarks marks;
+    for (const Interval& i : intervals_)
+      if (i.term == place_ && i.is_weight == is_weight && i.parameter == parameter && i.channel == channel)
+        marks.known = {i.low, i.high};
+    return marks;
+  }
+
+  Material& material_;
+  Term& term_;
+  const Term* in_file_;
+  std::size_t place_;
+  const std::vector<Interval>& intervals_;
+};
 
 }  // namespace
 
-void edit_material(Material& material) {
+void edit_material(Session& session, const std::vector<Interval>& intervals) {
+  const Material& material = session.state().scene.objects[session.state().selected].material;
   for (std::size_t t = 0; t < material.terms.size(); ++t) {
     ImGui::PushID(int(t));
     if (material.terms.size() > 1) ImGui::Text("term %d of %d", int(t) + 1, int(material.terms.size()));
-    form_panel(material.terms[t]);
-    parameter_sliders(material.terms[t], material.channels);
+    form_panel(session, t);
+    TermSliders(session, t, intervals).draw();
     ImGui::PopID();
   }
 }
@@ -101,16 +163,40 @@ void edit_object(Object& object) {
   for (int k = 0; k < 3; ++k) object.scale[k] = std::abs(object.scale[k]) < 0.01f ? 0.01f : object.scale[k];
 }
 
+namespace {
+
+// Where it comes from: round the vertical axis, 0 being the side of the usual camera, and above the horizon.
+void edit_direction(Light& light) {
+  const glm::vec3 from = -glm::normalize(light.vector);
+  float round = glm::degrees(std::atan2(from.x, from.z)), above = glm::degrees(std::asin(from.y));
+  bool moved = ImGui::SliderFloat("round", &round, -180, 180, "%.0f°");
+  moved |= ImGui::SliderFloat("above", &above, -89, 89, "%.0f°");
+  if (!moved) return;
+  const float r = glm::radians(round), a = glm::radians(above);
+  light.vector = -glm::length(light.vector) *
+                 glm::vec3(std::sin(r) * std::cos(a), std::sin(a), std::cos(r) * std::cos(a));
+}
+
+void edit_environment(Scene& scene) {
+  if (!scene.environment) return;
+  ImGui::SliderFloat("turned", &scene.environment->rotation, -180, 180, "%.0f°");
+  ImGui::DragFloat("radiance", &scene.environment->intensity, 0.02f, 0, 1000);
+}
+
+}  // namespace
+
 void edit_lights(Scene& scene) {
+  edit_environment(scene);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     Light& light = scene.lights[k];
     ImGui::PushID(int(k));
     const std::string title =
         std::string(light.point ? "point light " : "directional light ") + std::to_string(k + 1);
     if (ImGui::TreeNodeEx(title.c_str(), k == 0 ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
-      const glm::vec3 before = light.vector;
-      ImGui::DragFloat3(light.point ? "position" : "direction", &light.vector.x, 0.02f);
-      if (!light.point && !(glm::length(light.vector) > 1e-3f)) light.vector = before;
+      if (light.point)
+        ImGui::DragFloat3("position", &light.vector.x, 0.02f);
+      else
+        edit_direction(light);
       ImGui::ColorEdit3("color", &light.color.x, ImGuiColorEditFlags_Float);
       ImGui::DragFloat("intensity", &light.intensity, 0.02f, 0, 1000);
       ImGui::TreePop();

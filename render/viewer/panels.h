@@ -1,47 +1,50 @@
-// The viewer's user interface: panels that change the view state.
+// The window's panels: what they show, and what is asked for on them.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/compare/pictures.h"
-#include "render/compare/state.h"
 #include "render/reference/reference.h"
+#include "render/viewer/commands.h"
+#include "render/viewer/editors.h"
+#include "render/viewer/layout.h"
 
 namespace brdf::render {
 
 struct PanelInfo {
-  const Pictures* pictures = nullptr;
-  float frame_rate = 0;
+  const Pictures* pictures = nullptr;  // what is shown
+  const io::SampleTable* samples = nullptr;
+  double frame_ms = 0;
+  bool moving = false;          // fewer pixels are drawn
   std::string device, message;  // message: the last thing that went wrong or was done
+  bool is_error = false;
   std::optional<PixelProbe> probe;
-};
-
-// What the user asked for beyond changes of the state.
-struct PanelRequests {
-  bool reset_camera = false, fit_camera = false, screenshot = false, save = false, load = false;
-  std::string open;  // a file's name
+  glm::vec2 probe_at{0};
+  const std::vector<Interval>* intervals = nullptr;
+  double fitting = -1;  // seconds so far; negative: no fit goes on
+  bool can_fit = false;
+  std::optional<double> error;         // of A at the samples, the median
+  std::optional<double> error_before;  // where a slider is held: before it was
 };
 
 class Panels {
  public:
-  // Between ImGui::NewFrame and ImGui::Render.
-  PanelRequests draw(ViewState& state, const PanelInfo& info);
-  // The prompt for a file's name opens with the next frame.
-  void ask_for_file() { open_prompt_ = true; }
-  // The prompt is to open with the next frame: what is typed until then is not for the viewer's keys.
-  bool asking() const { return open_prompt_; }
-  // Enter was pressed while text has the keyboard: Dear ImGui polls, and would miss a short tap.
-  void accept() { accept_ = true; }
+  // Between ImGui::NewFrame and ImGui::Render; the requests of the buttons that were pressed.
+  std::vector<Request> draw(Session& session, const Layout& layout, const PanelInfo& info,
+                            const Whereabouts& where);
+  void show_help() { help_ = true; }
+  // Closes what lies on top; false where there is nothing.
+  bool dismiss();
 
  private:
-  void main_panel(ViewState& state, const PanelInfo& info, PanelRequests& requests);
-  void file_prompt(PanelRequests& requests);
-  void plot(ViewState& state, const io::SampleTable* samples);
-
-  bool open_prompt_ = false, accept_ = false;
-  std::string file_name_;
+  bool help_ = false;
 };
+
+// The plot of the lobes, and what the samples say.
+void plot_panel(Session& session, const PanelInfo& info);
+// Names, numbers and messages round the picture.
+void picture_lines(const Session& session, const Layout& layout, const PanelInfo& info);
 
 }  // namespace brdf::render

@@ -4,139 +4,292 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "io/error.h"
-#include "io/output.h"
+#include "render/viewer/beside.h"
 #include "render/viewer/display_pass.h"
+#include "render/viewer/file_names.h"
+#include "render/viewer/hand.h"
 #include "render/viewer/interface.h"
-#include "render/viewer/keys.h"
 #include "render/viewer/panels.h"
+#include "render/viewer/prompts.h"
+#include "render/viewer/shown.h"
 #include "render/viewer/window.h"
 
 namespace brdf::render {
 namespace {
 
-constexpr int kSplitLine = GLFW_MOUSE_BUTTON_LAST + 1;  // what is dragged, beside the mouse's buttons
-constexpr double kNearLine = 8;                         // pixels
-constexpr int kFramesAfterInput = 3;                    // Dear ImGui settles within three
+constexpr int kFramesAfterInput = 3;  // Dear ImGui settles within three
+constexpr double kLook = 0.05;        // seconds between looks at what goes on by itself
+constexpr std::size_t kWarming = 5;   // frames that are not counted
+constexpr float kOrbit = 0.03f;       // radians per frame
+
+float display_scale(const Window& window, float asked) {
+  if (asked > 0) return asked;
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window.get(), &x, &y);
+  return std::clamp(x, 0.5f, 4.0f);
+}
 
 class Viewer {
  public:
   explicit Viewer(const ViewerOptions& options)
       : options_(options),
-        state_(options.state),
-        home_(state_.scene.camera),
-        window_(options.width, options.height, "brdf"),
+        session_(options.state, options.file),
+        home_(options.state.scene.camera),
+        camera_(home_),
+        window_(options.width, options.height, session_.title()),
+        scale_(display_scale(window_, options.scale)),
         device_({.instance_extensions = window_.instance_extensions(),
                  .memory_limit = options.memory_limit,
                  .validation = options.validation}),
         swapchain_(device_, window_),
-        pictures_(device_, {.gbuffer_bits = options.gbuffer_bits}, options.samples, {}, true),
-        display_(device_, swapchain_.render_pass()) {
-    glfwSetWindowUserPointer(window_.get(), this);
-    glfwSetKeyCallback(window_.get(), [](GLFWwindow* w, int key, int, int action, int mods) {
-      if (action != GLFW_RELEASE) of(w).key(key, mods);
-    });
-    glfwSetScrollCallback(window_.get(), [](GLFWwindow* w, double, double y) { of(w).scroll(y); });
-    glfwSetCursorPosCallback(window_.get(), [](GLFWwindow* w, double x, double y) { of(w).cursor(x, y); });
-    glfwSetMouseButtonCallback(window_.get(), [](GLFWwindow* w, int button, int action, int mods) {
-      of(w).button(button, action, mods);
-    });
-    glfwSetDropCallback(window_.get(), [](GLFWwindow* w, int count, const char** files) {
-      of(w).open({files, files + count});
-    });
-    glfwSetWindowRefreshCallback(window_.get(), [](GLFWwindow* w) { of(w).wake(); });
-    interface_.emplace(device_, window_, swapchain_);
+        shown_(device_, swapchain_.render_pass(), options.gbuffer_bits, options.samples),
+        beside_(options.solver) {
+    listen();
+    interface_.emplace(device_, window_, swapchain_, scale_);
+    if (!options.file.empty()) remember_file(options.file);
   }
 
-  unsigned run() {
-    for (int drawn = 0; !glfwWindowShouldClose(window_.get()); ++drawn) {
+  ViewerReport run() {
+    int drawn = 0;
+    for (; !glfwWindowShouldClose(window_.get()); ++drawn) {
       if (options_.frames > 0 && drawn >= options_.frames) break;
-      const bool busy = state_.turntable || awake_ > 0 || options_.frames > 0 || pictures_.unfinished();
-      busy ? glfwPollEvents() : glfwWaitEvents();
+      const bool busy = session_.state().turntable || awake_ > 0 || options_.frames > 0 ||
+                        shown_.unfinished() || interface_->waiting();
+      if (busy)
+        glfwPollEvents();
+      else if (shown_.moving() || beside_.fitting())
+        glfwWaitEventsTimeout(kLook);
+      else
+        glfwWaitEvents();
       if (awake_ > 0) --awake_;
       step();
       frame();
     }
-    return device_.validation_messages();
+    return {device_.validation_messages(), median_ms(), drawn};
   }
 
  private:
   static Viewer& of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
   void wake() { awake_ = kFramesAfterInput; }
-  Camera& camera() { return state_.scene.camera; }
+  ViewState& state() { return session_.state(); }
+  Camera& camera() { return state().scene.camera; }
+
+  // Dear ImGui hears of everything first: what is meant for it, it says.
+  void listen() {
+    GLFWwindow* window = window_.get();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int code, int action, int mods) {
+      of(w).interface_->key(key, code, action, mods);
+      if (action != GLFW_RELEASE) of(w).key(key, mods);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) { of(w).letter(letter); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+      of(w).interface_->scroll(x, y);
+      of(w).scroll(y);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).cursor(x, y); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+      of(w).interface_->button(button, action, mods);
+      of(w).button(button, action, mods);
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
+      of(w).open({files, files + count});
+    });
+    glfwSetCursorEnterCallback(window,
+                               [](GLFWwindow* w, int entered) { of(w).interface_->entered(entered); });
+    glfwSetWindowFocusCallback(window,
+                               [](GLFWwindow* w, int focused) { of(w).interface_->focused(focused); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).wake(); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+      glfwSetWindowShouldClose(w, GLFW_FALSE);
+      of(w).request(Request::leave);
+    });
+  }
 
   void step() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();
     last_ = now;
-    if (seconds > 0 && seconds < 1) frame_rate_ = 0.9f * frame_rate_ + 0.1f * float(1 / seconds);
-    if (!state_.turntable) return;
-    float& angle = state_.scene.objects[state_.selected].rotation.y;
-    angle = std::fmod(angle + 45 * float(std::min(seconds, 0.1)), 360.0f);
+    if (options_.orbit) orbit(camera(), kOrbit, 0);
+    if (state().turntable) {
+      float& angle = state().scene.objects[state().selected].rotation.y;
+      angle = std::fmod(angle + 45 * float(std::min(seconds, 0.1)), 360.0f);
+    }
+    if (state().light_follows) follow_camera(state().scene, camera_);
+    camera_ = camera();
+    fitted();
+  }
+
+  bool held() const {
+    return hand_.holds() != Hand::Holds::nothing || ImGui::IsAnyItemActive() || session_.state().turntable ||
+           options_.orbit;
   }
 
   void frame() {
+    const auto begun = std::chrono::steady_clock::now();
     const VkExtent2D size = window_.framebuffer_size();
     if (size.width == 0 || size.height == 0) return;
-    draw_pictures(size);
+    layout_ = layout_of(size, scale_, state().show_ui, state().show_plot);
+    draw_pictures();
+    interface_->keep_letters(prompts_.asking() && !prompts_.takes_letters());
     interface_->begin_frame();
-    const PanelRequests requests =
-        panels_.draw(state_, {&pictures_, frame_rate_, device_.name(), message_, probe_});
+    const std::vector<Request> requests = panels_.draw(session_, layout_, info(), whereabouts());
+    const bool asking = prompts_.asking();
+    const Answers answers = prompts_.draw(scale_);
+    if (asking && !prompts_.asking()) text_closing_ = 3;
     ImGui::Render();
-    const VkExtent2D drawn = pictures_.a().color().extent();
-    swapchain_.frame(
-        [&](VkCommandBuffer commands) { pictures_.prepare_to_sample(commands); },
-        [&](VkCommandBuffer commands) {
-          ViewState shown = state_;
-          if (shown.display == Display::gbuffer && !pictures_.has_targets()) {
-            shown.display = Display::picture;
-          }
-          // A resize between the pictures and the swapchain: shown in the next frame.
-          if (drawn.width == swapchain_.extent().width && drawn.height == swapchain_.extent().height) {
-            display_.record(commands, shown, drawn, pictures_.extent(), pictures_.bits());
-          }
-          interface_->record(commands);
-        });
-    obey(requests);
+    swapchain_.frame([&](VkCommandBuffer commands) { shown_.prepare(commands); },
+                     [&](VkCommandBuffer commands) {
+                       // A resize between the pictures and the swapchain: shown in the next frame.
+                       const VkExtent2D now = swapchain_.extent();
+                       if (now.width == size.width && now.height == size.height)
+                         shown_.record(commands, state(), pixels_of(layout_.picture));
+                       interface_->record(commands);
+                     });
+    frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    if (options_.frames > 0) all_ms_.push_back(frame_ms_);
+    for (const Request asked : requests) request(asked);
+    obey(answers);
+    opened_by_letter_ = false;
+    if (text_closing_ > 0 && --text_closing_ == 0)
+      for (const auto& [key, mods] : std::exchange(late_keys_, {})) this->key(key, mods);
+    if (!held()) session_.record();
+    if (ImGui::IsAnyItemActive()) wake();
+    if (const std::string title = session_.title(); title != title_)
+      glfwSetWindowTitle(window_.get(), (title_ = title).c_str());
+  }
+
+  Whereabouts whereabouts() const { return {home_, shown_.drawn() ? &shown_.drawn()->prepared() : nullptr}; }
+
+  PanelInfo info() {
+    beside_.look(session_, held());
+    PanelInfo info{.pictures = shown_.drawn(), .samples = beside_.samples(), .frame_ms = frame_ms_};
+    info.moving = shown_.moving();
+    info.device = device_.name();
+    info.message = message_;
+    info.is_error = is_error_;
+    info.probe = probe_;
+    info.probe_at = probe_at_;
+    info.intervals = &beside_.intervals(session_);
+    info.fitting = beside_.fitting() ? beside_.seconds() : -1;
+    info.can_fit = beside_.can_fit();
+    info.error = beside_.error();
+    info.error_before = beside_.error_before();
+    return info;
   }
 
   // Where the state cannot be drawn (a file has vanished, too little memory), the last good one comes back.
-  void draw_pictures(VkExtent2D size) {
+  void draw_pictures() {
+    const VkExtent2D size = pixels_of(layout_.picture).extent;
+    camera().width = int(size.width);
+    camera().height = int(size.height);
     try {
-      pictures_.update(state_, size);
-      good_ = state_;
+      shown_.update(state(), size, held());
+      good_ = state();
     } catch (const InputError& error) {
       if (!good_) throw;
       complain(error);
-      state_ = *good_;
-      pictures_.update(state_, size);
-    }
-    if (pictures_.images_changed()) {
-      display_.show(pictures_.a_image(), pictures_.b_image(),
-                    pictures_.has_targets() ? &pictures_.a() : nullptr);
+      state() = *good_;
+      camera_ = camera();
+      shown_.update(state(), size, false);
     }
   }
 
-  void obey(const PanelRequests& requests) {
-    if (requests.reset_camera) camera() = home_;
-    if (requests.fit_camera) fit(camera(), pictures_.prepared().bounds);
-    if (requests.screenshot) screenshot();
-    if (requests.save) save();
-    if (requests.load) open({options_.state_file});
-    if (!requests.open.empty()) open({requests.open});
-    if (ImGui::GetIO().WantCaptureMouse || ImGui::IsAnyItemActive()) wake();
+  void request(Request asked) {
+    switch (asked) {
+      case Request::leave:
+        session_.changed() ? prompts_.ask_to_leave() : leave();
+        break;
+      case Request::save_state:
+        save_state();
+        break;
+      case Request::load_state:
+        open({options_.state_file});
+        break;
+      case Request::save_material:
+        prompts_.ask_for_material(state().scene.objects[state().selected].material_name + ".json");
+        break;
+      case Request::open:
+        prompts_.ask_for_file();
+        break;
+      case Request::screenshot:
+        attempt([&] {
+          write_png(options_.screenshot, shown_.capture(state()));
+          say("wrote " + options_.screenshot.string());
+        });
+        break;
+      case Request::undo:
+        went(session_.undo(), "undone: ", "nothing to undo");
+        break;
+      case Request::redo:
+        went(session_.redo(), "done again: ", "nothing to do again");
+        break;
+      case Request::revert:
+        session_.revert();
+        went("all as it was opened", "", "");
+        break;
+      case Request::help:
+        panels_.show_help();
+        break;
+      case Request::dismiss:
+        if (!panels_.dismiss()) probe_.reset();
+        break;
+      case Request::fit_here:
+        attempt([&] {
+          beside_.fit(session_);
+          say("fitting; ctrl+x stops, the best so far stays");
+        });
+        break;
+      case Request::stop_fit:
+        beside_.stop();
+        break;
+      case Request::none:
+        break;
+    }
+    wake();
+  }
+
+  // What a step of the history has changed.
+  void went(const std::string& what, const std::string& words, const std::string& nothing) {
+    say(what.empty() ? nothing : words + what);
+    camera_ = camera();
+  }
+
+  void obey(const Answers& answers) {
+    if (!answers.open.empty()) open({answers.open});
+    if (!answers.save_material.empty())
+      attempt([&] {
+        session_.save_material(answers.save_material);
+        remember_file(answers.save_material);
+        say("saved the material as " + answers.save_material);
+      });
+    if (answers.leave || (answers.save_and_leave && save_state())) leave();
+  }
+
+  void leave() { glfwSetWindowShouldClose(window_.get(), GLFW_TRUE); }
+
+  void fitted() {
+    attempt([&] {
+      const std::string words = beside_.take(session_);
+      if (!words.empty()) say(words);
+    });
   }
 
   void say(const std::string& message) {
     message_ = message;
+    is_error_ = false;
     wake();
   }
   void complain(const std::exception& error) {
     say(error.what());
+    is_error_ = true;
     std::cerr << "brdf: " << error.what() << std::endl;
   }
   // Runs what may fail for want of a good file and says so in the window and on the terminal.
@@ -157,138 +310,147 @@ class Viewer {
   void open(const std::vector<std::filesystem::path>& files) {
     std::string failed;
     for (const std::filesystem::path& file : files) {
-      const ViewState before = state_;
+      const ViewState before = state();
+      const VkExtent2D size = pixels_of(layout_.picture).extent;
       const bool good = attempt([&] {
-        const VkExtent2D size = window_.framebuffer_size();
-        if (size.width > 0 &&
-            size.height > 0) {  // the split goes through the highlight as the window shows it
+        session_.open(file, [&] {
           camera().width = int(size.width);
           camera().height = int(size.height);
-        }
-        open_file(state_, file);
-        if (size.width > 0 && size.height > 0) pictures_.update(state_, size);
-        arrive(before);
-        const std::string note = left_out_note(state_);
+          shown_.update(state(), size, false);
+          arrive(before);
+        });
+        remember_file(file);
+        const std::string note = left_out_note(state());
         say("opened " + file.string() + (note.empty() ? "" : "; " + note));
       });
-      if (good) continue;
-      state_ = before;
-      if (failed.empty()) failed = message_;
+      if (!good && failed.empty()) failed = message_;
     }
-    if (!failed.empty()) message_ = failed;
+    if (failed.empty()) return;
+    message_ = failed;
+    is_error_ = true;
   }
   // A file's own camera is the new home; a model is looked at as a whole.
   void arrive(const ViewState& before) {
     const Camera &now = camera(), &then = before.scene.camera;
     const bool moved = now.position != then.position || now.target != then.target;
     const bool other_mesh =
-        state_.scene.objects[state_.selected].mesh != before.scene.objects[before.selected].mesh;
-    if (other_mesh && !moved) fit(camera(), pictures_.prepared().bounds);
+        state().scene.objects[state().selected].mesh != before.scene.objects[before.selected].mesh;
+    if (other_mesh && !moved) render::fit(camera(), shown_.drawn()->prepared().bounds);
     if (moved || other_mesh) home_ = camera();
+    camera_ = camera();
   }
-  void save() {
-    attempt([&] {
-      // The picture's size is the window's: `brdf render --state` makes the same picture.
-      const VkExtent2D size = window_.framebuffer_size();
-      ViewState saved = state_;
-      saved.scene.camera.width = int(std::max(1u, size.width));
-      saved.scene.camera.height = int(std::max(1u, size.height));
-      io::write_file_atomically(options_.state_file, state_text(saved));
+  // The picture's size is the one that is shown: `brdf render --state` makes the same picture.
+  bool save_state() {
+    return attempt([&] {
+      const VkExtent2D size = pixels_of(layout_.picture).extent;
+      session_.save_state(options_.state_file, int(size.width), int(size.height));
       say("saved " + options_.state_file.string());
-    });
-  }
-  void screenshot() {
-    attempt([&] {
-      write_png(options_.screenshot, pictures_.capture(state_));
-      say("wrote " + options_.screenshot.string());
     });
   }
 
   void key(int key, int mods) {
     wake();
-    if (ImGui::GetIO().WantTextInput || panels_.asking()) {
-      if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) panels_.accept();
+    // A question was answered, or closed, but Dear ImGui still wants text: what comes now is not for that.
+    if (text_closing_ > 0 || prompts_.answered()) {
+      late_keys_.emplace_back(key, mods);
       return;
     }
-    switch (press(state_, key, mods, {home_, pictures_.prepared().bounds})) {
-      case KeyRequest::quit:
-        glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
-        break;
-      case KeyRequest::save:
-        save();
-        break;
-      case KeyRequest::load:
-        open({options_.state_file});
-        break;
-      case KeyRequest::screenshot:
-        screenshot();
-        break;
-      case KeyRequest::ask_for_file:
-        panels_.ask_for_file();
-        break;
-      case KeyRequest::none:
-        break;
+    if (prompts_.asking()) {
+      prompts_.key(key);
+      if (!prompts_.asking()) text_closing_ = 2;
+      return;
     }
+    if (ImGui::GetIO().WantTextInput) return;
+    const Command* asked = command_of(key, mods);
+    if (!asked) return;
+    session_.record();
+    if (asked->edit) asked->edit(session_, whereabouts());
+    if (asked->request != Request::none) request(asked->request);
+    opened_by_letter_ = prompts_.asking() && !(mods & GLFW_MOD_CONTROL);
+  }
+  // The letter of the key that opened a question is not part of the answer.
+  void letter(unsigned code) {
+    wake();
+    if (!std::exchange(opened_by_letter_, false)) interface_->letter(code);
   }
 
   void scroll(double y) {
     wake();
-    if (!ImGui::GetIO().WantCaptureMouse) zoom(camera(), float(std::pow(0.9, y)));
+    if (ImGui::GetIO().WantCaptureMouse || !hand_.on(layout_.picture)) return;
+    zoom(camera(), float(std::pow(0.9, y)));
+    shown_.touch();
   }
 
   void button(int button, int action, int mods) {
     wake();
-    glfwGetCursorPos(window_.get(), &cursor_[0], &cursor_[1]);
-    if (ImGui::GetIO().WantCaptureMouse && action == GLFW_PRESS) return;
-    dragging_ = action == GLFW_PRESS ? button : -1;
-    if (dragging_ == GLFW_MOUSE_BUTTON_LEFT && on_split_line()) dragging_ = kSplitLine;
-    if (action == GLFW_PRESS && (button == GLFW_MOUSE_BUTTON_MIDDLE || mods & GLFW_MOD_SHIFT)) {
-      dragging_ = -1;
-      probe_ = pixel_probe(pictures_.prepared(), int(cursor_[0]), int(cursor_[1]));
+    double x = 0, y = 0;
+    glfwGetCursorPos(window_.get(), &x, &y);
+    if (action == GLFW_RELEASE) {
+      if (hand_.release() == Hand::Release::click) click();
+      return;
     }
+    hand_.move(state(), layout_.picture, x, y);
+    if (ImGui::GetIO().WantCaptureMouse || !hand_.on(layout_.picture)) return;
+    probe_.reset();
+    if (button == GLFW_MOUSE_BUTTON_MIDDLE || mods & GLFW_MOD_SHIFT) {
+      probe_ = shown_.probe(layout_.picture, hand_.place());
+      probe_at_ = hand_.place();
+      return;
+    }
+    session_.record();
+    hand_.press(state(), layout_.picture, button, mods);
   }
-
-  bool on_split_line() const {
-    const double line = double(state_.split) * window_.framebuffer_size().width;
-    return state_.display == Display::split && std::abs(cursor_[0] - line) <= kNearLine;
+  // On an object: it is selected.
+  void click() {
+    const PixelProbe probe = shown_.probe(layout_.picture, hand_.place());
+    if (!probe.hit || probe.object == state().selected) return;
+    state().selected = probe.object;
+    say("selected " + object_name(state().scene.objects[probe.object], probe.object));
   }
 
   void cursor(double x, double y) {
     wake();
-    const float dx = float(x - cursor_[0]), dy = float(y - cursor_[1]);
-    cursor_ = {x, y};
-    const VkExtent2D size = window_.framebuffer_size();
-    if (dragging_ == kSplitLine)
-      state_.split = glm::clamp(float(x) / float(std::max(1u, size.width)), 0.0f, 1.0f);
-    if (dragging_ == GLFW_MOUSE_BUTTON_LEFT) orbit(camera(), -dx * 0.008f, dy * 0.008f);
-    if (dragging_ == GLFW_MOUSE_BUTTON_RIGHT) {
-      pan(camera(), {dx / float(std::max(1u, size.width)), dy / float(std::max(1u, size.height))});
-    }
+    hand_.move(state(), layout_.picture, x, y);
+  }
+
+  double median_ms() const {
+    if (all_ms_.size() <= kWarming) return 0;
+    std::vector<double> ms(all_ms_.begin() + kWarming, all_ms_.end());
+    const auto middle = ms.begin() + std::ptrdiff_t(ms.size() / 2);
+    std::nth_element(ms.begin(), middle, ms.end());
+    return *middle;
   }
 
   ViewerOptions options_;
-  ViewState state_;
+  Session session_;
   std::optional<ViewState> good_;
-  Camera home_;
+  Camera home_, camera_;  // camera_: of the last step
   Window window_;
+  float scale_;
   Device device_;
   Swapchain swapchain_;
-  Pictures pictures_;
-  DisplayPass display_;
+  Shown shown_;
+  Beside beside_;
   std::optional<Interface> interface_;
   Panels panels_;
-  std::string message_;
+  Prompts prompts_;
+  Hand hand_;
+  Layout layout_;
+  std::string message_, title_;
+  bool is_error_ = false, opened_by_letter_ = false;
+  int text_closing_ = 0;                        // frames, until keys are the window's again
+  std::vector<std::pair<int, int>> late_keys_;  // with their modifiers
   std::optional<PixelProbe> probe_;
-  std::array<double, 2> cursor_{};
-  int dragging_ = -1;
+  glm::vec2 probe_at_{0};
   int awake_ = kFramesAfterInput;
-  float frame_rate_ = 0;
+  double frame_ms_ = 0;
+  std::vector<double> all_ms_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
 
-unsigned view(const ViewerOptions& options) {
+ViewerReport view(const ViewerOptions& options) {
   return Viewer(options).run();
 }
 

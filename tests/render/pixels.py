@@ -43,3 +43,14 @@ def png(content):
         before = bytes(row)
         rows.append([tuple(before[k:k + step]) for k in range(0, len(before), step)])
     return rows
+
+
+def write_png(path, rows):
+    """The same, written."""
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    raw = b"".join(b"\0" + bytes(v for pixel in row for v in pixel) for row in rows)
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0))
+                   + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))

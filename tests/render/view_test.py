@@ -15,79 +15,15 @@ import time
 
 import pixels
 import xdnd
+from desk import Desk
 
 brdf, source = sys.argv[1], sys.argv[2]
 soak_frames = sys.argv[3] if len(sys.argv) > 3 else "120"
-for tool in ("Xvfb", "xdotool"):
-    if not shutil.which(tool):
-        print(f"skipped: {tool} is not installed")
-        sys.exit(77)
-
 folder = tempfile.mkdtemp(prefix="brdf-view-")
-state_file = os.path.join(folder, "state.json")
-picture = os.path.join(folder, "picture.png")
-
-
-def start_display():
-    reader, writer = os.pipe()
-    server = subprocess.Popen(  # -r: keys do not repeat on a busy machine
-        ["Xvfb", "-displayfd", str(writer), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-r", "-fbdir", folder],
-        pass_fds=(writer,), stderr=subprocess.DEVNULL)
-    os.close(writer)
-    number = os.read(reader, 16).decode().strip()
-    if not number:
-        print("skipped: Xvfb does not start")
-        sys.exit(77)
-    return server, ":" + number
-
-
-server, display = start_display()
-environment = dict(os.environ, DISPLAY=display)
-environment.pop("WAYLAND_DISPLAY", None)
-
-
-def x(*arguments):
-    return subprocess.run(["xdotool", *map(str, arguments)], env=environment, check=True, capture_output=True,
-                          text=True).stdout
-
-
-def start(*arguments):
-    return subprocess.Popen([brdf, "view", "--validation", "--save-as", state_file, "--screenshot", picture,
-                             *arguments], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-
-
-def press(*keys):
-    for key in keys:
-        x("key", key)
-        time.sleep(0.25)
-
-
-def wait_for(path, before, seconds=60):
-    """Until the file has been written after the time `before`."""
-    end = time.time() + seconds
-    while time.time() < end:
-        if os.path.exists(path) and os.stat(path).st_mtime_ns > before:
-            return
-        time.sleep(0.1)
-    raise AssertionError(f"{path} was not written")
-
-
-def saved_state():
-    before = time.time_ns() - 1
-    if os.path.exists(state_file):
-        before = os.stat(state_file).st_mtime_ns
-    x("key", "ctrl+s")
-    wait_for(state_file, before)
-    with open(state_file) as file:
-        return json.load(file)
-
-
-def screenshot():
-    before = os.stat(picture).st_mtime_ns if os.path.exists(picture) else 0
-    x("key", "p")
-    wait_for(picture, before)
-    with open(picture, "rb") as file:
-        return file.read()
+desk = Desk(brdf, folder)
+state_file, picture, environment, display = desk.state_file, desk.picture, desk.environment, desk.display
+x, start, press = desk.x, desk.start, desk.press
+saved_state, screenshot = desk.saved_state, desk.screenshot
 
 
 def settles_to(shot, seconds=60):
@@ -95,10 +31,9 @@ def settles_to(shot, seconds=60):
     10,000, which may be a step off."""
     wanted = pixels.png(shot)
     width, height = len(wanted[0]), len(wanted)
-    place = dict(line.split("=") for line in x("getwindowgeometry", "--shell", window).split())
     end = time.time() + seconds
     while True:
-        shown = pixels.screen(os.path.join(folder, "Xvfb_screen0"), int(place["X"]), int(place["Y"]), width, height)
+        shown = desk.shown(width, height)
         apart = [max(abs(i - j) for i, j in zip(a, b)) for one, other in zip(shown, wanted) for a, b in zip(one, other)]
         others = sum(step > 0 for step in apart)
         if others <= len(apart) / 10000 and max(apart) <= 1:
@@ -147,13 +82,6 @@ def form_of(state):
     return state["scene"]["objects"][0]["material"]["form"]
 
 
-def finish(viewer):
-    """The viewer has ended well; what it has said on the terminal."""
-    out, _ = viewer.communicate(timeout=900)
-    assert viewer.returncode == 0, f"exit code {viewer.returncode}: {out}"
-    return out
-
-
 def same_from_the_command_line(shot):
     """`brdf render --state` makes the very bytes of the screenshot."""
     again = os.path.join(folder, "again.png")
@@ -165,9 +93,7 @@ def same_from_the_command_line(shot):
 
 try:
     viewer = start("--width", "640", "--height", "480")
-    window = x("search", "--sync", "--onlyvisible", "--name", "^brdf$").split()[0]
-    x("windowfocus", "--sync", window)
-    time.sleep(2)
+    window = desk.find_window("^brdf$")
 
     # Every form by key.
     forms = [f["form"] for f in json.loads(subprocess.run([brdf, "models", "--json"], capture_output=True, text=True,
@@ -198,6 +124,9 @@ try:
     assert saved_state()["scene"]["camera"]["position"] == home
 
     # Pictures differ between the displays, and are the picture alone: the panels are not on them.
+    saved_state()
+    assert same_from_the_command_line(screenshot()), "the picture beside the panels is another one"
+    press("h")
     plain = screenshot()
     shots = [plain]
     for key, name in (("s", "split"), ("d", "difference"), ("g", "gbuffer"), ("b", "flip")):
@@ -205,15 +134,14 @@ try:
         assert saved_state()["display"] == name
         shots.append(screenshot())
         assert same_from_the_command_line(shots[-1]), f"brdf render makes another picture of {name}"
-    press("b", "h")
-    assert screenshot() == plain, "the panels are on the screenshot"
+    press("b")
+    assert screenshot() == plain
     x("mousemove", 1270, 790)  # the pointer is on the screen, too
     settles_to(plain)
-    press("h")
     assert len({len(s) for s in shots}) >= 3
 
     # The line of a split follows the mouse; the camera stands still.
-    press("h", "s")
+    press("s")
     before = saved_state()
     x("mousemove", "--window", window, round(640 * before["split"]), 300)
     time.sleep(1)
@@ -234,7 +162,7 @@ try:
     x("keydown", "shift", "click", 1, "keyup", "shift")
     press("t")
     time.sleep(1)
-    press("t")
+    press("t", "h")
     assert saved_state()["scene"]["objects"][0]["rotation"][1] != 0, "the turntable stood still"
 
     # Resizing.
@@ -312,7 +240,7 @@ try:
     time.sleep(1)
     assert saved_state() == state, "loading the saved state changed it"
     press("q")
-    out = finish(viewer)
+    out = desk.finish(viewer)
     said = out.splitlines()
     assert len(said) == len(reasons), f"messages: {out}"
     for line, (name, reason) in zip(said, reasons):
@@ -330,13 +258,12 @@ try:
     with open(state_file, "w") as file:
         json.dump(state, file)
     soak = start("--state", state_file, "--frames", soak_frames, "--width", "320", "--height", "240")
-    out = finish(soak)
+    out = desk.finish(soak)
     assert out == "", f"messages: {out}"
     print("viewer: all good")
 finally:
     for process in ("viewer", "soak"):
         if process in globals() and globals()[process].poll() is None:
             globals()[process].kill()
-    server.terminate()
-    server.wait()
+    desk.close()
     shutil.rmtree(folder, ignore_errors=True)

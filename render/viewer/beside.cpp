@@ -1,0 +1,70 @@
+#include "render/viewer/beside.h"
+
+#include <cmath>
+
+#include "io/error.h"
+#include "io/numbers.h"
+
+namespace brdf::render {
+namespace {
+
+const Material& selected(const Session& session) {
+  return session.state().scene.objects[session.state().selected].material;
+}
+
+bool same_forms(const Material& a, const Material& b) {
+  if (a.channels != b.channels || a.terms.size() != b.terms.size()) return false;
+  for (std::size_t t = 0; t < a.terms.size(); ++t)
+    if (!(a.terms[t].form == b.terms[t].form) || a.terms[t].shape.size() != b.terms[t].shape.size())
+      return false;
+  return true;
+}
+
+}  // namespace
+
+void Beside::look(const Session& session, bool held) {
+  const std::filesystem::path& file = session.state().samples;
+  if (file != file_) {
+    file_ = file;
+    table_.reset();
+    compared_.reset();
+    try {
+      if (!file.empty()) table_ = io::read_samples(file);
+    } catch (const InputError&) {
+    }
+  }
+  const Material& material = selected(session);
+  if (!held) before_ = error_;
+  if (compared_ == material && table_) return;
+  compared_ = material;
+  error_.reset();
+  if (!table_ || !solver_.error) return;
+  const double error = solver_.error(material, *table_);
+  if (std::isfinite(error)) error_ = error;
+}
+
+void Beside::fit(const Session& session) {
+  if (task_.running()) return;
+  if (!solver_.fit) throw InputError("this build cannot fit");
+  if (!table_) throw InputError("nothing to fit to: open samples first");
+  object_ = session.state().selected;
+  task_.start(solver_, selected(session), *table_);
+}
+
+std::string Beside::take(Session& session) {
+  std::optional<Fitted> found = task_.take();
+  if (!found) return "";
+  fitted_ = std::move(*found);
+  if (object_ >= session.state().scene.objects.size()) return "";
+  session.record();
+  session.state().scene.objects[object_].material = fitted_.material;
+  session.record();
+  return fitted_.words;
+}
+
+const std::vector<Interval>& Beside::intervals(const Session& session) const {
+  static const std::vector<Interval> none;
+  return same_forms(fitted_.material, selected(session)) ? fitted_.intervals : none;
+}
+
+}  // namespace brdf::render

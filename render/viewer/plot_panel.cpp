@@ -1,0 +1,74 @@
+// The plot of the lobes, and what the samples say.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/in_plane.h"
+#include "io/numbers.h"
+#include "render/compare/lobe_plot.h"
+#include "render/compare/lobe_points.h"
+#include "render/viewer/panels.h"
+
+namespace brdf::render {
+namespace {
+
+ImU32 in_window(const ByteColor& color) {
+  return IM_COL32(color[0], color[1], color[2], 255);
+}
+
+void draw_lobes(const LobePlot& plot, float width) {
+  const float radius = width / 2 - 4;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(ImVec2(width, radius + 8));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto place = [&](const glm::vec2& p) {
+    return ImVec2(corner.x + width / 2 + radius * p.x, corner.y + radius + 4 - radius * p.y);
+  };
+  for (const LobePath& path : plot.paths) {
+    for (const glm::vec2& p : path.points) list->PathLineTo(place(p));
+    list->PathStroke(in_window(path.color), 0, path.width);
+  }
+  for (const LobePlot::Dot& dot : plot.dots) {
+    list->AddCircleFilled(place(dot.at), 3.5f, IM_COL32(15, 15, 18, 255));
+    list->AddCircleFilled(place(dot.at), 2.5f, in_window(dot.color));
+  }
+  ImGui::TextWrapped("largest f_r %s 1/sr (radius: cube root)",
+                     io::short_number(double(plot.largest), 4).c_str());
+}
+
+void choose_curve(ViewState& state, const std::vector<LobeCurve>& curves) {
+  if (state.plot_solo >= int(curves.size())) state.plot_solo = -1;
+  ImGui::RadioButton("all", &state.plot_solo, -1);
+  const float end = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const float width = ImGui::CalcTextSize(curves[k].name.c_str()).x + 2 * ImGui::GetFrameHeight();
+    if (ImGui::GetItemRectMax().x + width < end) ImGui::SameLine();
+    ImGui::PushID(int(k));
+    ImGui::PushStyleColor(ImGuiCol_Text, in_window(curves[k].color));
+    ImGui::RadioButton(curves[k].name.c_str(), &state.plot_solo, int(k));
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+  }
+}
+
+}  // namespace
+
+void plot_panel(Session& session, const PanelInfo& info) {
+  ViewState& state = session.state();
+  ImGui::SliderFloat("theta_i", &state.plot_theta, 0, 89, "%.0f°");
+  const std::vector<LobeCurve> curves = lobe_curves(state);
+  choose_curve(state, curves);
+  const auto theta = double(state.plot_theta);
+  const std::vector<LobeDot> dots = info.samples ? lobe_dots(*info.samples, theta) : std::vector<LobeDot>{};
+  draw_lobes(lobe_plot(curves, theta, state.plot_solo, dots), ImGui::GetContentRegionAvail().x);
+  if (!state.kept.empty() && ImGui::SmallButton("forget the last kept")) state.kept.pop_back();
+  if (!dots.empty()) {
+    ImGui::TextWrapped("dots: measured, within %.1f° of the plane", io::kInPlane);
+  } else if (info.samples) {
+    ImGui::TextWrapped("nothing measured within %.0f° of this light", kNearLight);
+    if (ImGui::SmallButton("nearest")) state.plot_theta = float(nearest_light(*info.samples, theta));
+  }
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,77 @@
+#include "render/viewer/sliders.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/numbers.h"
+
+namespace brdf::render {
+namespace {
+
+constexpr double kBeyond = 1.5;  // times a value above the usual: where its slider ends
+
+// The upper end stays while the slider is held.
+double upper_end(const ParameterInfo& p, double value, const SliderMarks& marks, float held) {
+  if (held > 0) return double(held);
+  double end = p.usual_max;
+  if (value > end) end = kBeyond * value;
+  if (marks.in_file) end = std::max(end, *marks.in_file);
+  return std::min(end, p.max);
+}
+
+// Of a value along the slider, 0 to 1.
+float along(double value, double low, double high, bool logarithmic) {
+  const double t = logarithmic ? std::log(std::max(value, low) / low) / std::log(high / low)
+                               : (value - low) / (high - low);
+  return float(std::clamp(t, 0.0, 1.0));
+}
+
+void draw_interval(const std::pair<double, double>& known, double low, double high, bool logarithmic) {
+  const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+  const float width = ImGui::CalcItemWidth();
+  const float left = a.x + width * along(known.first, low, high, logarithmic);
+  const float right = std::max(a.x + width * along(known.second, low, high, logarithmic), left + 2);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImU32 color = IM_COL32(120, 220, 140, 255);
+  list->AddRectFilled(ImVec2(left, b.y - 3), ImVec2(right, b.y), color);
+}
+
+}  // namespace
+
+bool parameter_slider(const std::string& label, const ParameterInfo& p, double& value,
+                      const SliderMarks& marks) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID place = ImGui::GetID((label + "/end").c_str());
+  const double low = p.min, high = upper_end(p, value, marks, storage.GetFloat(place, 0));
+  const bool logarithmic = p.log_scale && low > 0;
+  double shown = value;
+  const bool moved = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &low, &high, "%.4g",
+                                         logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  storage.SetFloat(place, ImGui::IsItemActive() ? float(high) : 0);
+  if (moved) value = std::clamp(shown, p.min, p.max);
+  if (marks.known) draw_interval(*marks.known, low, high, logarithmic);
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+    std::string words = std::string(p.name) + ": " + std::string(p.doc);
+    if (marks.known)
+      words += "\n95 % between " + io::short_number(marks.known->first, 4) + " and " +
+               io::short_number(marks.known->second, 4);
+    words += "\nCtrl-click types a number, right-click: default and file's value";
+    ImGui::SetTooltip("%s", words.c_str());
+  }
+  bool chosen = false;
+  if (ImGui::BeginPopupContextItem((label + "/menu").c_str())) {
+    const auto offer = [&](const std::string& words, double offered) {
+      if (!ImGui::MenuItem((words + " " + io::short_number(offered, 4)).c_str())) return;
+      value = offered;
+      chosen = true;
+    };
+    offer("default", p.initial);
+    if (marks.in_file) offer("in the file", *marks.in_file);
+    ImGui::EndPopup();
+  }
+  return moved || chosen;
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,196 @@
+// Commands, layout, the mouse's hand, light by hand, names of files: without a window.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "io/error.h"
+#include "render/job.h"
+#include "render/viewer/commands.h"
+#include "render/viewer/file_names.h"
+#include "render/viewer/fit_task.h"
+#include "render/viewer/hand.h"
+
+namespace brdf::render {
+namespace {
+
+TEST(Commands, EachHasAKeyOfItsOwnAndSaysWhatItDoes) {
+  std::set<std::pair<int, int>> keys;
+  std::set<std::string_view> names;
+  for (const Command& c : commands()) {
+    EXPECT_FALSE(c.does.empty()) << c.name;
+    EXPECT_FALSE(c.keys.empty()) << c.name;
+    EXPECT_TRUE(names.insert(c.name).second) << c.name;
+    if (c.key == 0) continue;
+    EXPECT_TRUE(keys.insert({c.key, c.mods}).second) << c.name;
+    EXPECT_EQ(command_of(c.key, c.mods), &c) << c.name;
+    EXPECT_TRUE(c.edit || c.request != Request::none) << c.name;
+  }
+  EXPECT_EQ(command_of(GLFW_KEY_ESCAPE, 0)->request, Request::dismiss);
+  EXPECT_EQ(command_of(GLFW_KEY_EQUAL, GLFW_MOD_SHIFT), &command("brighter"));
+  EXPECT_EQ(command_of(GLFW_KEY_F1, 0), &command("help"));
+  EXPECT_EQ(command_of(GLFW_KEY_W, 0), nullptr);
+}
+
+TEST(Commands, HelpFoldsItsLinesAndNamesAll) {
+  const std::string help = command_help(60);
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 62u) << line;
+  for (const Command& c : commands()) EXPECT_NE(help.find(c.name), std::string::npos) << c.name;
+}
+
+TEST(Layout, PanelsAndPictureFillTheWindowWithoutOverlap) {
+  for (const VkExtent2D size :
+       {VkExtent2D{800, 600}, VkExtent2D{1280, 720}, VkExtent2D{1920, 1080}, VkExtent2D{64, 64}})
+    for (const float scale : {1.0f, 2.0f})
+      for (const bool plot : {false, true}) {
+        const Layout l = layout_of(size, scale, true, plot);
+        const float covered = l.panel.width * l.panel.height + l.plot.width * l.plot.height +
+                              l.head.width * l.head.height + l.status.width * l.status.height +
+                              l.picture.width * l.picture.height;
+        EXPECT_NEAR(covered, float(size.width) * float(size.height), 1) << size.width << " at " << scale;
+        EXPECT_GE(l.picture.width, 0.3f * float(size.width));
+        EXPECT_GE(l.picture.height, 0.45f * float(size.height));
+        EXPECT_EQ(plot, l.plot_in_panel || l.plot.width > 0);
+      }
+  const Layout bare = layout_of({800, 600}, 1, false, true);
+  EXPECT_EQ(bare.picture.width, 800);
+  EXPECT_EQ(bare.picture.height, 600);
+}
+
+ViewState some_state() {
+  ViewState state;
+  state.scene = material_scene({any_material()});
+  return state;
+}
+
+TEST(Hand, AClickTremblesADragTurnsTheCameraOrTheLight) {
+  ViewState state = some_state();
+  const ViewState before = state;
+  const Area picture{100, 0, 400, 300};
+  Hand hand;
+  hand.move(state, picture, 300, 150);
+  hand.press(state, picture, GLFW_MOUSE_BUTTON_LEFT, 0);
+  hand.move(state, picture, 302, 151);
+  EXPECT_EQ(hand.release(), Hand::Release::click);
+  EXPECT_EQ(state, before);
+  hand.press(state, picture, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOD_CONTROL);
+  hand.move(state, picture, 350, 150);
+  EXPECT_EQ(hand.release(), Hand::Release::nothing);
+  EXPECT_EQ(state.scene.camera, before.scene.camera);
+  EXPECT_NE(state.scene.lights, before.scene.lights);
+  EXPECT_NEAR(glm::length(state.scene.lights[0].vector), glm::length(before.scene.lights[0].vector), 1e-5f);
+  state = before;
+  hand.press(state, picture, GLFW_MOUSE_BUTTON_LEFT, 0);
+  hand.move(state, picture, 250, 150);
+  hand.release();
+  EXPECT_EQ(state.scene.lights, before.scene.lights);
+  EXPECT_NEAR(glm::length(state.scene.camera.position), glm::length(before.scene.camera.position), 1e-4f);
+  EXPECT_NE(state.scene.camera.position, before.scene.camera.position);
+}
+
+TEST(Hand, TheLineOfASplitGoesWhereThePointerIs) {
+  ViewState state = some_state();
+  state.display = Display::split;
+  const Area picture{100, 0, 400, 300};
+  Hand hand;
+  hand.move(state, picture, 304, 150);
+  hand.press(state, picture, GLFW_MOUSE_BUTTON_LEFT, 0);
+  hand.move(state, picture, 200, 150);
+  EXPECT_NEAR(state.split, 0.25f, 1e-6f);
+}
+
+TEST(Light, ThatFollowsTheCameraStaysInItsFrame) {
+  ViewState state = some_state();
+  const Camera before = state.scene.camera;
+  orbit(state.scene.camera, 0.7f, 0.2f);
+  follow_camera(state.scene, before);
+  const auto seen = [](const Scene& scene) {
+    const glm::vec3 back = glm::normalize(scene.camera.position - scene.camera.target);
+    const glm::vec3 right = glm::normalize(glm::cross(scene.camera.up, back));
+    const glm::vec3 light = glm::normalize(scene.lights[0].vector);
+    return glm::vec3(glm::dot(light, right), glm::dot(light, glm::cross(back, right)), glm::dot(light, back));
+  };
+  EXPECT_LT(glm::length(seen(state.scene) - seen(some_state().scene)), 1e-5f);
+}
+
+TEST(Light, AnEnvironmentTurnsWithTheHandByTheSameAngle) {
+  Scene scene = some_state().scene;
+  scene.environment = Environment{"studio", 170};
+  turn_light(scene, glm::radians(30.0f), 0);
+  EXPECT_NEAR(scene.environment->rotation, -160, 1e-3f);
+}
+
+TEST(Frame, LeavesTheGroundOutAndTakesOneObjectAlone) {
+  Scene scene = material_scene({any_material(), any_material()});
+  Object ground = scene.objects[0];
+  ground.mesh = "plane";
+  ground.scale = glm::vec3(50);
+  scene.objects.push_back(ground);
+  const PreparedScene prepared = prepare(scene);
+  const glm::vec4 all = bounds_of(prepared, std::nullopt), one = bounds_of(prepared, 0),
+                  floor = bounds_of(prepared, 2);
+  EXPECT_NEAR(all.x, 0, 1e-3f);
+  EXPECT_LT(all.w, 4);
+  EXPECT_NEAR(one.x, -1.1f, 1e-3f);
+  EXPECT_LT(one.w, 1.8f);
+  EXPECT_GT(floor.w, 20);
+}
+
+TEST(FileNames, CompleteAsFarAsTheyAgreeAndListWhatCanBeOpened) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "window_names";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder / "copper.d");
+  for (const char* name : {"copper_a.json", "copper_b.csv", "copper.log", ".hidden.json", "brass.json"})
+    std::ofstream(folder / name) << "x";
+  const std::string start = folder.string() + "/";
+  EXPECT_EQ(completed(start + "c"), start + "copper");
+  EXPECT_EQ(completed(start + "copper_a"), start + "copper_a.json");
+  EXPECT_EQ(completed(start + "tin"), start + "tin");
+  EXPECT_EQ(names_that_go_on(start),
+            (std::vector<std::string>{start + "brass.json", start + "copper.d/", start + "copper_a.json",
+                                      start + "copper_b.csv"}));
+  EXPECT_EQ(names_that_go_on(start + ".").size(), 1u);
+  EXPECT_TRUE(names_that_go_on("/no such folder/x").empty());
+}
+
+TEST(FileNames, TheLastOpenedComesFirstOnceAndTenStay) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "window_state_home";
+  std::filesystem::remove_all(folder);
+  setenv("XDG_STATE_HOME", folder.c_str(), 1);
+  EXPECT_TRUE(recent_files().empty());
+  for (int k = 0; k < 12; ++k) remember_file("/x/" + std::to_string(k));
+  remember_file("/x/5");
+  const std::vector<std::string> files = recent_files();
+  ASSERT_EQ(files.size(), 10u);
+  EXPECT_EQ(files[0], "/x/5");
+  EXPECT_EQ(std::count(files.begin(), files.end(), "/x/5"), 1);
+  EXPECT_EQ(files[1], "/x/11");
+}
+
+TEST(FitTask, ReturnsWhatTheSolverFoundAndStops) {
+  FitTask task;
+  const Material from = any_material().second;
+  Solver solver;
+  solver.fit = [](const Material& m, const io::SampleTable&, const std::atomic<bool>& stop) {
+    while (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return Fitted{m, {}, "best so far"};
+  };
+  task.start(solver, from, {});
+  EXPECT_TRUE(task.running());
+  EXPECT_FALSE(task.take());
+  task.stop();
+  std::optional<Fitted> found;
+  while (!(found = task.take())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(found->words, "best so far");
+  EXPECT_EQ(found->material, from);
+  EXPECT_FALSE(task.running());
+}
+
+}  // namespace
+}  // namespace brdf::render

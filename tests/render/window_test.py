@@ -1,0 +1,340 @@
+#!/usr/bin/env python3
+"""Uses the window as a hand would, at three sizes, and checks saved states, titles and pixels; then draws actions from the
+list of all commands that the window registers, undoes them all, and compares with the first state byte for byte.
+
+Usage: window_test.py BRDF SOURCE_DIR [--actions N] [--seed S] [--pictures FOLDER]
+Exit code 77 where Xvfb or xdotool is missing.
+"""
+import argparse
+import json
+import os
+import random
+import shutil
+import subprocess
+import tempfile
+import time
+
+import pixels
+import xdnd
+from desk import Desk
+
+parser = argparse.ArgumentParser()
+parser.add_argument("brdf")
+parser.add_argument("source")
+parser.add_argument("--actions", type=int, default=1000)
+parser.add_argument("--seed", type=int, default=22)
+parser.add_argument("--pictures", help="a folder to keep pictures of the window in")
+parser.add_argument("--only", choices=("hand", "random"))
+options = parser.parse_args()
+brdf, source = options.brdf, options.source
+SAMPLES = os.path.join(source, "data/synthetic/cook_torrance_metal.csv")
+GRAB = (0.36, 0.60, 0.95)  # a slider's knob
+
+
+def run(*arguments):
+    return subprocess.run([brdf, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+class Window:
+    """One run of the window on a desk, at a size and scale."""
+
+    def __init__(self, desk, width, height, scale, *arguments):
+        self.desk, self.width, self.height, self.scale = desk, width, height, scale
+        self.panel = int(min(320 * scale, 0.45 * width))
+        self.viewer = desk.start("--width", str(width), "--height", str(height), "--scale", str(scale), *arguments)
+        desk.find_window()
+
+    def picture(self, x, y):
+        """A place of the picture beside the panel, from its share across and down."""
+        return self.panel + x * (self.width - self.panel), y * self.height
+
+    def rows(self):
+        return self.desk.shown(self.width, self.height)
+
+    def keep(self, name):
+        if options.pictures:
+            os.makedirs(options.pictures, exist_ok=True)
+            pixels.write_png(os.path.join(options.pictures, f"{name}_{self.width}.png"), self.rows())
+
+    def knobs(self):
+        """The middles of the sliders' knobs, from above: blue as nothing else in the panel."""
+        found = []
+        for y, row in enumerate(self.rows()):
+            across = [k for k in range(self.panel) if row[k][2] > 150 and row[k][2] > row[k][0] + 70 > 100
+                      and row[k][2] > row[k][1] + 40]
+            if len(across) < 3:
+                continue
+            place = (sum(across) / len(across), y)
+            if found and y - found[-1][1][1] <= 2:
+                found[-1][1] = place
+            else:
+                found.append([place, place])
+        return [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in found if b[1] - a[1] >= 8]
+
+    def until(self, what, seconds=30):
+        """Waits for a title, or another sign."""
+        end = time.time() + seconds
+        while not what():
+            assert time.time() < end, f"waited for {seconds} s; the title is {self.desk.title()}"
+            time.sleep(0.1)
+
+    def status_colour(self):
+        """Whether the line below the picture has words in the colour of errors."""
+        line = self.rows()[-int(26 * self.scale):]
+        return any(r > 200 and g < 170 and b < 170 and r > g + 60 for row in line for r, g, b in row[self.panel:])
+
+
+def material_of(state):
+    return state["scene"]["objects"][state["selected"]]["material"]
+
+
+def by_hand(desk, folder, width, height, scale):
+    """What a session at the window does, once through; the window must end without being killed."""
+    fitted = os.path.join(folder, "fitted.json")
+    if not os.path.exists(fitted):
+        run("fit", SAMPLES, "--form", "cook_torrance", "-o", fitted)
+    w = Window(desk, width, height, scale, fitted, "--hard-light")
+    assert desk.title() == "fitted.json - brdf", desk.title()
+    first = desk.saved_state()
+    size = first["scene"]["camera"]
+    assert size["width"] <= width - w.panel and size["height"] < height, "the picture lies under the panels"
+    w.keep("start")
+
+    # 1. Nothing is lost. Esc closes an open list and nothing else.
+    desk.press("o")
+    time.sleep(1)
+    w.keep("open")
+    desk.press("Escape", "Escape")
+    assert w.viewer.poll() is None, "Esc has ended the program"
+    assert desk.saved_state() == first
+    # A slider: dragged, undone, done again.
+    knobs = w.knobs()
+    assert len(knobs) >= 3, f"sliders: {knobs}"
+    end = (knobs[0][0] + 60 * scale, knobs[0][1])
+    desk.drag(knobs[0], end)
+    dragged = desk.saved_state()
+    assert material_of(dragged) != material_of(first), "the slider did nothing"
+    desk.press("ctrl+z")
+    assert desk.saved_state() == first, "undo"
+    assert desk.title() == "fitted.json - brdf", desk.title()
+    desk.press("ctrl+y")
+    assert desk.saved_state() == dragged, "redo"
+    # Ctrl-click types a number beyond the slider's end; it stays, and the slider's own drag is not needed.
+    desk.move(*w.knobs()[0])
+    desk.x("keydown", "ctrl", "click", 1, "keyup", "ctrl")
+    time.sleep(1)
+    desk.x("key", "ctrl+a")
+    desk.x("type", "2.178")
+    time.sleep(0.3)
+    desk.x("key", "Return")
+    time.sleep(0.5)
+    weights = [v for row in material_of(desk.saved_state())["weights"].values() for v in row]
+    assert 2.178 in weights, weights
+    # Right-click offers default and the file's value: the second entry.
+    desk.click(*w.knobs()[0], button=3)
+    w.keep("offer")
+    menu = w.knobs()[0]
+    desk.click(menu[0] + 20 * scale, menu[1] + (8 + 21 * 1.5) * scale)
+    back = desk.saved_state()
+    assert material_of(back) == material_of(first), "the file's value was not offered"
+    # Once round the families each keeps its values.
+    families = {f["family"] for f in json.loads(run("models", "--json"))["forms"]}
+    desk.press(*["shift+n"] * len(families))
+    assert material_of(desk.saved_state()) == material_of(first), "a family has lost its values"
+    desk.press("n")
+    assert desk.title() == "fitted.json - brdf" or desk.title() == "* fitted.json - brdf"
+    changed = desk.saved_state()
+    desk.press("ctrl+r")
+    assert desk.saved_state() == first, "revert"
+    desk.press("ctrl+z")
+    assert desk.saved_state() == changed, "undoing the revert"
+    # The material is saved under a name, and opened again; Tab completes.
+    mine = os.path.join(folder, f"mine_{width}.json")
+    desk.press("ctrl+shift+s")
+    time.sleep(1)
+    desk.x("key", "ctrl+a")
+    desk.x("type", "--delay", "20", mine)
+    desk.press("Return")
+    w.until(lambda: os.path.exists(mine))
+    with open(mine) as file:
+        assert json.load(file)["form"] == material_of(changed)["form"]
+    run("export", "--material", mine, "--to", "glsl")
+    desk.press("o")
+    time.sleep(1)
+    desk.x("type", "--delay", "20", os.path.join(folder, "mi"))
+    desk.press("Tab", "Return")
+    w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
+    # A saved state holds a material for the other verbs.
+    assert json.loads(run("validate", desk.state_file, "--json")), "validate of a state"
+
+    # 2. Everything is seen: an error in red, the name in the title, help.
+    assert not w.status_colour()
+    xdnd.drop(desk.display, int(desk.window), [os.path.join(folder, "absent.json")])
+    w.until(w.status_colour)
+    w.keep("error")
+    plain = w.rows()
+    desk.press("question")
+    time.sleep(1)
+    assert w.rows() != plain, "no help"
+    w.keep("help")
+    desk.press("Escape")
+    assert w.viewer.poll() is None
+    desk.move(*w.picture(0.5, 0.5))
+    before = w.rows()
+    desk.x("keydown", "shift", "click", 1, "keyup", "shift")
+    time.sleep(1)
+    assert w.rows() != before, "no probe"
+    w.keep("probe")
+    desk.press("Escape")
+
+    # 4. Light by hand.
+    unlit = desk.saved_state()["scene"]
+    desk.drag(w.picture(0.5, 0.5), w.picture(0.7, 0.5), keys=("ctrl",))
+    lit = desk.saved_state()["scene"]
+    assert lit["lights"] != unlit["lights"] and lit["camera"] == unlit["camera"]
+    desk.press("shift+l", "Left")
+    followed = desk.saved_state()["scene"]
+    assert followed["lights"] != lit["lights"] and followed["camera"] != lit["camera"]
+    for key in "456123":
+        desk.press(key)
+        scene = desk.saved_state()["scene"]
+        assert ("environment" in scene) == (key in "456"), key
+    desk.press("shift+l", "2")
+
+    # 5. Hand and solver: the samples beside the material, spoiled, and fitted from here.
+    xdnd.drop(desk.display, int(desk.window), [fitted])
+    w.until(lambda: desk.title() == "fitted.json - brdf")
+    solved = material_of(desk.saved_state())
+    xdnd.drop(desk.display, int(desk.window), [SAMPLES])
+    time.sleep(2)
+    desk.press("s", "l")
+    time.sleep(1)
+    w.keep("beside")
+    desk.press("l")
+    time.sleep(0.5)
+    spoiled = w.knobs()
+    desk.drag(spoiled[-2], (spoiled[-2][0] + 25 * scale, spoiled[-2][1]))
+    assert material_of(desk.saved_state()) != solved
+    desk.press("ctrl+f")
+    w.until(lambda: far(material_of(desk.saved_state()), solved) < 1e-3)
+    w.keep("fitted")
+    desk.press("ctrl+z")
+    assert far(material_of(desk.saved_state()), solved) > 1e-3, "the fit cannot be undone"
+
+    # 3. Layout: the panels follow the window, objects are selected by a click, the car is framed without its floor.
+    xdnd.drop(desk.display, int(desk.window), [os.path.join(source, "data/scenes/material_balls.json")])
+    w.until(lambda: desk.title() == "material_balls.json - brdf")
+    desk.press("f")
+    time.sleep(1)
+    w.keep("objects")
+    desk.click(*w.picture(0.5, 0.5))
+    desk.click(*w.picture(0.2, 0.3))
+    desk.click(*w.picture(0.8, 0.6))
+    desk.press("shift+f", "g")
+    time.sleep(1)
+    w.keep("targets")
+    desk.press("g", "ctrl+z")
+    # Leaving asks where something was changed.
+    xdnd.drop(desk.display, int(desk.window), [mine])
+    w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
+    desk.press("n")
+    w.until(lambda: desk.title().startswith("* "))
+    desk.press("q")
+    time.sleep(1)
+    assert w.viewer.poll() is None, "left without asking"
+    w.keep("leave")
+    desk.press("Escape")
+    assert w.viewer.poll() is None
+    desk.press("q")
+    time.sleep(0.5)
+    desk.press("x")
+    out = desk.finish(w.viewer)
+    assert out.count("\n") == 1 and "absent.json: no such file" in out, out
+
+
+def far(a, b):
+    """The largest relative difference of two materials' numbers."""
+    if a["form"] != b["form"]:
+        return 1
+    pairs = [(u, v) for k in a["weights"] for u, v in zip(a["weights"][k], b["weights"][k])]
+    pairs += [(a["shape"][k], b["shape"][k]) for k in a["shape"] if not isinstance(a["shape"][k], list)]
+    return max(abs(u - v) / max(abs(v), 1e-3) for u, v in pairs)
+
+
+def at_random(desk, folder):
+    """Actions from the list of commands; then everything is undone."""
+    commands = json.loads(run("view", "--commands"))
+    print("without undo: " + "; ".join(f"{c['name']} ({c['why_not']})" for c in commands if not c["undo"]))
+    width, height = 640, 480
+    w = Window(desk, width, height, 1, "--hard-light")
+    first = desk.written_by("ctrl+s", desk.state_file)
+    draw = random.Random(options.seed)
+    files = [SAMPLES, os.path.join(source, "data/materials/copper.json"), os.path.join(source, "data/scenes/sphere.json"),
+             os.path.join(source, "data/scenes/models/cube.x"), os.path.join(folder, "absent.json")]
+    done = {}
+
+    def place():
+        return draw.randrange(5, width - 5), draw.randrange(5, height - 5)
+
+    def act(command):
+        keys = command["keys"]
+        done[command["name"]] = done.get(command["name"], 0) + 1
+        if keys in ("drag", "right drag", "ctrl+drag"):
+            desk.drag(place(), place(), 3 if keys == "right drag" else 1, ("ctrl",) if keys == "ctrl+drag" else ())
+        elif keys in ("click", "shift+click"):
+            desk.move(*place())
+            shift = keys == "shift+click"
+            desk.x(*(["keydown", "shift"] if shift else []), "click", 1, *(["keyup", "shift"] if shift else []))
+        elif keys == "wheel":
+            desk.move(*place())
+            desk.x("click", draw.choice((4, 5)))
+        elif keys == "drop":
+            xdnd.drop(desk.display, int(desk.window), [draw.choice(files)])
+        else:
+            desk.x("key", keys)
+
+    # Leaving is tried by hand; what opens a prompt is closed again, or later keys would be typed into it.
+    commands = [c for c in commands if c["name"] != "leave"]
+    for k in range(options.actions):
+        act(draw.choice(commands))
+        if draw.random() < 0.03:
+            desk.x("windowsize", desk.window, draw.randrange(200, 900), draw.randrange(150, 700))
+        desk.x("key", "Escape")
+        time.sleep(0.03)
+        assert w.viewer.poll() is None, f"ended after {k + 1} actions"
+    desk.x("key", "Escape")
+    desk.x("key", "Escape")
+    desk.x("windowsize", "--sync", desk.window, width, height)
+    time.sleep(1)
+    steps, end = 0, time.time() + 900
+    while True:  # the first state is the one before which there is nothing
+        desk.x("key", "--delay", "40", *["ctrl+z"] * 20)
+        steps += 20
+        time.sleep(0.2)
+        now = desk.written_by("ctrl+s", desk.state_file)
+        if now == first:
+            break
+        assert time.time() < end and steps < 40 * options.actions, f"{steps} steps back do not lead to the first state"
+    desk.press("q")
+    time.sleep(1)
+    out = desk.finish(w.viewer)
+    assert all("absent.json: no such file" in line for line in out.splitlines()), out
+    print(f"{options.actions} actions of {len(done)} of {len(commands)} commands, undone")
+
+
+folder = tempfile.mkdtemp(prefix="brdf-window-")
+desk = Desk(brdf, folder, 2000, 1200)
+try:
+    if options.only != "random":
+        for width, height, scale in ((1280, 720, 1), (800, 600, 1), (1920, 1080, 2)):
+            by_hand(desk, folder, width, height, scale)
+            print(f"{width} x {height} at {scale}: good")
+    if options.only != "hand":
+        at_random(desk, folder)
+except Exception:
+    if options.pictures and desk.window:
+        pixels.write_png(os.path.join(options.pictures, "failed.png"), desk.shown(1280, 720))
+    raise
+finally:
+    desk.close()
+    shutil.rmtree(folder, ignore_errors=True)
