@@ -172,12 +172,15 @@ fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, c
   if (settings.options.metric != fit::Metric::automatic) return settings.options.metric;
   const std::size_t row = stack.height / 2, values = stack.channels.size() * stack.images.size();
   std::vector<std::size_t> votes(fit::kResiduals.size(), 0);
-  for (std::size_t k = 0; k < std::min(kMetricTexels, stack.width); ++k) {
-    const std::size_t column = (2 * k + 1) * stack.width / (2 * std::min(kMetricTexels, stack.width));
-    if (!stack.holds(column, row)) continue;
-    const std::vector<float> pixels = texel::read_region(stack, {column, row, 1, 1});
-    const io::SampleTable table =
-        texel_table(stack, std::span(pixels).first(values), normal_at(normals, row * stack.width + column));
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < std::min(kMetricTexels, stack.width); ++k)
+    if (const std::size_t column = (2 * k + 1) * stack.width / (2 * std::min(kMetricTexels, stack.width));
+        stack.holds(column, row))
+      columns.push_back(column);
+  const std::vector<float> pixels = texel::read_texels(stack, columns, row);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const io::SampleTable table = texel_table(stack, std::span(pixels).subspan(k * values, values),
+                                              normal_at(normals, row * stack.width + columns[k]));
     try {
       const fit::FitData data = fit::prepare(table, settings.options);
       const auto noise = io::relative_noise(table, data.row).value;

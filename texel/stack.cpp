@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "io/error.h"
 #include "io/text.h"
@@ -89,9 +90,13 @@ std::size_t bytes_per_texel(const Stack& stack) {
   return stack.images.size() * stack.channels.size() * sizeof(float);
 }
 
-std::vector<float> read_region(const Stack& stack, const Region& region) {
+namespace {
+
+// Of rows `row` to `row + height - 1` the columns that are named.
+std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t> columns, std::size_t row,
+                                std::size_t height) {
   const std::size_t images = stack.images.size(), channels = stack.channels.size();
-  std::vector<float> out(region.size() * channels * images);
+  std::vector<float> out(columns.size() * height * channels * images);
   std::vector<std::vector<float>> band;
   const float none = std::numeric_limits<float>::quiet_NaN();
   const float saturation = float(stack.saturation);  // rounded as the images' pixels are
@@ -104,17 +109,29 @@ std::vector<float> read_region(const Stack& stack, const Region& region) {
         !std::ranges::all_of(stack.layers, has))
       throw InputError(stack.images[k].string() + ": size or channels are not those of " +
                        stack.images[0].filename().string());
-    image.read_rows(stack.layers, region.y, region.height, band);
+    image.read_rows(stack.layers, row, height, band);
     for (std::size_t c = 0; c < channels; ++c)
-      for (std::size_t y = 0; y < region.height; ++y)
-        for (std::size_t x = 0; x < region.width; ++x) {
-          const float pixel = band[c][y * stack.width + region.x + x];
+      for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < columns.size(); ++x) {
+          const float pixel = band[c][y * stack.width + columns[x]];
           const bool known = std::isfinite(pixel) && pixel < saturation;
-          out[((y * region.width + x) * channels + c) * images + k] =
+          out[((y * columns.size() + x) * channels + c) * images + k] =
               known ? float(double(pixel) - stack.dark_level) : none;
         }
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<float> read_region(const Stack& stack, const Region& region) {
+  std::vector<std::size_t> columns(region.width);
+  std::iota(columns.begin(), columns.end(), region.x);
+  return read_columns(stack, columns, region.y, region.height);
+}
+
+std::vector<float> read_texels(const Stack& stack, std::span<const std::size_t> columns, std::size_t row) {
+  return read_columns(stack, columns, row, 1);
 }
 
 }  // namespace brdf::texel

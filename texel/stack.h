@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ Stack open_stack(const std::filesystem::path& folder);
 // The pixels of a region, [texel][channel][image], less the dark level; NaN where a pixel is saturated or no number.
 // Throws InputError where an image is missing, damaged, or of another size or other channels than the first.
 std::vector<float> read_region(const Stack& stack, const Region& region);
+// The same of single texels of one row.
+std::vector<float> read_texels(const Stack& stack, std::span<const std::size_t> columns, std::size_t row);
 // Bytes that takes for each texel.
 std::size_t bytes_per_texel(const Stack& stack);
 

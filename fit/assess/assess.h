@@ -33,8 +33,8 @@ struct Uncertainty {
   bool determined() const { return split_only && prediction_error && *prediction_error <= kDetermined; }
 };
 
-// `estimates`: what a verdict and standard errors need, without correlations, the parameters' covariance, and the own
-// degrees of freedom of each interval.
+// `estimates`: what a verdict and standard errors need, without intervals, correlations, the parameters' covariance, and
+// sentences.
 enum class Detail { everything, estimates };
 
 // Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not.

@@ -48,12 +48,12 @@ double chance_of(double found, double first, double count, double all) {
 
 // The rows nearest to the mirror direction in which those that count gather; none where chance would do.
 std::vector<Row> gathered(std::vector<Row> rows) {
-  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    return a.mirror != b.mirror ? a.mirror > b.mirror : a.row < b.row;
-  });
   const auto count =
       std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.counts; }));
   if (count < kFewest) return {};
+  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.mirror != b.mirror ? a.mirror > b.mirror : a.row < b.row;
+  });
   double least = kChance / double(count);
   std::size_t best = 0, found = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -59,12 +59,13 @@ std::optional<double> retro_excess(const FitData& data, const std::vector<std::v
     if (data.wi_z[k] > upright) continue;
     const double cosine =
         data.wi_x[k] * data.wo_x[k] + data.wi_y[k] * data.wo_y[k] + data.wi_z[k] * data.wo_z[k];
-    Nearest& best = nearest.try_emplace(data.incidence[k], Nearest{within, k}).first->second;
+    if (!(cosine > within)) continue;
+    Nearest& best = nearest.try_emplace(data.incidence[k], Nearest{cosine, k}).first->second;
     if (cosine > best.cosine) best = {cosine, k};
   }
   std::vector<double> excess;
   for (const auto& [incidence, best] : nearest)
-    for (std::size_t c = 0; c < model.size() && best.cosine > within; ++c)
+    for (std::size_t c = 0; c < model.size(); ++c)
       if (data.values[c][best.row] > 0)
         excess.push_back(std::log(data.values[c][best.row] / std::max(model[c][best.row], 1e-300)));
   if (excess.size() < 3 * model.size()) return std::nullopt;

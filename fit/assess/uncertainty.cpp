@@ -175,6 +175,41 @@ Correlations correlations_of(const std::vector<Reported>& all, const std::vector
   return out;
 }
 
+// What is not identified, and what would tell it.
+std::string unidentified_finding(const std::vector<Reported>& all, const Model& model, const Uncertainty& u,
+                                 bool unturned) {
+  const auto names = names_with(all, Status::unidentified, model.channels().size());
+  const std::string reason = unturned ? kNeverTurned : advice(all, model);
+  if (u.determined())
+    return "what the model gives at the samples is determined (standard error " +
+           io::percent(*u.prediction_error) + "), how it divides into " + listed(names) +
+           " is not: " + reason;
+  return listed(names) + (names.size() > 1 ? " are" : " is") + " not identified: " + reason;
+}
+
+void add_bound_findings(const std::vector<Reported>& all, const Model& model, const Minimum& m,
+                        Uncertainty& out) {
+  const std::size_t channels = model.channels().size();
+  std::map<std::string, std::vector<std::string>> bounds;
+  for (const Reported& r : all) {
+    if (r.estimate.status != Status::at_bound) continue;
+    const bool lower = r.estimate.value - r.min <= r.max - r.estimate.value;
+    bounds[r.estimate.name + " is at its " + (lower ? "lower" : "upper") + " bound " +
+           io::to_text(lower ? r.min : r.max)]
+        .push_back(r.estimate.channel);
+  }
+  for (const auto& [text, list] : bounds) {
+    const bool some = !list[0].empty() && list.size() < channels;
+    out.findings.push_back(text + (some ? " in " + io::joined(list) : ""));
+  }
+  if (const NaturalWeights::Sum sum = model.bounded_sum(m.p); !sum.at_bound.empty()) {
+    std::vector<std::string> where;
+    for (const std::size_t channel : sum.at_bound) where.push_back(model.channels()[channel]);
+    out.findings.push_back(sum.name + " is at its bound 1" +
+                           (where.size() < channels ? " in " + io::joined(where) : "") + " (--physical)");
+  }
+}
+
 }  // namespace
 
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail detail) {
@@ -230,53 +265,30 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     } else if (no_information(r, model, error, solver_error)) {
       e.status = Status::unidentified;
     } else {
+      e.standard_error = error;
+      certain.push_back(k);
+      if (lean) continue;
       const bool shape = r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape;
       const double t = t_quantile(std::min(freedom, own_freedom[k]));
       const Extent interval = extent_of(r, model, m.p, t * (shape ? solver_error : error));
-      e.standard_error = error;
       e.low = interval.low;
       e.high = interval.high;
-      certain.push_back(k);
     }
   }
   if (!lean) out.correlations = correlations_of(all, certain, c.matrix);
 
-  const std::size_t channels = model.channels().size();
   if (!lean && c.null_space.cols() == 0 && !few)
     out.covariance = parameter_covariance(stream, m.p, all, {c.matrix, c.inverse}, freedom);
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
-  if ((!many && !lean) || std::any_of(all.begin(), all.end(), unidentified))
-    out.prediction_error = prediction_error(stream, m.p, c.matrix);
-  if (const auto names = names_with(all, Status::unidentified, channels); !few && !names.empty()) {
-    out.split_only =
-        std::all_of(all.begin(), all.end(), [&](const Reported& r) { return r.weight || !unidentified(r); });
-    const std::string reason = unturned ? kNeverTurned : advice(all, model);
-    if (out.determined())
-      out.findings.push_back("what the model gives at the samples is determined (standard error " +
-                             io::percent(*out.prediction_error) + "), how it divides into " + listed(names) +
-                             " is not: " + reason);
-    else
-      out.findings.push_back(listed(names) + (names.size() > 1 ? " are" : " is") +
-                             " not identified: " + reason);
-  }
-  std::map<std::string, std::vector<std::string>> bounds;
-  for (const Reported& r : all) {
-    if (r.estimate.status != Status::at_bound) continue;
-    const bool lower = r.estimate.value - r.min <= r.max - r.estimate.value;
-    bounds[r.estimate.name + " is at its " + (lower ? "lower" : "upper") + " bound " +
-           io::to_text(lower ? r.min : r.max)]
-        .push_back(r.estimate.channel);
-  }
-  for (const auto& [text, list] : bounds) {
-    const bool some = !list[0].empty() && list.size() < channels;
-    out.findings.push_back(text + (some ? " in " + io::joined(list) : ""));
-  }
-  if (const NaturalWeights::Sum sum = model.bounded_sum(m.p); !sum.at_bound.empty()) {
-    out.sum_at_bound = true;
-    std::vector<std::string> where;
-    for (const std::size_t channel : sum.at_bound) where.push_back(model.channels()[channel]);
-    out.findings.push_back(sum.name + " is at its bound 1" +
-                           (where.size() < channels ? " in " + io::joined(where) : "") + " (--physical)");
+  const bool any_unidentified = std::any_of(all.begin(), all.end(), unidentified);
+  if ((!many && !lean) || any_unidentified) out.prediction_error = prediction_error(stream, m.p, c.matrix);
+  out.split_only = !few && any_unidentified && std::all_of(all.begin(), all.end(), [&](const Reported& r) {
+    return r.weight || !unidentified(r);
+  });
+  out.sum_at_bound = !model.bounded_sum(m.p).at_bound.empty();
+  if (!lean) {
+    if (!few && any_unidentified) out.findings.push_back(unidentified_finding(all, model, out, unturned));
+    add_bound_findings(all, model, m, out);
   }
   for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
   return out;

@@ -34,7 +34,8 @@ ScoreMatrices SampleStream::scores(std::span<const double> p, const Matrix* inve
     map.push_back(contributions(model_, p, c));
     if (inverse) column_inverse.push_back(of_columns(map.back(), *inverse));
   }
-  Workspace w(model_);
+  std::unique_ptr<Workspace> own = spare_.take(model_);
+  Workspace& w = *own;
   std::vector<double> curved(columns * kBlockRows);
   std::vector<double*> curved_columns;
   for (std::size_t k = 0; k < columns; ++k) curved_columns.push_back(&curved[k * kBlockRows]);

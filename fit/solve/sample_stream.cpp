@@ -116,6 +116,19 @@ void SampleStream::fill_jacobian(const double* weights, Workspace& w) const {
     }
 }
 
+SampleStream::Spare::~Spare() {
+  delete kept_.load();
+}
+
+std::unique_ptr<SampleStream::Workspace> SampleStream::Spare::take(const Model& model) {
+  std::unique_ptr<Workspace> workspace(kept_.exchange(nullptr));
+  return workspace ? std::move(workspace) : std::make_unique<Workspace>(model);
+}
+
+void SampleStream::Spare::give(std::unique_ptr<Workspace> workspace) {
+  delete kept_.exchange(workspace.release());
+}
+
 // visit(first, rows) for every block.
 template <class Visit>
 void SampleStream::for_each_block(Visit&& visit) const {
@@ -130,7 +143,8 @@ SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, co
   const bool robust = residual.loss.kind != LossFunction::Kind::none && !residual.linearised;
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, derivatives));
-  Workspace w(model_);
+  std::unique_ptr<Workspace> own = spare_.take(model_);
+  Workspace& w = *own;
   ChannelSums out{std::vector<Matrix>(channels, Matrix(columns, columns)), 0};
   double robust_sum = 0;
   for_each_block([&](std::size_t first, std::size_t rows) {
@@ -160,6 +174,7 @@ SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, co
   double sum = 0;
   for (const Matrix& raw : out.raw) sum += raw(columns - 1, columns - 1);
   out.cost = 0.5 * (robust ? robust_sum : sum);
+  spare_.give(std::move(own));
   return out;
 }
 

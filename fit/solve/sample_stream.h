@@ -1,6 +1,7 @@
 // Passes over the samples, a block of rows at a time: normal equations without ever storing a Jacobian.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <vector>
@@ -77,6 +78,19 @@ class SampleStream {
  private:
   struct Shapes;
   struct Workspace;
+  // What one pass leaves for the next, whose entries beyond the last row are not 0 then; several threads may pass.
+  class Spare {
+   public:
+    Spare() = default;
+    Spare(const Spare&) {}
+    Spare& operator=(const Spare&) = delete;
+    ~Spare();
+    std::unique_ptr<Workspace> take(const Model& model);
+    void give(std::unique_ptr<Workspace> workspace);
+
+   private:
+    std::atomic<Workspace*> kept_{nullptr};
+  };
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   void fill_tilted(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
@@ -100,6 +114,7 @@ class SampleStream {
   Residual residual_;
   std::vector<ApertureNode> detector_;  // empty: readings are of one direction
   std::vector<RowRange> part_;
+  mutable Spare spare_;
 };
 
 }  // namespace brdf::fit
