@@ -126,7 +126,8 @@ void add_fit(CLI::App& app) {
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));
-  add_pictures_option(*verb, o.no_pictures);
+  verb->add_flag("--no-pictures", o.no_pictures,
+                 "Of several files: no NAME.png, the sphere beside each page");
   verb->add_flag("--json", o.json, "JSON on stdout");
   add_normals_option(*verb, o.stack);
   add_stack_memory_option(*verb, o.stack.memory);

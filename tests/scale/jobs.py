@@ -45,7 +45,7 @@ class Place:
         for k in range(count):
             file = f"{name}/paint_{k:04d}.csv"
             self.run(f"synth --form ward --set alpha={0.1 + 0.3 * k / count:.4f} --set kd={0.1 + 0.4 * (k % 7) / 7:.3f} "
-                     f"--grid in_plane --theta-i 15,45,70 --noise 0.02 --seed {k} -o {file}")
+                     f"--grid in_plane --theta-i 15,45,70 --step 5 --noise 0.02 --seed {k} -o {file}")
         if broken is not None:
             path = self.folder / f"{name}/paint_{broken:04d}.csv"
             text = path.read_text()
