@@ -94,7 +94,8 @@ struct FitOptions {
   // taken as f_r cos_i of the surface over the cos_i of the directions' own frame.
   std::optional<std::array<double, 2>> normal;
   bool cross_validation = true;
-  unsigned threads = 1;  // models that are fitted side by side; no result depends on it
+  unsigned threads =
+      1;  // models, and the starts of each, that are solved side by side; no result depends on it
   const std::atomic<bool>* interrupted = nullptr;  // set from outside: return the best so far
 
   bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }

@@ -9,6 +9,7 @@
 #include "fit/solve/varpro.h"
 #include "io/error.h"
 #include "io/numbers.h"
+#include "io/parallel.h"
 
 namespace brdf::fit {
 namespace {
@@ -38,6 +39,18 @@ Minimum to_minimum(const Model& model, Solution s) {
   canonicalise(model, m);
   return m;
 }
+
+// What solving took.
+struct Tally {
+  int passes = 0, iterations = 0;
+  bool interrupted = false;
+
+  void add_to(SearchResult& result) const {
+    result.passes += passes;
+    result.iterations += iterations;
+    result.interrupted = result.interrupted || interrupted;
+  }
+};
 
 class Search {
  public:
@@ -137,7 +150,7 @@ class Search {
 
   // In a sum, one lobe can be caught by a few outliers where it keeps the other from its place. Each lobe in
   // turn is taken out and tried at every width of the grid, the others held; the best is solved again.
-  Minimum reseat_lobes(const SampleStream& stream, Minimum m, double tolerance) {
+  Minimum reseat_lobes(const SampleStream& stream, Minimum m, double tolerance, Tally& tally) const {
     if (model_.terms().size() < 2) return m;
     for (std::size_t s = 0; s < model_.shape_slots(); ++s) {
       const Slot& slot = model_.slots()[s];
@@ -151,7 +164,7 @@ class Search {
           if (same.same_parameter(slot)) p[other] = grid_value(same, k, kReseats);
         }
         start_weights(stream, p);
-        ++result_.passes;
+        ++tally.passes;
         const double cost = stream.normal_equations(p).cost;
         if (cost < least) {
           least = cost;
@@ -159,34 +172,42 @@ class Search {
         }
       }
       if (best.empty()) continue;
-      Minimum other = solve_one(stream, best, tolerance);
+      Minimum other = solve_one(stream, best, tolerance, tally);
       if (other.cost < m.cost) m = std::move(other);
     }
     return m;
   }
 
-  Minimum solve_one(const SampleStream& stream, std::span<const double> start, double tolerance) {
+  Minimum solve_one(const SampleStream& stream, std::span<const double> start, double tolerance,
+                    Tally& tally) const {
     Solution s = refine(stream, start, solver(tolerance));
-    result_.passes += s.passes;
-    result_.iterations += s.iterations;
-    if (s.termination == Termination::interrupted) result_.interrupted = true;
+    tally.passes += s.passes;
+    tally.iterations += s.iterations;
+    if (s.termination == Termination::interrupted) tally.interrupted = true;
     return to_minimum(model_, std::move(s));
   }
 
+  // Side by side; the minima are compared in the starts' order, so that nothing depends on the threads.
   std::vector<Minimum> solve_all(const FitData& data, const std::vector<std::vector<double>>& starts,
                                  double tolerance) {
     const SampleStream stream(data, model_, residual_, options_.aperture);
-    std::vector<Minimum> minima;
-    for (std::size_t k = 0; k < starts.size(); ++k) {
-      std::vector<double> p = starts[k];
-      if (options_.stop() && !minima.empty()) {
-        result_.interrupted = true;
-        break;
+    std::vector<std::optional<Minimum>> solved(starts.size());
+    std::vector<Tally> tallies(starts.size());
+    const auto solve_start = [&](std::size_t k) {
+      if (options_.stop() && k > 0) {
+        tallies[k].interrupted = true;
+        return;
       }
+      std::vector<double> p = starts[k];
       start_weights(stream, p);
       if (k == 0 && !options_.start.empty()) model_.apply_start_weights(p);
-      Minimum m = reseat_lobes(stream, solve_one(stream, p, tolerance), tolerance);
-      if (std::isfinite(m.cost)) add_minimum(stream, std::move(m), minima);
+      solved[k] = reseat_lobes(stream, solve_one(stream, p, tolerance, tallies[k]), tolerance, tallies[k]);
+    };
+    io::parallel_for(starts.size(), solve_start, options_.threads);
+    std::vector<Minimum> minima;
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      tallies[k].add_to(result_);
+      if (solved[k] && std::isfinite(solved[k]->cost)) add_minimum(stream, std::move(*solved[k]), minima);
     }
     sort_minima(minima);
     return minima;
@@ -203,7 +224,9 @@ class Search {
       }
       // A minimum far above the best is listed, not polished: it cannot become the answer.
       if (k > 0 && minima[k].cost > 1.5 * minima[0].cost + 1e-300) break;
-      Minimum m = solve_one(stream, minima[k].p, tolerance);
+      Tally tally;
+      Minimum m = solve_one(stream, minima[k].p, tolerance, tally);
+      tally.add_to(result_);
       m.basin = minima[k].basin;
       add_minimum(stream, std::move(m), out);
     }
