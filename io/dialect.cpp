@@ -22,22 +22,6 @@ std::string bare_text(std::string_view line) {
   return bare;
 }
 
-// Blanks separate a name from its unit, too: "theta_i (deg)" is one.
-void join_units(std::vector<std::string_view>& names) {
-  std::vector<std::string_view> joined;
-  bool is_open = false;
-  for (const std::string_view name : names) {
-    if (!joined.empty() && (is_open || name.front() == '(' || name.front() == '['))
-      joined.back() = {joined.back().data(),
-                       static_cast<std::size_t>(name.data() + name.size() - joined.back().data())};
-    else
-      joined.push_back(name);
-    is_open =
-        joined.back().find_first_of("([") != name.npos && joined.back().find_first_of(")]") == name.npos;
-  }
-  names = std::move(joined);
-}
-
 }  // namespace
 
 bool Dialect::is_separator_line(std::string_view line) {
@@ -47,6 +31,28 @@ bool Dialect::is_separator_line(std::string_view line) {
   separator_ = line.size() == 5 ? line[4] : '\t';  // a tab at the end is a blank, and trimmed
   is_stated_ = true;
   return true;
+}
+
+// Blanks separate a name from its unit, too: "theta_i (deg)" is one. Names in quotes stand in memory of their own.
+void Dialect::join_units(std::vector<std::string_view>& names) {
+  std::vector<std::string_view> joined;
+  std::string* text = nullptr;  // of the last one, where it has been joined
+  bool is_opened = false, is_closed = false;
+  for (const std::string_view name : names) {
+    const bool goes_on = (is_opened && !is_closed) || name.starts_with('(') || name.starts_with('[');
+    if (!joined.empty() && goes_on) {
+      if (!text) text = &unquoted_.emplace_back(joined.back());
+      (*text += ' ') += name;
+      joined.back() = *text;
+    } else {
+      joined.push_back(name);
+      text = nullptr;
+      is_opened = is_closed = false;
+    }
+    is_opened = is_opened || name.find_first_of("([") != name.npos;
+    is_closed = is_closed || name.find_first_of(")]") != name.npos;
+  }
+  names = std::move(joined);
 }
 
 bool Dialect::split_header(std::string_view line, std::vector<std::string_view>& names) {

@@ -33,6 +33,7 @@ class Dialect {
 
  private:
   char separator_of(std::string_view line);
+  void join_units(std::vector<std::string_view>& names);
   bool split(std::string_view line, std::vector<std::string_view>& fields);
   bool split_quoted(std::string_view line, std::vector<std::string_view>& fields);
   // Adds the field whose quotation mark `line` begins with, and leaves what follows it.
@@ -42,9 +43,9 @@ class Dialect {
 
   char separator_ = 0;  // ' ': runs of blanks
   bool is_stated_ = false, has_quotes_ = false, is_mixed_ = false;
-  char mark_ = 0;            // of the decimals, once seen
-  std::size_t surplus_ = 0;  // empty names at the header's end
-  std::deque<std::string> unquoted_;
+  char mark_ = 0;                     // of the decimals, once seen
+  std::size_t surplus_ = 0;           // empty names at the header's end
+  std::deque<std::string> unquoted_;  // and joined names
 };
 
 }  // namespace brdf::io

@@ -1,6 +1,7 @@
 #include "io/distinct_angles.h"
 
 #include <cmath>
+#include <limits>
 
 namespace brdf::io {
 namespace {
@@ -22,6 +23,10 @@ void DistinctAngles::add(double angle, double tolerance) {
 void DistinctAngles::number() {
   std::size_t k = 0;
   for (auto& [angle, index] : angles_) index = k++;
+}
+
+std::size_t DistinctAngles::index(double angle) const {
+  return find(angle, std::numeric_limits<double>::infinity())->second;
 }
 
 std::vector<double> DistinctAngles::list() const {

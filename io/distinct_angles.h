@@ -17,8 +17,8 @@ class DistinctAngles {
   void add(double angle, double tolerance);
   // Numbers them, ascending, from 0: index() is asked after this.
   void number();
-  // Of the nearest one, which must be within the tolerance.
-  std::size_t index(double angle, double tolerance) const { return find(angle, tolerance)->second; }
+  // Of the nearest one; there must be one.
+  std::size_t index(double angle) const;
   std::size_t size() const { return angles_.size(); }
   std::vector<double> list() const;
 

@@ -154,10 +154,9 @@ class Grid {
     row_of_.assign(angles_[kBlocks].size() * thetas_.size() * azimuths_.size() * radials_.size(),
                    std::nullopt);
     for (const Place& p : places_) {
-      const std::size_t block = angles_[kBlocks].index(p.rotation, kSame),
-                        theta = angles_[kThetas].index(p.theta_i, kSame),
-                        radial = angles_[kRadials].index(p.radial, kSame);
-      const std::size_t azimuth = angles_[kAzimuths].index(p.azimuth, azimuth_tolerance(p));
+      const std::size_t block = angles_[kBlocks].index(p.rotation), theta = angles_[kThetas].index(p.theta_i),
+                        radial = angles_[kRadials].index(p.radial);
+      const std::size_t azimuth = angles_[kAzimuths].index(p.azimuth);
       const bool is_mirror = radials_[radial] == 0;  // stands once for every azimuth
       const std::size_t first = is_mirror ? 0 : azimuth, last = is_mirror ? azimuths_.size() : azimuth + 1;
       for (std::size_t a = first; a < last; ++a) {

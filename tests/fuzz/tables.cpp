@@ -1,6 +1,9 @@
 // Sample tables, ours and other programs': one target per format, so that each has its own corpus.
+#include "io/arrange.h"
+#include "io/astm.h"
 #include "io/optical_constants.h"
 #include "io/text.h"
+#include "io/zemax.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace brdf::fuzz {
@@ -16,6 +19,35 @@ void read_table(std::string_view input) {
 
 const Registered csv("csv", read_table), astm("astm", read_table), lens("lens", read_table),
     alta("alta", read_table), tensor("tensor", read_table);
+
+// What is made of a table where somebody asks for it.
+const Registered arranged("arranged", [](std::string_view input) {
+  io::SampleTable table = io::read_samples(content_of(input));
+  io::arrange(table, {.repeats = io::Repeats::average});
+  check_samples(table);
+  io::arrange(table, {.polarisation = io::Polarisation::average});
+  check_samples(table);
+});
+
+// Other programs' formats: what is written reads back to the same numbers.
+const Registered written("written", [](std::string_view input) {
+  const io::SampleTable table = io::read_samples(content_of(input));
+  const std::filesystem::path path = output();
+  io::astm::write(path, table);
+  const io::SampleTable again = io::read_samples(path);
+  require(again.format == "astm_e1392" && again.channels == table.channels, "ASTM E1392 keeps the channels");
+  require(again.theta_i == table.theta_i && again.phi_i == table.phi_i && again.theta_o == table.theta_o &&
+              again.phi_o == table.phi_o && again.values == table.values,
+          "ASTM E1392 keeps angles and values");
+  for (std::size_t c = 0; c < table.channels.size(); ++c)
+    require(
+        again.has_sigma(c) == table.has_sigma(c) && (!table.has_sigma(c) || again.sigma[c] == table.sigma[c]),
+        "ASTM E1392 keeps standard deviations");
+  io::zemax::write(path, table);
+  const io::SampleTable grid = io::read_samples(path);
+  require(grid.format == "zemax" && grid.rows() <= table.rows(),
+          "lens-design text has no more rows than the table");
+});
 
 const Registered constants("constants", [](std::string_view input) {
   const std::size_t end = input.find('\n');

@@ -135,6 +135,13 @@ TEST(LongFormat, OfPairsThatShareNoWavelengthIsRefused) {
   EXPECT_THAT(message(text), HasSubstr("line 2: these directions have no value at 401 nm"));
 }
 
+// What stands in quotes is in memory of its own: it was joined by the distance between the two.
+TEST(Quotes, BeforeAUnitBetweenBlanks) {
+  const SampleTable got = read("\"theta_i\" (deg) \"phi_i\" theta_o (deg) phi_o \"a b\" (1/sr)\n1 2 3 4 5\n");
+  EXPECT_THAT(got.channels, ElementsAre("a b"));
+  EXPECT_EQ(got.theta_i[0], 1);
+}
+
 TEST(Bands, MayBeNamedByTheirNumbers) {
   const SampleTable got = read("theta_i,phi_i,theta_o,phi_o,400,410.5,sigma_400\n1,2,3,4,.5,.6,.1\n");
   EXPECT_THAT(got.channels, ElementsAre("400nm", "410.5nm"));
