@@ -58,9 +58,13 @@ void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
       "Directions measured more than once: a row each, or their mean with its standard deviation");
 }
 
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,
+                       const std::string& description) {
+  verb.add_option(name, bytes, description)->transform(CLI::Validator(to_bytes, "SIZE"));
+}
+
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of) {
-  verb.add_option("--memory-limit", bytes, "Most " + of + ", for instance 500M or 1G")
-      ->transform(CLI::Validator(to_bytes, "SIZE"));
+  add_memory_option(verb, bytes, "--memory-limit", "Most " + of + ", for instance 500M or 1G");
 }
 
 void require_plain_numbers(CLI::App& app) {

@@ -39,7 +39,10 @@ void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
 // Adds --polarisation and --repeats, the same in every verb that reads samples to use them.
 void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);
 
-// Adds an option that takes an amount of memory above 0 in bytes, or with K, M or G (powers of 1024).
+// Adds an option that takes an amount of bytes above 0, or with K, M or G (powers of 1024).
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,
+                       const std::string& description);
+// --memory-limit.
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of = "device memory");
 
 // Every option of the verbs that takes numbers takes them as files do: whole words, decimal, finite, and within

@@ -4,14 +4,42 @@
 
 #include "cli/options.h"
 #include "cli/verbs.h"
+#include "interop/rgl.h"
 #include "io/any_table.h"
+#include "io/error.h"
+#include "io/json.h"
+#include "io/material_file.h"
 #include "io/output.h"
+#include "measured/measured.h"
 #include "synth/instrument.h"
 
 namespace brdf::cli {
 namespace {
 
+// A material, or samples with what lies between them.
+Material between_samples(const std::string& in, const io::Arrangement& arrangement) {
+  io::Content content = io::read_content(in);
+  if (io::is_json(content)) return io::read_material(content);
+  io::SampleTable table = io::read_samples(std::move(content));
+  io::arrange(table, arrangement);
+  const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
+  if (seen->turning() == measured::Turning::turned)
+    throw InputError(in + ": the samples were turned, and an RGL file is written for one azimuth");
+  return measured::material_of(seen);
+}
+
+Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
+  io::check_targets({{"OUT", out}}, {in});
+  const std::string bytes = interop::rgl_of(between_samples(in, arrangement), std::filesystem::path(in).stem().string());
+  io::write_file_atomically(out, bytes);
+  std::cerr << "brdf convert: " << bytes.size() << " bytes to " << out << '\n'
+            << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
+               "(export --to rgl --measured interpolates beside a fit)\n";
+  return Exit::good;
+}
+
 Exit run(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
+  if (out.ends_with(".bsdf")) return to_rgl(in, out, arrangement);
   io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
   io::SampleTable table = synth::table_of_file(in);
@@ -41,11 +69,13 @@ void add_convert(CLI::App& app) {
       ->required();
   verb->add_option(
           "OUT", options->out,
-          "File to write: .csv, .binary (MERL), .exr, .astm (ASTM E1392) or .zemax (lens-design text)")
+          "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392) or .zemax (lens-design "
+          "text)")
       ->required();
   add_arrangement_options(*verb, options->arrangement);
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
+      "          brdf convert paper.csv paper.bsdf\n"
       "          brdf convert scan.csv scan.zemax\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
   on_run(*verb, [options] { return run(options->in, options->out, options->arrangement); });

@@ -5,12 +5,14 @@
 #include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "interop/programs.h"
+#include "interop/rgl.h"
 #include "io/error.h"
 #include "io/glsl.h"
 #include "io/material_json.h"
 #include "io/merl.h"
 #include "io/numbers.h"
 #include "io/output.h"
+#include "io/shader_texts.h"
 #include "measured/cells.h"
 #include "measured/on_sphere.h"
 
@@ -22,9 +24,10 @@ struct Options {
   std::string measured, to, output, kernels = "own";
   bool include = false, naive = false;
   std::optional<double> max_loss;
+  std::uint64_t size = interop::kUsualTable;
 };
 
-constexpr const char* kMerl = "merl";
+constexpr const char *kMerl = "merl", *kRgl = "rgl";
 
 void write(const Options& o, const std::string& text) {
   if (o.output.empty())
@@ -33,21 +36,41 @@ void write(const Options& o, const std::string& text) {
     io::write_file_atomically(o.output, text);
 }
 
-// Samples, with what lies between them, as a MERL file.
-Exit export_measured(const Options& o) {
-  if (o.to != kMerl)
-    throw InputError("--measured " + o.measured + " --to " + o.to +
-                     ": samples have no formula; --to merl writes them as a table, and a shader is made of a "
-                     "fitted material");
-  if (o.output.empty()) throw InputError("--to merl: needs -o FILE");
+// What the material is called there: its own name, or its file's.
+std::string name_of(const Options& o, const io::MaterialFile& file) {
+  if (!file.name.empty()) return file.name;
+  return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
+                                 : o.material.form;
+}
+
+void check_measured(const Options& o) {
+  if (o.to != kMerl && o.to != kRgl)
+    throw InputError(
+        "--measured " + o.measured + " --to " + o.to +
+        ": samples have no formula; --to merl and --to rgl write them as a table, and a shader is made "
+        "of a fitted material");
   if (!o.material.form.empty() || !o.material.set.empty() || o.include)
     throw InputError("--measured: goes with --material alone, whose ratio to the samples is interpolated");
-  io::check_targets({{"-o", o.output}}, {o.measured, o.material.material});
+}
+
+void check_output(const Options& o) {
+  if (o.output.empty()) throw InputError("--to " + o.to + ": needs -o FILE");
+  io::check_targets({{"-o", o.output}}, {o.measured, o.material.material, o.material.shader.file});
+}
+
+// Samples, with what lies between them.
+std::shared_ptr<const measured::MeasuredReflectance> seen(const Options& o) {
   std::optional<Material> fitted;
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
-  const auto seen = measured::seen_in_colour(io::read_samples(o.measured), fitted ? &*fitted : nullptr,
-                                             measured::MeasuredReflectance::Beside::likeliest);
-  const io::SampleTable cells = measured::at_merl_cells(seen);
+  return measured::seen_in_colour(io::read_samples(o.measured), fitted ? &*fitted : nullptr,
+                                  measured::MeasuredReflectance::Beside::likeliest);
+}
+
+Exit export_merl(const Options& o) {
+  if (o.measured.empty())
+    throw InputError("--to merl: needs --measured SAMPLES; brdf convert writes a material's cells");
+  check_output(o);
+  const io::SampleTable cells = measured::at_merl_cells(seen(o));
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
   std::cerr << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
             << "; -1 where nothing was measured\n";
@@ -55,25 +78,47 @@ Exit export_measured(const Options& o) {
   return Exit::good;
 }
 
-Exit export_formula(const Options& o) {
-  if (o.to == kMerl)
-    throw InputError("--to merl: needs --measured SAMPLES; brdf convert writes a material's cells");
-  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
-  const Material material = choose_material(o.material, "export");
-  const std::string text =
-      io::glsl_source(material, {.material = !o.material.material.empty() || !o.material.set.empty(),
-                                 .whole = !o.include,
-                                 .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
-                                 .builtin_kernels = o.kernels == "builtin"});
-  write(o, text);
+Exit export_rgl(const Options& o) {
+  check_output(o);
+  if (o.include) throw InputError("--include: is for shaders");
+  std::string bytes;
+  if (o.measured.empty()) {
+    const io::MaterialFile file = choose_material_file(o.material, "export");
+    bytes = interop::rgl_of(file.material, name_of(o, file), o.size);
+  } else {
+    const auto measurement = seen(o);
+    if (measurement->turning() == measured::Turning::turned)
+      throw InputError(o.measured + ": the samples were turned, and an RGL file is written for one azimuth");
+    bytes = interop::rgl_of(measured::material_of(measurement),
+                            std::filesystem::path(o.measured).stem().string(), o.size);
+  }
+  io::write_file_atomically(o.output, bytes);
+  std::cerr << "brdf export: " << bytes.size() << " bytes to " << o.output << '\n';
   return Exit::good;
 }
 
-// What the material is called there: its own name, or its file's.
-std::string name_of(const Options& o, const io::MaterialFile& file) {
-  if (!file.name.empty()) return file.name;
-  return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
-                                 : o.material.form;
+std::optional<io::ShaderLanguage> language_of(const std::string& to) {
+  if (to == "hlsl") return io::ShaderLanguage::hlsl;
+  if (to == "cpp") return io::ShaderLanguage::cpp;
+  if (to == "explorer") return io::ShaderLanguage::explorer;
+  return std::nullopt;
+}
+
+Exit export_formula(const Options& o) {
+  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  const io::MaterialFile file = choose_material_file(o.material, "export");
+  const bool with_material = !o.material.material.empty() || !o.material.set.empty();
+  if (const auto language = language_of(o.to)) {
+    if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
+    write(o, io::shader_text(file.material, *language, with_material, name_of(o, file)));
+    return Exit::good;
+  }
+  write(o, io::glsl_source(file.material,
+                           {.material = with_material,
+                            .whole = !o.include,
+                            .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
+                            .builtin_kernels = o.kernels == "builtin"}));
+  return Exit::good;
 }
 
 Exit export_program(const Options& o, const interop::Program& program) {
@@ -93,12 +138,14 @@ Exit run(const Options& o) {
   if (!program && (o.naive || o.max_loss))
     throw InputError(std::string(o.naive ? "--naive" : "--max-loss") + ": --to " + o.to +
                      " writes the formula itself: nothing is lost");
-  if (!o.measured.empty()) return export_measured(o);
+  if (!o.measured.empty()) check_measured(o);
+  if (o.to == kMerl) return export_merl(o);
+  if (o.to == kRgl) return export_rgl(o);
   return program ? export_program(o, *program) : export_formula(o);
 }
 
 std::vector<std::string> target_names() {
-  std::vector<std::string> names{"glsl", "glsl-es", kMerl};
+  std::vector<std::string> names{"glsl", "glsl-es", "hlsl", "cpp", "explorer", kMerl, kRgl};
   for (const interop::Program& program : interop::programs()) names.emplace_back(program.name);
   return names;
 }
@@ -115,7 +162,10 @@ void add_export(CLI::App& app) {
                    "beside");
   verb->add_option(
           "--to", options->to,
-          "glsl (4.50, Vulkan) or glsl-es (3.00, WebGL 2); merl (a .binary) of --measured; or a program")
+          "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
+          "sliders); merl (a .binary) of --measured; rgl (a "
+          ".bsdf, which "
+          "Mitsuba and pbrt import); or a program")
       ->required()
       ->check(CLI::IsMember(target_names()));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
@@ -130,6 +180,7 @@ void add_export(CLI::App& app) {
   verb->add_option("--max-loss", options->max_loss,
                    "Exit with 1 where more is lost: the rms of ln(1 + f cos_i), about a relative error")
       ->check(CLI::NonNegativeNumber);
+  add_memory_option(*verb, options->size, "--size", "Of the file that --to rgl writes, about (default 4M)");
   verb->footer(
       "A program (blender, mitsuba, pbrt, gltf, ...) gets the material in its own formula: exact where that "
       "is ours,\n"
@@ -145,8 +196,10 @@ void add_export(CLI::App& app) {
       "          brdf export --form ward --set alpha=0.1 --to glsl\n"
       "          brdf export --form ward --to glsl --kernels builtin\n"
       "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
+      "          brdf export --form ward --to explorer -o ward.brdf\n"
       "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
       "          brdf export --material copper.json --to gltf --naive\n"
+      "          brdf export --material copper.json --to rgl --size 25M -o copper.bsdf\n"
       "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary");
   on_run(*verb, [options] { return run(*options); });
 }

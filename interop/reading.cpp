@@ -1,7 +1,6 @@
 #include "interop/reading.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "io/error.h"
@@ -65,12 +64,6 @@ std::string comments(const std::vector<std::string>& header, const std::string& 
   std::string text;
   for (const std::string& line : header) text += prefix + line + "\n";
   return text;
-}
-
-std::string identifier(const std::string& name) {
-  std::string out;
-  for (const char c : name) out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  return out.empty() ? "material" : out;
 }
 
 }  // namespace brdf::interop

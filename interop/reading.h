@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "interop/programs.h"
+#include "io/identifier.h"
 
 namespace brdf::interop {
 
 using Colour = std::array<double, 3>;
+using io::identifier;
 
 class Reading {
  public:
@@ -45,7 +47,5 @@ std::string number(double x);
 std::string numbers(const Colour& c, const char* separator = ", ");
 // The header's lines as comments.
 std::string comments(const std::vector<std::string>& header, const std::string& prefix);
-// A name as programs take it: letters, digits and _.
-std::string identifier(const std::string& name);
 
 }  // namespace brdf::interop

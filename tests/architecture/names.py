@@ -27,6 +27,7 @@ EXEMPT = {
 # Words that are a parameter's or a form's name too and have a meaning of their own in that place.
 HOMONYMS = {
     ("io/rgl.cpp", "sigma"): "a field of RGL's files",
+    ("io/rgl_writer.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verb_albedo.cpp", "albedo"): "the verb",
     ("io/angle_names.cpp", "sigma"): "standard deviations",

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""The table of docs/interop.md: what each program loses of the shipped materials and of every family's own form.
+
+    tools/interop_table.py [--update] BRDF docs/interop.md
+
+Without --update it fails where the document's table is another (numbers within 5 %), or where a refit is worse than copied
+parameters.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf"]
+BEGIN, END = "<!-- losses: written by tools/interop_table.py -->", "<!-- end of losses -->"
+FORMS = {
+    "lambert": "--form lambert --set rho=0.6,0.5,0.4",
+    "oren_nayar": "--form oren_nayar --set rho=0.6,0.5,0.4 --set sigma=0.4",
+    "oren_nayar_energy": "--form oren_nayar_energy --set rho=0.6,0.5,0.4 --set roughness=0.5",
+    "phong": "--form phong --set kd=0.3,0.2,0.1 --set ks=0.2 --set exponent=100",
+    "blinn_phong": "--form blinn_phong --set kd=0.3,0.2,0.1 --set ks=0.2 --set exponent=100",
+    "ward": "--form ward --set kd=0.3,0.2,0.1 --set ks=0.2 --set alpha=0.15",
+    "ward_bounded, brushed": "--form ward_bounded --set kd=0.1 --set ks=0.4 --set alpha_x=0.3 --set alpha_y=0.1",
+    "ward_duer": "--form ward_duer --set kd=0.3 --set ks=0.2",
+    "cook_torrance, metal, alpha 0.1": "--form cook_torrance --set kd=0 --set ks=1 --set f0=0.9,0.6,0.3 --set alpha=0.1",
+    "cook_torrance, metal, alpha 0.3": "--form cook_torrance --set kd=0 --set ks=1 --set f0=0.9,0.6,0.3 --set alpha=0.3",
+    "cook_torrance, metal, alpha 0.6": "--form cook_torrance --set kd=0 --set ks=1 --set f0=0.9,0.6,0.3 --set alpha=0.6",
+    "cook_torrance, brushed metal": "--form cook_torrance --set kd=0 --set ks=1 --set f0=0.9,0.6,0.3 --set alpha_x=0.3"
+                                    " --set alpha_y=0.1",
+    "cook_torrance, plastic, alpha 0.05": "--form cook_torrance --set kd=0.3,0.2,0.1 --set ks=1 --set f0=0.04 --set alpha=0.05",
+    "cook_torrance, plastic, alpha 0.2": "--form cook_torrance --set kd=0.3,0.2,0.1 --set ks=0.5 --set f0=0.04 --set alpha=0.2",
+    "cook_torrance, plastic, alpha 0.5": "--form cook_torrance --set kd=0.3,0.2,0.1 --set ks=1 --set f0=0.04 --set alpha=0.5",
+    "cook_torrance, coloured ks": "--form cook_torrance --set kd=0.1 --set ks=0.6,0.4,0.2 --set f0=0.5 --set alpha=0.2",
+    "cook_torrance_beckmann": "--form cook_torrance_beckmann --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.3",
+    "cook_torrance_dielectric": "--form cook_torrance_dielectric --set kd=0.3,0.2,0.1 --set ks=1 --set eta=1.5 --set alpha=0.2",
+    "cook_torrance_student": "--form cook_torrance_student --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.2",
+    "cook_torrance_vcavity": "--form cook_torrance_vcavity --set kd=0.3 --set ks=1 --set eta=1.5 --set alpha=0.2",
+}
+
+
+def cell(brdf, words, program, scratch):
+    """'exact', 'refitted (copied)' as rms, or '-'; and whether the refit is no worse."""
+    run = subprocess.run([brdf, "export", *words.split(), "--to", program, "-o", scratch], text=True, capture_output=True)
+    said = run.stderr.strip()
+    if run.returncode == 2:
+        return "-", True
+    if said.endswith(": exact"):
+        return "exact", True
+    rms = [float(x) for x in re.findall(r"rms ([0-9.e-]+)", said)]
+    assert rms, said
+    return (f"{rms[0]:.2g} ({rms[1]:.2g})", rms[0] <= rms[1]) if len(rms) == 2 else (f"{rms[0]:.2g} (the copy)", True)
+
+
+def table(brdf):
+    lines = ["| material | " + " | ".join(PROGRAMS) + " |", "|---" * (len(PROGRAMS) + 1) + "|"]
+    worse = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, words in FORMS.items():
+            cells = []
+            for program in PROGRAMS:
+                text, good = cell(brdf, words, program, folder + "/x")
+                cells.append(text)
+                if not good:
+                    worse.append(f"{name} to {program}: {text}")
+            lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    return "\n".join(lines), worse
+
+
+def same(a, b):
+    def equal(x, y):
+        try:
+            return abs(float(x) - float(y)) <= 0.05 * max(abs(float(x)), abs(float(y)))
+        except ValueError:
+            return x == y
+    words = [re.findall(r"[0-9.e-]*[0-9]|[^\s()|]+", text) for text in (a, b)]
+    return len(words[0]) == len(words[1]) and all(map(equal, *words))
+
+
+def main():
+    update = "--update" in sys.argv
+    brdf, document = [a for a in sys.argv[1:] if a != "--update"]
+    path = pathlib.Path(document)
+    text, (new, worse) = path.read_text(), table(brdf)
+    before, rest = text.split(BEGIN)
+    old, after = rest.split(END)
+    if update:
+        path.write_text(f"{before}{BEGIN}\n{new}\n{END}{after}")
+    if worse:
+        sys.exit("a refit is worse than copied parameters: " + "; ".join(worse))
+    if not update and not same(old, new):
+        sys.exit(f"{document} holds another table than the program makes (--update writes it):\n{new}")
+
+
+main()
