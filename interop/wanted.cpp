@@ -42,8 +42,6 @@ Material in_order(const Material& given, const Asked& asked) {
 void check_term(Term& term, double most, const Asked& asked) {
   const ReflectanceInfo& form = info(term.form);
   const std::string name(form.name);
-  if (!form.fittable())
-    asked.refuse(name + " is a listing that is not linear in its weights: no program has its formula");
   for (const char* property : {"reciprocity", "continuity"})
     for (const Violation& v : form.violations)
       if (v.check == property)

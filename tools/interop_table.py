@@ -34,7 +34,7 @@ FORMS = {
     "cook_torrance, coloured ks": "--form cook_torrance --set kd=0.1 --set ks=0.6,0.4,0.2 --set f0=0.5 --set alpha=0.2",
     "cook_torrance_beckmann": "--form cook_torrance_beckmann --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.3",
     "cook_torrance_dielectric": "--form cook_torrance_dielectric --set kd=0.3,0.2,0.1 --set ks=1 --set eta=1.5 --set alpha=0.2",
-    "cook_torrance_student": "--form cook_torrance_student --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.2",
+    "cook_torrance_student, gamma 3": "--form cook_torrance_student --set gamma=3 --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.2",
     "cook_torrance_vcavity": "--form cook_torrance_vcavity --set kd=0.3 --set ks=1 --set eta=1.5 --set alpha=0.2",
 }
 
