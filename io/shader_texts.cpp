@@ -65,8 +65,8 @@ struct vec3 {
   union { float x, r; };
   union { float y, g; };
   union { float z, b; };
-  vec3(float a, float b, float c) : x(a), y(b), z(c) {}
-  explicit vec3(float a) : vec3(a, a, a) {}
+  vec3(float first, float second, float third) : x(first), y(second), z(third) {}
+  explicit vec3(float all) : vec3(all, all, all) {}
   vec3& operator+=(const vec3& v) { x += v.x; y += v.y; z += v.z; return *this; }
 };
 inline uint floatBitsToUint(float x) { uint bits; std::memcpy(&bits, &x, 4); return bits; }
