@@ -95,8 +95,8 @@ std::optional<int> negative_operand(const Entry& e) {
     case Op::mul:
     case Op::div:
       return a < 0 ? 0 : 1;
-    case Op::add:
-      return a < b ? 0 : 1;
+    case Op::add:  // of two signs: here it goes below 0
+      return a < 0 && b < 0 ? std::optional(a < b ? 0 : 1) : std::nullopt;
     case Op::sub:
       return a < 0 ? std::optional(0) : std::nullopt;
     case Op::min:
@@ -146,7 +146,7 @@ const char* name_of(Op op) {
 }
 
 std::string operation_text(const Entry& e) {
-  const auto number = [](double x) { return io::short_number(x, 6); };
+  const auto number = [](double x) { return std::isnan(x) ? "no number" : io::short_number(x, 6); };
   const std::string equals = " = " + number(e.result);
   if (const char* sign = sign_of(e.step->op))
     return number(e.operand[0]) + sign + number(e.operand[1]) + equals;

@@ -129,6 +129,8 @@ Translated translate_with(const Source& source, const Attempt& attempt) {
   glslang::SpvOptions options;
   options.disableOptimizer = true;
   options.generateDebugInfo = true;
+  // Without these glslang 12 takes the top of an empty stack wherever braces are nested.
+  options.emitNonSemanticShaderDebugInfo = true;
   std::vector<unsigned int> words;
   glslang::GlslangToSpv(*program.getIntermediate(EShLangFragment), words, &options);
   out.spirv.assign(words.begin(), words.end());

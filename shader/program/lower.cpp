@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glslang/SPIRV/spirv.hpp>
+#include <stdexcept>
 
 #include "io/error.h"
 #include "shader/program/lowering.h"
@@ -320,9 +321,13 @@ Program Lowering::run(const spirv::Function& entry) {
 }
 
 Program lower(const spirv::Module& module, const spirv::Function& entry, const LowerOptions& options) {
-  Program program = Lowering(module, options).run(entry);
-  remove_unused(program);
-  return program;
+  try {
+    Program program = Lowering(module, options).run(entry);
+    remove_unused(program);
+    return program;
+  } catch (const std::out_of_range&) {  // an operand that is not there: no compiler writes that
+    throw InputError("SPIR-V: an instruction is incomplete");
+  }
 }
 
 bool holds_kernels(const spirv::Module& module) {

@@ -66,16 +66,27 @@ class Parser {
         return;
       case spv::OpExtInstImport:
         if (text(w.subspan(1)) == "GLSL.std.450") module_.extended = word(w, 0);
+        if (text(w.subspan(1)).starts_with("NonSemantic.")) debug_ = word(w, 0);
         return;
       default:
         break;
     }
+    if (code == spv::OpExtInst && debug_ != 0 && word(w, 2) == debug_) return debug(w);
     if (is_type(code))
       add_type(code, w);
     else if (function_ || code == spv::OpFunction)
       in_function(code, w);
     else
       global(code, w);
+  }
+
+  // DebugLine says where the next instructions stand, by a constant's id.
+  void debug(Words w) {
+    constexpr std::uint32_t kDebugLine = 103;
+    if (word(w, 3) != kDebugLine) return;
+    const auto line = module_.globals.find(word(w, 5));
+    if (line != module_.globals.end() && !line->second.instruction.words.empty())
+      line_ = line->second.instruction.words[0];
   }
 
   static bool is_type(std::uint32_t code) { return code >= spv::OpTypeVoid && code <= spv::OpTypeFunction; }
@@ -204,6 +215,7 @@ class Parser {
   Module module_;
   Function* function_ = nullptr;
   std::uint32_t line_ = 0;
+  Id debug_ = 0;  // of the set of debug instructions
 };
 
 }  // namespace
