@@ -46,7 +46,7 @@ TEST(OwnShader, AClampedProductIsFoundWithTheCommandThatShowsIt) {
   ASSERT_TRUE(command.starts_with("brdf albedo --shader ")) << command;
   const Outcome shown = run_brdf(command.substr(5), folder.path());
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
-  EXPECT_THAT(shown.out, HasSubstr("1.1429"));
+  EXPECT_THAT(shown.out, HasSubstr("1.1428498"));
 }
 
 TEST(OwnShader, FaultsNameTheirLine) {
