@@ -75,14 +75,14 @@ Interface::~Interface() {
 }
 
 void Interface::begin_frame() {
+  for (const KeyEvent& event : std::exchange(due_, std::exchange(late_, {})))
+    ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, GLFW_RELEASE, event.mods);
+  pressed_.clear();
   if (!keep_letters_)
     for (const unsigned code : std::exchange(letters_, {})) ImGui_ImplGlfw_CharCallback(window_, code);
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  pressed_.clear();
-  for (const KeyEvent& event : std::exchange(late_, {}))
-    ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, GLFW_RELEASE, event.mods);
 }
 
 void Interface::key(int key, int scancode, int action, int mods) {

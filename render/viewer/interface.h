@@ -30,7 +30,7 @@ class Interface {
   // Inside the swapchain's render pass, after ImGui::Render.
   void record(VkCommandBuffer commands);
   // Whether something waits for the next frame.
-  bool waiting() const { return !late_.empty() || (!letters_.empty() && keep_letters_); }
+  bool waiting() const { return !late_.empty() || !due_.empty() || (!letters_.empty() && keep_letters_); }
 
  private:
   struct KeyEvent {
@@ -40,8 +40,8 @@ class Interface {
   Owned<VkDescriptorPool> pool_;
   bool keep_letters_ = false;
   std::vector<unsigned> letters_;
-  std::vector<int> pressed_;    // since the last frame
-  std::vector<KeyEvent> late_;  // releases
+  std::vector<int> pressed_;          // since the last frame
+  std::vector<KeyEvent> late_, due_;  // releases; due: with the next frame
 };
 
 }  // namespace brdf::render

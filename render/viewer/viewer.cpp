@@ -360,7 +360,10 @@ class Viewer {
       if (!prompts_.asking()) text_closing_ = 2;
       return;
     }
-    if (ImGui::GetIO().WantTextInput) return;
+    if (ImGui::GetIO().WantTextInput) {
+      if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_ESCAPE) text_closing_ = 3;
+      return;
+    }
     const Command* asked = command_of(key, mods);
     if (!asked) return;
     session_.record();

@@ -33,6 +33,7 @@ class Desk:
         self.environment = dict(os.environ, DISPLAY=self.display, XDG_STATE_HOME=folder)
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.window = None
+        self.frame = 0.1  # seconds, at most
 
     def close(self):
         self.server.terminate()
@@ -53,6 +54,10 @@ class Desk:
         self.x("windowfocus", "--sync", self.window)
         time.sleep(2)
         return self.window
+
+    def pause(self, frames=3):
+        """As long as so many frames take, of which the last state to be saved was one or two: machines differ."""
+        time.sleep(0.2 + frames * self.frame)
 
     def title(self):
         return self.x("getwindowname", self.window).rstrip("\n")
@@ -103,9 +108,10 @@ class Desk:
 
     def written_by(self, key, path):
         """What the file holds that this key writes."""
-        before = os.stat(path).st_mtime_ns if os.path.exists(path) else 0
+        before, begun = os.stat(path).st_mtime_ns if os.path.exists(path) else 0, time.time()
         self.x("key", key)
         self.wait_for(path, before)
+        self.frame = time.time() - begun
         with open(path, "rb") as file:
             return file.read()
 

@@ -202,7 +202,8 @@ try:
         return {key: value for key, value in state.items() if key not in ("samples", "compare_with", "display", "split")}
 
     state = drop(os.path.join(source, "data/scenes/models/vase.obj"))
-    assert form_of(state) == "ward" and state["scene"]["objects"][0]["mesh"].endswith("vase.obj")
+    assert form_of(state) == "ward", form_of(state)
+    assert state["scene"]["objects"][0]["mesh"].endswith("vase.obj"), state["scene"]["objects"][0]["mesh"]
     bad = {
         damaged("broken.json", "{"): "line 1",
         damaged("broken.obj", "no model"): "cannot be read as a model",

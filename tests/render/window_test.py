@@ -26,9 +26,8 @@ parser.add_argument("--seed", type=int, default=22)
 parser.add_argument("--pictures", help="a folder to keep pictures of the window in")
 parser.add_argument("--only", choices=("hand", "random"))
 options = parser.parse_args()
-brdf, source = options.brdf, options.source
+brdf, source = os.path.abspath(options.brdf), os.path.abspath(options.source)
 SAMPLES = os.path.join(source, "data/synthetic/cook_torrance_metal.csv")
-GRAB = (0.36, 0.60, 0.95)  # a slider's knob
 
 
 def run(*arguments):
@@ -71,6 +70,17 @@ class Window:
                 found.append([place, place])
         return [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in found if b[1] - a[1] >= 8]
 
+    def knob(self, y):
+        """The knob of the slider at this height, when it is there again."""
+        found = []
+
+        def look():
+            found[:] = [k for k in self.knobs() if abs(k[1] - y) < 8 * self.scale]
+            return found
+
+        self.until(look)
+        return found[0]
+
     def until(self, what, seconds=30):
         """Waits for a title, or another sign."""
         end = time.time() + seconds
@@ -102,7 +112,7 @@ def by_hand(desk, folder, width, height, scale):
 
     # 1. Nothing is lost. Esc closes an open list and nothing else.
     desk.press("o")
-    time.sleep(1)
+    desk.pause()
     w.keep("open")
     desk.press("Escape", "Escape")
     assert w.viewer.poll() is None, "Esc has ended the program"
@@ -120,20 +130,24 @@ def by_hand(desk, folder, width, height, scale):
     desk.press("ctrl+y")
     assert desk.saved_state() == dragged, "redo"
     # Ctrl-click types a number beyond the slider's end; it stays, and the slider's own drag is not needed.
-    desk.move(*w.knobs()[0])
+    desk.move(*w.knob(knobs[0][1]))
     desk.x("keydown", "ctrl", "click", 1, "keyup", "ctrl")
-    time.sleep(1)
+    desk.pause()
     desk.x("key", "ctrl+a")
     desk.x("type", "2.178")
-    time.sleep(0.3)
+    desk.pause()
     desk.x("key", "Return")
-    time.sleep(0.5)
+    desk.pause()
+    desk.pause()
     weights = [v for row in material_of(desk.saved_state())["weights"].values() for v in row]
     assert 2.178 in weights, weights
     # Right-click offers default and the file's value: the second entry.
-    desk.click(*w.knobs()[0], button=3)
+    desk.click(*w.picture(0.1, 0.1))  # nothing is there
+    desk.pause()
+    menu = w.knob(knobs[0][1])
+    desk.click(*menu, button=3)
+    desk.pause(5)
     w.keep("offer")
-    menu = w.knobs()[0]
     desk.click(menu[0] + 20 * scale, menu[1] + (8 + 21 * 1.5) * scale)
     back = desk.saved_state()
     assert material_of(back) == material_of(first), "the file's value was not offered"
@@ -151,7 +165,7 @@ def by_hand(desk, folder, width, height, scale):
     # The material is saved under a name, and opened again; Tab completes.
     mine = os.path.join(folder, f"mine_{width}.json")
     desk.press("ctrl+shift+s")
-    time.sleep(1)
+    desk.pause()
     desk.x("key", "ctrl+a")
     desk.x("type", "--delay", "20", mine)
     desk.press("Return")
@@ -160,7 +174,7 @@ def by_hand(desk, folder, width, height, scale):
         assert json.load(file)["form"] == material_of(changed)["form"]
     run("export", "--material", mine, "--to", "glsl")
     desk.press("o")
-    time.sleep(1)
+    desk.pause()
     desk.x("type", "--delay", "20", os.path.join(folder, "mi"))
     desk.press("Tab", "Return")
     w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
@@ -174,7 +188,7 @@ def by_hand(desk, folder, width, height, scale):
     w.keep("error")
     plain = w.rows()
     desk.press("question")
-    time.sleep(1)
+    desk.pause()
     assert w.rows() != plain, "no help"
     w.keep("help")
     desk.press("Escape")
@@ -182,7 +196,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.move(*w.picture(0.5, 0.5))
     before = w.rows()
     desk.x("keydown", "shift", "click", 1, "keyup", "shift")
-    time.sleep(1)
+    desk.pause()
     assert w.rows() != before, "no probe"
     w.keep("probe")
     desk.press("Escape")
@@ -206,12 +220,12 @@ def by_hand(desk, folder, width, height, scale):
     w.until(lambda: desk.title() == "fitted.json - brdf")
     solved = material_of(desk.saved_state())
     xdnd.drop(desk.display, int(desk.window), [SAMPLES])
-    time.sleep(2)
+    desk.pause()
     desk.press("s", "l")
-    time.sleep(1)
+    desk.pause()
     w.keep("beside")
     desk.press("l")
-    time.sleep(0.5)
+    desk.pause()
     spoiled = w.knobs()
     desk.drag(spoiled[-2], (spoiled[-2][0] + 25 * scale, spoiled[-2][1]))
     assert material_of(desk.saved_state()) != solved
@@ -225,13 +239,13 @@ def by_hand(desk, folder, width, height, scale):
     xdnd.drop(desk.display, int(desk.window), [os.path.join(source, "data/scenes/material_balls.json")])
     w.until(lambda: desk.title() == "material_balls.json - brdf")
     desk.press("f")
-    time.sleep(1)
+    desk.pause()
     w.keep("objects")
     desk.click(*w.picture(0.5, 0.5))
     desk.click(*w.picture(0.2, 0.3))
     desk.click(*w.picture(0.8, 0.6))
     desk.press("shift+f", "g")
-    time.sleep(1)
+    desk.pause()
     w.keep("targets")
     desk.press("g", "ctrl+z")
     # Leaving asks where something was changed.
@@ -240,13 +254,13 @@ def by_hand(desk, folder, width, height, scale):
     desk.press("n")
     w.until(lambda: desk.title().startswith("* "))
     desk.press("q")
-    time.sleep(1)
+    desk.pause()
     assert w.viewer.poll() is None, "left without asking"
     w.keep("leave")
     desk.press("Escape")
     assert w.viewer.poll() is None
     desk.press("q")
-    time.sleep(0.5)
+    desk.pause()
     desk.press("x")
     out = desk.finish(w.viewer)
     assert out.count("\n") == 1 and "absent.json: no such file" in out, out
@@ -305,7 +319,7 @@ def at_random(desk, folder):
     desk.x("key", "Escape")
     desk.x("key", "Escape")
     desk.x("windowsize", "--sync", desk.window, width, height)
-    time.sleep(1)
+    desk.pause()
     steps, end = 0, time.time() + 900
     while True:  # the first state is the one before which there is nothing
         desk.x("key", "--delay", "40", *["ctrl+z"] * 20)
@@ -316,7 +330,7 @@ def at_random(desk, folder):
             break
         assert time.time() < end and steps < 40 * options.actions, f"{steps} steps back do not lead to the first state"
     desk.press("q")
-    time.sleep(1)
+    desk.pause()
     out = desk.finish(w.viewer)
     assert all("absent.json: no such file" in line for line in out.splitlines()), out
     print(f"{options.actions} actions of {len(done)} of {len(commands)} commands, undone")
