@@ -78,24 +78,26 @@ class Desk:
 
     def click(self, x, y, button=1):
         self.move(x, y)
-        time.sleep(0.2)
+        self.pause(2)
         self.x("click", button)
-        time.sleep(0.3)
+        self.pause(2)
 
     def drag(self, start, end, button=1, keys=()):
         """In ten steps, while the keys are held."""
         for key in keys:
             self.x("keydown", key)
         self.move(*start)
-        time.sleep(0.2)
+        self.pause(2)
         self.x("mousedown", button)
+        self.pause(2)
         for step in range(1, 11):
             self.move(start[0] + (end[0] - start[0]) * step / 10, start[1] + (end[1] - start[1]) * step / 10)
             time.sleep(0.03)
+        self.pause(2)
         self.x("mouseup", button)
         for key in keys:
             self.x("keyup", key)
-        time.sleep(0.4)
+        self.pause(2)
 
     def wait_for(self, path, before, seconds=60):
         """Until the file has been written after the time `before`."""

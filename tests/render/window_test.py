@@ -126,7 +126,7 @@ def by_hand(desk, folder, width, height, scale):
     assert material_of(dragged) != material_of(first), "the slider did nothing"
     desk.press("ctrl+z")
     assert desk.saved_state() == first, "undo"
-    assert desk.title() == "fitted.json - brdf", desk.title()
+    w.until(lambda: desk.title() == "fitted.json - brdf")
     desk.press("ctrl+y")
     assert desk.saved_state() == dragged, "redo"
     # Ctrl-click types a number beyond the slider's end; it stays, and the slider's own drag is not needed.
@@ -134,6 +134,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.x("keydown", "ctrl", "click", 1, "keyup", "ctrl")
     desk.pause()
     desk.x("key", "ctrl+a")
+    desk.pause()
     desk.x("type", "2.178")
     desk.pause()
     desk.x("key", "Return")
@@ -156,7 +157,6 @@ def by_hand(desk, folder, width, height, scale):
     desk.press(*["shift+n"] * len(families))
     assert material_of(desk.saved_state()) == material_of(first), "a family has lost its values"
     desk.press("n")
-    assert desk.title() == "fitted.json - brdf" or desk.title() == "* fitted.json - brdf"
     changed = desk.saved_state()
     desk.press("ctrl+r")
     assert desk.saved_state() == first, "revert"
