@@ -167,6 +167,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.press("ctrl+shift+s")
     desk.pause()
     desk.x("key", "ctrl+a")
+    desk.pause()
     desk.x("type", "--delay", "20", mine)
     desk.press("Return")
     w.until(lambda: os.path.exists(mine))
