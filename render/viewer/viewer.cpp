@@ -122,9 +122,13 @@ class Viewer {
       float& angle = state().scene.objects[state().selected].rotation.y;
       angle = std::fmod(angle + 45 * float(std::min(seconds, 0.1)), 360.0f);
     }
+    follow();
+    fitted();
+  }
+  // Also between two frames, so that what is saved there is as it will be seen.
+  void follow() {
     if (state().light_follows) follow_camera(state().scene, camera_);
     camera_ = camera();
-    fitted();
   }
 
   bool held() const {
@@ -368,6 +372,7 @@ class Viewer {
     if (!asked) return;
     session_.record();
     if (asked->edit) asked->edit(session_, whereabouts());
+    follow();
     if (asked->request != Request::none) request(asked->request);
     opened_by_letter_ = prompts_.asking() && !(mods & GLFW_MOD_CONTROL);
   }
