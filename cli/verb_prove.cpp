@@ -33,7 +33,7 @@ std::vector<prove::Property> properties_of(const std::string& option, const std:
 
 Exit run_check(const Options& o) {
   if (o.all || !o.forms.empty()) throw InputError("--check " + o.check + ": takes no --form and no --all");
-  const prove::Checked checked = prove::check(io::read_json(o.check), o.check);
+  const prove::Checked checked = prove::check(io::read_content(o.check));
   if (o.json) {
     io::Json json = io::to_json(io::provenance());
     json["checked"] = {{"results", checked.results}, {"leaves", checked.leaves}, {"faults", checked.faults}};
@@ -73,8 +73,7 @@ Exit run(const Options& o) {
     for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
     progress(int(&form - forms.data()) + 1, int(forms.size()));
   }
-  if (!o.output.empty())
-    io::write_file_atomically(o.output, io::to_line(prove::to_certificate(proofs)) + "\n");
+  if (!o.output.empty()) io::write_file_atomically(o.output, prove::to_certificate(proofs));
   if (o.json)
     std::cout << io::to_text(prove::to_json(proofs)) << '\n';
   else
@@ -108,7 +107,7 @@ void add_prove(CLI::App& app) {
   verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
       ->capture_default_str();
   verb->add_option("-o,--output", o->output, "certificate of what is proved (JSON)");
-  verb->add_option("--check", o->check, "a certificate to verify, without any search")->option_text("FILE");
+  verb->add_option("--check", o->check, "a certificate to verify, without any search");
   verb->add_flag("--json", o->json, "JSON on stdout");
   verb->footer(
       "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected.\n"

@@ -90,7 +90,7 @@ Json to_json(std::span<const Proof> proofs) {
   return json;
 }
 
-Json to_certificate(std::span<const Proof> proofs) {
+std::string to_certificate(std::span<const Proof> proofs) {
   Json results = Json::array();
   for (const Proof& p : proofs) {
     const bool closed = p.domain && p.cover.open == 0;  // of a refuted energy: the bound above its witness

@@ -14,6 +14,6 @@ void print(std::ostream& out, std::span<const Proof> proofs);
 io::Json to_json(std::span<const Proof> proofs);
 // What `brdf prove --check` and brdf_check read (prove/check/certificate.h): no times, so that the same proofs give the same
 // bytes on every machine. In it is what is proved, and the bound above what is refuted.
-io::Json to_certificate(std::span<const Proof> proofs);
+std::string to_certificate(std::span<const Proof> proofs);
 
 }  // namespace brdf::prove

@@ -40,6 +40,7 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--entry", Value::text},        {"--against", Value::form},
     {"--map", Value::text},          {"--such-that", Value::text},
     {"--size", Value::text},
+    {"--check", Value::json},
 };
 
 }  // namespace

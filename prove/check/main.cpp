@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const brdf::prove::Checked checked = brdf::prove::check(brdf::io::read_json(argv[1]), argv[1]);
+    const brdf::prove::Checked checked = brdf::prove::check(brdf::io::read_content(argv[1]));
     for (const std::string& fault : checked.faults) std::cout << fault << '\n';
     std::cout << checked.results << " results, " << checked.leaves
               << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';

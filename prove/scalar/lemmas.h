@@ -102,7 +102,7 @@ Interval<B> mirror_cosine_power(const Interval<B>& n, const Geometry<Interval<B>
   using I = Interval<B>;
   const I apart = g.cos_i - g.cos_o, t = I(0.5) * (square(g.h.x) + square(g.h.y) + square(apart));
   if (t.poisoned() || n.poisoned()) return I::poison();
-  const double last = 1 - I::kUnit / 4;  // the largest t below 1
+  const double last = 1 - I::kUnit / 2;  // the largest t below 1
   if (t.lo >= 1) return I();
   const double low = std::min(t.lo, last), high = std::min(t.hi, last);
   const auto moved = [](double x) { return 8 * I::kUnit * x / (1 - x) * 1.01; };

@@ -12,11 +12,10 @@
 
 namespace brdf::prove {
 
-// G2/G1 = (1 + Lambda_o)/(1 + Lambda_i + Lambda_o) = 1 - Lambda_i/(1 + Lambda_i + Lambda_o), Lambda_i of the direction that
-// G1 is not of; a quotient of positive numbers.
+// G2/G1(wi) = (1 + Lambda_i)/(1 + Lambda_i + Lambda_o) = 1 - Lambda_o/(1 + Lambda_i + Lambda_o): of positive numbers.
 template <class T>
-T smith_ratio(const T& lambda_i, const T& lambda_o) {
-  return at_least(T(1) - lambda_i / (T(1) + lambda_i + lambda_o), T(0));
+T smith_ratio(const T& lambda_o, const T& lambda_i) {
+  return at_least(T(1) - lambda_o / (T(1) + lambda_i + lambda_o), T(0));
 }
 
 struct GgxSmith {
@@ -33,7 +32,7 @@ struct GgxSmith {
   }
   template <class T>
   static T ratio(const Roughness<T>& a, const Geometry<T>& g) {
-    return smith_ratio(lambda(a, g.wi), lambda(a, g.wo));
+    return smith_ratio(lambda(a, g.wo), lambda(a, g.wi));
   }
 };
 
@@ -50,7 +49,7 @@ struct BeckmannSmith {
   }
   template <class T>
   static T ratio(const Roughness<T>& a, const Geometry<T>& g) {
-    return smith_ratio(lambda(a, g.wi), lambda(a, g.wo));
+    return smith_ratio(lambda(a, g.wo), lambda(a, g.wi));
   }
 };
 
