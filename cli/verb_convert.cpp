@@ -30,7 +30,8 @@ Material between_samples(const std::string& in, const io::Arrangement& arrangeme
 
 Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
   io::check_targets({{"OUT", out}}, {in});
-  const std::string bytes = interop::rgl_of(between_samples(in, arrangement), std::filesystem::path(in).stem().string());
+  const std::string bytes =
+      interop::rgl_of(between_samples(in, arrangement), std::filesystem::path(in).stem().string());
   io::write_file_atomically(out, bytes);
   std::cerr << "brdf convert: " << bytes.size() << " bytes to " << out << '\n'
             << "brdf convert: lost: which directions were measured: what lies between them is interpolated "

@@ -113,11 +113,11 @@ Exit export_formula(const Options& o) {
     write(o, io::shader_text(file.material, *language, with_material, name_of(o, file)));
     return Exit::good;
   }
-  write(o, io::glsl_source(file.material,
-                           {.material = with_material,
-                            .whole = !o.include,
-                            .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
-                            .builtin_kernels = o.kernels == "builtin"}));
+  write(o,
+        io::glsl_source(file.material, {.material = with_material,
+                                        .whole = !o.include,
+                                        .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
+                                        .builtin_kernels = o.kernels == "builtin"}));
   return Exit::good;
 }
 

@@ -87,8 +87,10 @@ std::string fit_files(const std::vector<std::string>& files, const std::string& 
   std::vector<fit::BatchRow> rows;
   run_watched(watch, [&] {
     rows = fit::run_batch(files, fit::models_of(choice.form), options,
-                          {folder, jobs, io::provenance().version + fit::words_of(choice),
-                           [&](const std::string& what) { watch.tell(what); }});
+                          {.folder = folder,
+                           .jobs = jobs,
+                           .settings = io::provenance().version + fit::words_of(choice),
+                           .progress = [&](const std::string& what) { watch.tell(what); }});
     fit::write_summary(rows, folder);
   });
   return io::to_text(fit::to_json(rows, folder));

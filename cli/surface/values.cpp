@@ -39,8 +39,7 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--shader", Value::file},       {"--param", Value::text},
     {"--entry", Value::text},        {"--against", Value::form},
     {"--map", Value::text},          {"--such-that", Value::text},
-    {"--size", Value::text},
-    {"--check", Value::json},
+    {"--size", Value::text},         {"--check", Value::json},
 };
 
 }  // namespace

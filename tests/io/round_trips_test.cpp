@@ -101,7 +101,7 @@ TEST_F(RoundTrips, LensDesignTextHoldsWhatWasReadFromIt) {
     colours += "Tristimulus" + std::string(axis) + "\nDataBegin\nTIS 1\n.1 .2\nTIS 1\n.3 .4\nDataEnd\n";
   const SampleTable table = read(colours);
   ASSERT_EQ(table.rows(), 4u);
-expect_same(again(table, ".zemax"), table);
+  expect_same(again(table, ".zemax"), table);
   EXPECT_THAT(lost_, IsEmpty());
 }
 
