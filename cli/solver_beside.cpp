@@ -55,7 +55,7 @@ class Comparison {
 // The shapes to go on from; the weights are linear, the solver finds the best for them.
 std::vector<fit::NamedValues> start_of(const Material& from, const fit::FitOptions& options) {
   const std::vector<Reflectance> forms = forms_of(from);
-  const fit::Constraints known = fit::resolve(forms, from.channels.size(), options);
+  const fit::Constraints known = fit::resolve(forms, from.channels, options);
   std::vector<fit::NamedValues> start;
   for (std::size_t t = 0; t < from.terms.size(); ++t) {
     const ReflectanceInfo& form = info(from.terms[t].form);

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options.h"
 #include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "interop/programs.h"

@@ -43,8 +43,9 @@ TEST(Stepwise, ARoughMattSurfaceAsksForADiffuseTermWithAShape) {
   rough.terms[0].shape[0] = {0.42};
   rough.terms[0].weights = {{0.6}};
   const FitResult result = fit_stepwise(fine_hemisphere(rough, 0.03, 2), {});
-  EXPECT_EQ(result.ranking.front().form, "oren_nayar");
-  EXPECT_EQ(last_kept(result).added, "a diffuse term with a shape");
+  EXPECT_TRUE(result.ranking.front().form.starts_with("oren_nayar")) << result.ranking.front().form;
+  EXPECT_TRUE(std::ranges::any_of(
+      result.steps, [](const Step& s) { return s.kept && s.added == "a diffuse term with a shape"; }));
 }
 
 TEST(Stepwise, OneLobeStaysOne) {

@@ -28,18 +28,21 @@ void expect_close_below(double error, double bound, bool body, const NumericsRow
 
 class StatedAccuracy : public ::testing::TestWithParam<Reflectance> {};
 
-// What the form's header states (about a third above what longer searches find); what it does
-// not state is bounded by the budget of all forms alone.
+// What the form's header states (about a third above what longer searches find). A form that states nothing is listed with what
+// was found: its accuracy is not known.
 TEST_P(StatedAccuracy, IsWhatTheHeaderStates) {
   const ReflectanceInfo& form = info(GetParam());
-  if (!form.accuracy) std::cout << "no accuracy stated: " << form.name << '\n';
   for (const NumericsRow& row : measure_numerics(GetParam())) {
     if (row.stated) {
       expect_close_below(row.errors.body, row.stated->body, true, row);
       expect_close_below(row.errors.faint, row.stated->faint, false, row);
       expect_close_below(row.errors.tail, row.stated->tail, false, row);
     }
-    EXPECT_TRUE(meets_budget(row)) << row.form << ' ' << row.scalar;
+    if (form.accuracy)
+      EXPECT_TRUE(meets_budget(row)) << row.form << ' ' << row.scalar;
+    else
+      std::cout << "no accuracy stated: " << row.form << ' ' << row.scalar << ", " << row.errors.body
+                << " found\n";
     EXPECT_EQ(row.nan, 0u);
     EXPECT_EQ(row.inf, 0u);
     EXPECT_EQ(row.negative > 0, form.violates("non_negative"));
