@@ -176,7 +176,8 @@ MaterialFile material_of_view(const JsonPlace& view) {
 }  // namespace
 
 MaterialFile read_material_file(const Content& content) {
-  if (!content.bytes.empty() && !is_json(content))
+  const std::size_t first = content.bytes.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && content.bytes[first] != '{' && content.bytes[first] != '[')
     throw InputError(content.name + ": is no material, which is JSON; `brdf fit` makes materials of samples");
   const Json json = read_json(content);
   const JsonPlace place(json, content.name);

@@ -25,6 +25,7 @@ constexpr Meaning kMeanings[] = {
      "Whether turning the surface about its normal changes nothing, or does so along two axes only."},
     {"continuity", "Whether the reflected light fades out as the light sets, without a step."},
     {"sampling", "Whether random directions drawn for this form average to the reflected fraction."},
+    {"float", "Whether a shader's values in single precision are those that its formula has in double."},
     {"derivatives", "Whether derivatives computed exactly agree with differences of values."},
     {"negative", "Whether no measured value is below 0."},
     {"missing", "Whether every row has all its values."},

@@ -96,7 +96,7 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
     names = [f.name for f in forms()] if all else []
     names += list_of(form)
     if not given and not names:
-        raise InputError("nothing to validate: give materials, samples, --form or --all")
+        raise InputError("nothing to validate: give materials, samples, --form, --all or --shader")
     items: list[Any] = []
     for k, subject in enumerate(given):
         if isinstance(subject, Material):

@@ -22,6 +22,7 @@ EXEMPT = {
     "bench/": "measured examples",
     "libbrdf/src/reflectance.cpp": "finding by name",
     "libbrdf/brdf/reflectance_of.h": "finding by name",
+    "interop/write_": "other programs' parameters",
     "io/familiar_names.cpp": "other programs' names for ours",
 }
 # Words that are a parameter's or a form's name too and have a meaning of their own in that place.

@@ -89,7 +89,7 @@ TEST_F(MeasuredTables, AreWrittenInOtherProgramsFormats) {
   const Outcome lens = run("convert s.csv s.zemax");
   EXPECT_EQ(lens.exit_code, 0) << lens.err;
   EXPECT_EQ(read("s.zemax").rows(), read("s.csv").rows());
-  EXPECT_EQ(run("convert s.csv s.bsdf").exit_code, 2);
+  EXPECT_EQ(run("convert s.csv s.xyz").exit_code, 2);
 }
 
 TEST_F(MeasuredTables, AreExportedAsATableAndNotAsAShader) {

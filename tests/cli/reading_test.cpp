@@ -133,7 +133,7 @@ TEST_F(ReadingCli, HostileTextIsRefusedInOneLineThatATerminalCanShow) {
     expect_refused(std::string(verb) + "large.json",
                    "large.json: $.version: '1e400' is beyond the range of numbers");
   }
-  expect_refused("fit m.json", "m.json: is JSON, not a table of samples");
+  expect_refused("fit m.json", "m.json: is a material, not a table of samples");
   write("p.png", "\x89PNG\r\n");
   expect_refused("validate p.png", "p.png: is a picture (PNG), not a table of samples");
   write("f.json", "{\"ranking\": []}");

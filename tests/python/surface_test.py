@@ -1,6 +1,7 @@
 """Every verb and option of the program has a Python name (python/brdf/names.json), and each name exists.
 Usage: surface_test.py BRDF"""
 import inspect
+import os
 import re
 import subprocess
 import sys
@@ -14,16 +15,17 @@ NAME = re.compile(r"brdf((?:\.\w+)+)(?:\((\w+)\))?")
 
 
 def help_of(*words):
-    return subprocess.run([PROGRAM, *words, "--help"], check=True, capture_output=True, text=True).stdout
+    wide = os.environ | {"COLUMNS": "200"}
+    return subprocess.run([PROGRAM, *words, "--help"], check=True, capture_output=True, text=True, env=wide).stdout
 
 
 def verbs_of_program():
-    return re.findall(r"^  (\w+) ", help_of().partition("Subcommands:")[2], re.M)
+    return re.findall(r"^  (\w+) ", help_of().partition("\nLook:")[2], re.M)
 
 
 def options_of(verb):
     """Positional arguments and the long names of options, but for --help."""
-    options = re.findall(r"^ +(?:-\w,)?(--[\w-]+|[A-Z]{2,})(?= )", help_of(verb), re.M)
+    options = re.findall(r"^ +(?:-\w,)?(--[\w-]+|[A-Z]{2,})(?=\s)", help_of(verb), re.M)
     return [o for o in options if o != "--help"]
 
 
