@@ -85,6 +85,14 @@ void add_repeated_option(CLI::App& verb, const std::string& name, std::vector<st
   verb.add_option(name, values, description)->allow_extra_args(false);
 }
 
+std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool all) {
+  std::vector<Reflectance> forms;
+  if (all) forms.assign(catalogue().begin(), catalogue().end());
+  for (const std::string& name : names) forms.push_back(io::require_form(name));
+  if (forms.empty()) throw InputError("which forms? give --form or --all");
+  return forms;
+}
+
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice) {
   verb.add_option("--form", choice.form,
                   "A form by name (`brdf models` lists them), at its default parameters");

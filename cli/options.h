@@ -33,6 +33,9 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
       add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>()));
 }
 
+// The forms of --form, repeated, or of --all. Throws InputError where neither is given, or a name is unknown.
+std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool all);
+
 // Adds --form, --material and --set, the same in every verb that takes one material.
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
 

@@ -46,14 +46,6 @@ Exit run_check(const Options& o) {
   return checked.faults.empty() ? Exit::good : Exit::failed;
 }
 
-std::vector<Reflectance> forms_of(const Options& o) {
-  std::vector<Reflectance> forms;
-  if (o.all) forms.assign(catalogue().begin(), catalogue().end());
-  for (const std::string& name : o.forms) forms.push_back(io::require_form(name));
-  if (forms.empty()) throw InputError("which forms? give --form or --all");
-  return forms;
-}
-
 Exit run(const Options& o) {
   if (!o.check.empty()) return run_check(o);
   io::check_targets({{"-o", o.output}});
@@ -66,7 +58,7 @@ Exit run(const Options& o) {
   if (!(o.gap > 0)) throw InputError("--gap: must be above 0");
   options.search.seconds = o.seconds;
   options.gap = o.gap;
-  const std::vector<Reflectance> forms = forms_of(o);
+  const std::vector<Reflectance> forms = forms_of(o.forms, o.all);
   std::vector<prove::Proof> proofs;
   const auto progress = progress_line("brdf prove: forms");
   for (const Reflectance& form : forms) {

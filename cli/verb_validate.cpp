@@ -130,15 +130,6 @@ Exit run_integrators(const Options& o) {
   return honest ? Exit::good : Exit::failed;
 }
 
-// --form, repeated, or --all.
-std::vector<Reflectance> forms_of(const Options& o) {
-  std::vector<Reflectance> forms;
-  if (o.all) forms.assign(catalogue().begin(), catalogue().end());
-  for (const std::string& name : o.forms) forms.push_back(io::require_form(name));
-  if (forms.empty()) throw InputError("which forms? give --form or --all");
-  return forms;
-}
-
 // The modes that judge the library itself take no files, and one mode is asked for at a time.
 void require_one_mode(const Options& o) {
   const int modes = o.integrators + o.microsurface + o.numerics + o.gpu;
@@ -163,11 +154,11 @@ Exit run(const Options& o) {
   if (o.numerics) {
     const auto quiet = [](int, int) {};  // the table itself grows as forms are measured
     const bool good = validate::report_numerics(
-        forms_of(o), {.evaluations = o.effort == "full" ? 1'000'000u : 10'000u, .seed = o.seed}, o.json,
-        std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
+        forms_of(o.forms, o.all), {.evaluations = o.effort == "full" ? 1'000'000u : 10'000u, .seed = o.seed},
+        o.json, std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
     return good ? Exit::good : Exit::failed;
   }
-  if (o.gpu) return validate_gpu(forms_of(o), o.seed, o.json);
+  if (o.gpu) return validate_gpu(forms_of(o.forms, o.all), o.seed, o.json);
   validate::check_max_theta(o.max_theta);
   check_output(o);
   std::vector<validate::Picture> pictures = read_pictures(o);
