@@ -15,13 +15,6 @@ Fraction<S> v_separable_ggx(const Roughness<S>& a, const Geometry<G>& g) {
   return {S(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
 }
 
-// (1 - c)^5
-template <class G>
-G schlick_weight(const G& c) {
-  const G x = at_least(G(1) - c, G(0));
-  return square(square(x)) * x;
-}
-
 // Burley 2012 (course notes, 5.3) as Cycles and Mitsuba split it, times pi and over the base colour:
 // (1 - Fi/2)(1 - Fo/2) + R (Fi + Fo + Fi Fo (R - 1)), R = 2 roughness cos_d^2, roughness^4 = alpha_x alpha_y.
 template <class S, class G>
