@@ -41,7 +41,7 @@ std::string conductor(const Reading& r, const std::string& attributes, const Col
   return bsdf("roughconductor", attributes, inside);
 }
 
-std::string diffuse(const std::string& attributes, const Colour& colour) {
+std::string diffuse_bsdf(const std::string& attributes, const Colour& colour) {
   return bsdf("diffuse", attributes, value("rgb", "reflectance", numbers(colour)));
 }
 
@@ -52,14 +52,15 @@ Colour over(const Colour& c, double by) {
 // blendbsdf: weight w takes 1 - w of its first child and w of its second, in the order of their names.
 std::string mixed(const Reading& r, const std::string& id) {
   const Colour kd = r.weight(Role::diffuse), ks = r.weight(Role::specular);
-  if (is_black(ks)) return diffuse(id, kd);
+  if (is_black(ks)) return diffuse_bsdf(id, kd);
   if (!is_black(kd)) {
     const double share = std::max({ks[0], ks[1], ks[2]}), most = std::max({kd[0], kd[1], kd[2]});
     if (share + most > 1 + 1e-12)
       throw InputError("a blendbsdf of diffuse and roughconductor reaches weights of 1 together, not " +
                        number(share + most));
     return bsdf("blendbsdf", id,
-                value("float", "weight", number(share)) + diffuse("name=\"a_diffuse\"", over(kd, 1 - share)) +
+                value("float", "weight", number(share)) +
+                    diffuse_bsdf("name=\"a_diffuse\"", over(kd, 1 - share)) +
                     conductor(r, "name=\"b_lobe\"", over(ks, share)));
   }
   return conductor(r, id, ks);

@@ -13,7 +13,7 @@ std::string material(const std::string& name, const std::string& type, const std
 std::string list(const char* type, const char* name, const std::string& values) {
   return "    \"" + std::string(type) + " " + name + "\" [ " + values + " ]\n";
 }
-std::string diffuse(const std::string& name, const Colour& colour) {
+std::string diffuse_material(const std::string& name, const Colour& colour) {
   return material(name, "diffuse", list("rgb", "reflectance", numbers(colour, " ")));
 }
 std::string conductor(const std::string& name, const Reading& r) {
@@ -38,14 +38,14 @@ std::string write_pbrt(const Written& w) {
   const Colour kd = r.weight(Role::diffuse);
   const double share = r.weight(Role::specular)[0];
   const std::string name = identifier(w.name), head = comments(w.header, "# ");
-  if (share == 0) return head + diffuse(name, kd);
+  if (share == 0) return head + diffuse_material(name, kd);
   r.check_widths(1e-3, 1e4, "nothing");
   if (share == 1) return head + conductor(name, r);
   const Colour below{kd[0] / (1 - share), kd[1] / (1 - share), kd[2] / (1 - share)};
   if (std::max({below[0], below[1], below[2]}) > 1 + 1e-9)
     throw InputError("a mix of diffuse and conductor reaches weights of 1 together, not " +
                      number(std::max({kd[0], kd[1], kd[2]}) + share));
-  return head + diffuse(name + "_diffuse", below) + conductor(name + "_lobe", r) +
+  return head + diffuse_material(name + "_diffuse", below) + conductor(name + "_lobe", r) +
          material(name, "mix",
                   "    \"string materials\" [ \"" + name + "_diffuse\" \"" + name + "_lobe\" ]\n" +
                       list("float", "amount", number(share)));

@@ -4,16 +4,14 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "brdf/scalar.h"
 #include "io/error.h"
 #include "io/rgl_stack.h"
 #include "io/tensor_file.h"
 
 namespace brdf::io::rgl {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Polar angles are stored on a scale that is dense near the normal.
 double theta_to_unit(double theta) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "brdf/scalar.h"
 #include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/tensor_writer.h"
@@ -12,7 +12,6 @@
 namespace brdf::io::rgl {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSteepest = 89.5 * kPi / 180;
 constexpr std::size_t kProfile = 1024, kSigma = 256;  // nodes of ndf and sigma
 constexpr double kFaint = 1e-7;                       // of the largest: ndf and luminance are not below

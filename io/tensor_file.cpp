@@ -11,16 +11,14 @@
 namespace brdf::io {
 namespace {
 
-constexpr std::string_view kMagic("tensor_file\0\1\0", 14);  // name and version 1.0
-constexpr std::uint8_t kUint8 = 1, kFloat32 = 10;
 // Bytes of an element by the type's number: integers of 8 to 64 bits, each without and with sign, then floats.
 constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
 }  // namespace
 
 TensorFile::TensorFile(const Content& content) : content_(content) {
-  if (!content.bytes.starts_with(kMagic)) fail("not a tensor file of version 1.0");
-  std::size_t at = kMagic.size();
+  if (!content.bytes.starts_with(kTensorMagic)) fail("not a tensor file of version 1.0");
+  std::size_t at = kTensorMagic.size();
   const auto count = read_value<std::uint32_t>(at);
   for (std::uint32_t k = 0; k < count; ++k) fields_.push_back(read_field(at));
 }

@@ -2,10 +2,10 @@
 
 #include <cstring>
 
+#include "io/tensor_file.h"
+
 namespace brdf::io {
 namespace {
-
-constexpr std::uint8_t kUint8 = 1, kFloat32 = 10;
 
 template <class T>
 void append(std::string& out, T value) {
@@ -28,7 +28,7 @@ void TensorWriter::add(const std::string& name, std::vector<std::uint64_t> shape
 }
 
 std::string TensorWriter::bytes() const {
-  std::string out("tensor_file\0\1\0", 14);
+  std::string out(kTensorMagic);
   append(out, std::uint32_t(fields_.size()));
   std::uint64_t offset = out.size();
   for (const Field& f : fields_) offset += 2 + f.name.size() + 2 + 1 + 8 + 8 * f.shape.size();

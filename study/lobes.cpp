@@ -6,7 +6,7 @@
 namespace brdf::study {
 namespace {
 
-constexpr int kPixels = 480;  // across
+constexpr int kLobePixels = 480;  // across
 
 }  // namespace
 
@@ -19,8 +19,8 @@ std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitte
   for (const double wished : {30.0, 65.0}) {
     const double theta_i = render::nearest_light(samples, wished);
     if (!lobes.empty() && lobes.back().theta_i == theta_i) continue;
-    lobes.push_back(
-        {theta_i, render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples, kPixels))});
+    lobes.push_back({theta_i, render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples,
+                                                                       kLobePixels))});
   }
   return lobes;
 }

@@ -6,7 +6,7 @@
 namespace brdf::study {
 namespace {
 
-constexpr int kPixels = 360, kSmallPixels = 120;  // of a side
+constexpr int kPicturePixels = 360, kSmallPixels = 120;  // of a side
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Spheres draw(const io::SampleTable& samples, const Material& fitted) {
   const auto of_fitted = io::sphere::fitted_pairs(fitted);
   const auto of_samples = measured::on_sphere(spheres.seen);
   const double exposure = io::sphere::exposure_of(of_fitted);
-  spheres.whole = io::sphere::still_pictures(of_fitted, of_samples, exposure, kPixels);
+  spheres.whole = io::sphere::still_pictures(of_fitted, of_samples, exposure, kPicturePixels);
   spheres.small = io::sphere::still_pictures(of_fitted, of_samples, exposure, kSmallPixels);
   spheres.lobes = lobes_of(samples, fitted);
   return spheres;

@@ -11,8 +11,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kSame = 1e-3;   // nobody sees less
-constexpr double kFaint = 0.01;  // 1/sr
+constexpr double kSame = 1e-3;  // nobody sees less
 
 double value_of(const std::vector<std::pair<std::string, double>>& parameters, std::string_view name) {
   for (const auto& [known, value] : parameters)
@@ -71,7 +70,7 @@ Finding check_against(const Subject& subject, const Against& against, const Chec
     eval(other, p.wi, p.wo, b);
     double worst = 0;
     for (std::size_t c = 0; c < a.size(); ++c)
-      worst = std::max(worst, std::isfinite(a[c]) ? difference(a[c], b[c], kFaint) : 1);
+      worst = std::max(worst, std::isfinite(a[c]) ? difference(a[c], b[c], kFaintest) : 1);
     return worst;
   };
   const Best best = worst_pair(subject, measure, options);

@@ -8,7 +8,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kBound = 1e-5;
+constexpr double kLargestGap = 1e-5;
 
 // Largest error of the derivatives there, relative to the derivative and to f over the parameter's size.
 double worst_error(const Term& term, const Pair& pair) {
@@ -67,8 +67,8 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
     finding.witness = pair_witness(subject, m, pair);
   }
   finding.evaluations = long(count * (4 * subject.dimensions() + 1));
-  finding.bound = kBound;
-  finding.conclude(finding.value <= kBound, "derivatives by dual numbers agree with differences",
+  finding.bound = kLargestGap;
+  finding.conclude(finding.value <= kLargestGap, "derivatives by dual numbers agree with differences",
                    "derivatives by dual numbers disagree with differences");
   return finding;
 }

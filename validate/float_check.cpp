@@ -10,8 +10,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kBound = 0.01;     // a difference that is seen
-constexpr double kFaintest = 0.01;  // 1/sr: differences of values below it are judged against it
+constexpr double kSeen = 0.01;  // a difference that is seen
 
 Vec3<double> rounded(const Vec3<double>& w) {
   return {double(float(w.x)), double(float(w.y)), double(float(w.z))};
@@ -52,12 +51,12 @@ Finding check_float(const Subject& subject, const CheckOptions& options) {
   const Best best = worst_pair(subject, measure, options);
   Finding finding{subject.name(), "float"};
   finding.value = best.value;
-  finding.bound = kBound;
+  finding.bound = kSeen;
   finding.evaluations = 2 * best.calls;
   const Material at = subject.at(best.point);
   const Pair pair = pair_of(subject, best.point);
   finding.witness = pair_witness(subject, at, pair);
-  finding.conclude(!(finding.value > kBound),
+  finding.conclude(!(finding.value > kSeen),
                    "float and double of the same code agree to " + io::percent(finding.value, 2),
                    std::isinf(finding.value)
                        ? "not finite in float, where double is"

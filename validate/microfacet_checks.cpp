@@ -17,7 +17,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kBound = 1e-7;
+constexpr double kAreaBound = 1e-7;  // relative, of projected areas
 
 struct Viewer {
   double theta = 0, phi = 0;
@@ -90,7 +90,7 @@ Integral integrate(const FacetFacts& facets, const LobeWidth& a, const Viewer& v
     });
     flush();
     result.value = sum / whole;
-    if (std::abs(result.value - previous) < kBound / 100) break;
+    if (std::abs(result.value - previous) < kAreaBound / 100) break;
     previous = result.value;
   }
   return result;
@@ -171,7 +171,7 @@ Finding search(const Subject& subject, const char* check, Quantity quantity, boo
       },
       corners.front().size(), settings, corners);
   f.value = best.value;
-  f.bound = kBound;
+  f.bound = kAreaBound;
   const Shape shape = shape_at(best.point);
   Witness w;
   for (const std::size_t k : widths) w.parameters.emplace_back(form.shape[k].name, shape[k]);
@@ -188,7 +188,7 @@ Finding search(const Subject& subject, const char* check, Quantity quantity, boo
 Finding check_normalisation(const Subject& subject, const CheckOptions& options) {
   Finding f = search(subject, "normalisation", normalisation_of, false, options);
   if (f.outcome != Outcome::not_applicable)
-    f.conclude(!(f.value > kBound), "the facets' projected areas add up to the surface",
+    f.conclude(!(f.value > kAreaBound), "the facets' projected areas add up to the surface",
                "the facets' projected areas do not add up to the surface");
   return f;
 }
@@ -196,7 +196,7 @@ Finding check_normalisation(const Subject& subject, const CheckOptions& options)
 Finding check_white_furnace(const Subject& subject, const CheckOptions& options) {
   Finding f = search(subject, "white_furnace", visible_of, true, options);
   if (f.outcome != Outcome::not_applicable)
-    f.conclude(!(f.value > kBound), "masking leaves exactly the projected area visible",
+    f.conclude(!(f.value > kAreaBound), "masking leaves exactly the projected area visible",
                "masking is off by " + io::to_text(std::round(f.value * 1e4) / 100) +
                    " % of the visible area (G1's relative error)");
   return f;

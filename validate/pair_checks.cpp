@@ -13,7 +13,6 @@ namespace {
 constexpr double kReciprocityBound = 1e-10;  // rounding: the form sees the same numbers in another order
 constexpr double kOutsideBound = 1e-6;       // rounding of code that was not written against it
 constexpr double kIsotropyBound = 1e-6;  // a tangent frame rounds the directions, which narrow lobes magnify
-constexpr double kFaint = 0.01;          // 1/sr: differences below it are judged against it
 
 // Channel with the largest |measure(values)|.
 template <class Measure>
@@ -126,14 +125,14 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
               return {c * w.x + s * w.y, s * w.x - c * w.y, w.z};
             };
             worst = std::max(worst, asymmetry(Material{m.channels, {term}}, p.wi, p.wo, reflected(p.wi),
-                                              reflected(p.wo), kFaint));
+                                              reflected(p.wo), kFaintest));
           }
           return worst;
         }
         // Exact turns only: at the edge of a cosine lobe x^n, rounding a direction can be any change of f.
         double worst = 0;
         for (const auto& [c, s] : {std::pair{0.0, 1.0}, std::pair{-1.0, 0.0}})
-          worst = std::max(worst, asymmetry(m, p.wi, p.wo, turn(p.wi, c, s), turn(p.wo, c, s), kFaint));
+          worst = std::max(worst, asymmetry(m, p.wi, p.wo, turn(p.wi, c, s), turn(p.wo, c, s), kFaintest));
         return worst;
       },
       options);

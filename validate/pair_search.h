@@ -28,6 +28,9 @@ inline constexpr double kTiny = 1e-30;  // 1/sr: below this a value is an underf
 // |a - b| over the larger, which counts as at least `least`.
 double difference(double a, double b, double least = 0);
 
+// 1/sr: differences of values below it are judged against it.
+inline constexpr double kFaintest = 0.01;
+
 using PairMeasure = std::function<double(const Material&, const Pair&)>;
 
 // The largest value of the measure: a structured grid (corners and cover of the parameters, all pairs of

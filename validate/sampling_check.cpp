@@ -13,7 +13,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kBound = 4.5;  // standard errors: once in 150 000 by chance
+constexpr double kDeviations = 4.5;  // standard errors: once in 150 000 by chance
 
 struct Mean {
   double value, error;
@@ -66,7 +66,7 @@ Finding check_sampling(const Subject& subject, const CheckOptions& options) {
   if (const std::string why = cannot_be_judged(form); !why.empty())
     return not_applicable(subject.name(), "sampling", why);
   Finding finding{subject.name(), "sampling"};
-  finding.bound = kBound;
+  finding.bound = kDeviations;
   const bool full = options.effort == Effort::full;
   const int cases = full ? 12 : 4, count = full ? 40000 : 8000;
   for (int k = 0; k < cases; ++k) {
@@ -92,7 +92,7 @@ Finding check_sampling(const Subject& subject, const CheckOptions& options) {
         subject.command("albedo", m,
                         "--fixed o --theta " + io::to_text(theta_o) + " --phi " + io::to_text(phi_o))};
   }
-  finding.conclude(finding.value <= kBound, "the sampler's mean is the albedo",
+  finding.conclude(finding.value <= kDeviations, "the sampler's mean is the albedo",
                    "the sampler's mean is not the albedo");
   finding.statement += ": worst of " + std::to_string(cases) + " cases " +
                        io::to_text(std::round(100 * finding.value) / 100) + " standard errors away";

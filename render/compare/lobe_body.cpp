@@ -7,6 +7,7 @@
 #include "io/channel_colours.h"
 #include "io/in_colour.h"
 #include "io/numbers.h"
+#include "render/compare/lobe_colours.h"
 #include "render/compare/lobe_points.h"
 #include "render/picture/canvas.h"
 
@@ -14,8 +15,7 @@ namespace brdf::render {
 namespace {
 
 constexpr int kRings = 90, kSectors = 180;  // of a body
-constexpr ByteColor kGround{28, 28, 32}, kGrid{110, 110, 115}, kLight{255, 220, 120}, kWords{225, 225, 225},
-    kDots{255, 140, 40};
+constexpr ByteColor kGround{28, 28, 32}, kDots{255, 140, 40};
 
 // Seen from the side and above, without perspective. x of the lobe's frame points to the mirror direction.
 struct Eye {
@@ -130,10 +130,10 @@ void draw_ground(Canvas& canvas) {
   for (const float radius : {0.5f, 1.0f}) {
     std::vector<glm::vec3> ring;
     for (int k = 0; k <= 90; ++k) ring.push_back(radius * towards(90, 4 * k));
-    canvas.path(ring, 1, kGrid);
+    canvas.path(ring, 1, kLobeGrid);
   }
-  for (int phi = 0; phi < 360; phi += 45) canvas.path({{0, 0, 0}, towards(90, phi)}, 1, kGrid);
-  canvas.path({{0, 0, 0}, {0, 0, 1}}, 1, kGrid);
+  for (int phi = 0; phi < 360; phi += 45) canvas.path({{0, 0, 0}, towards(90, phi)}, 1, kLobeGrid);
+  canvas.path({{0, 0, 0}, {0, 0, 1}}, 1, kLobeGrid);
 }
 
 // The body's points, ring by ring from the normal.
@@ -213,8 +213,8 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
                 {float(width) / 2, 0.48f * float(width) + float(pixels)}, scale);
   fill(canvas.picture, {0, 0}, {width, canvas.picture.height}, kGround);
   draw_ground(canvas);
-  canvas.path({{0, 0, 0}, towards(theta_i_degrees, 180)}, 2, kLight);
-  canvas.path({{0, 0, 0}, towards(theta_i_degrees, 0)}, 1, kWords);
+  canvas.path({{0, 0, 0}, towards(theta_i_degrees, 180)}, 2, kLobeLight);
+  canvas.path({{0, 0, 0}, towards(theta_i_degrees, 0)}, 1, kLobeWords);
   draw_body(canvas, body, eye);
   const float size = std::max(3.0f, float(pixels) / 3);
   for (const Dot& dot : dots)
@@ -226,10 +226,10 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
   };
   const float left = float(pixels);
   line -= 1.5f * float(pixels);
-  text(left, name + ", light at " + io::short_number(theta_i_degrees, 3) + "°", kLight);
+  text(left, name + ", light at " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
   line += 1.5f * float(pixels);
   text(left, "radius: the cube root of f_r; outer circle " + io::short_number(double(largest), 3) + " 1/sr",
-       kWords);
+       kLobeWords);
   if (dots.empty()) return std::move(canvas.picture);
   line += 1.5f * float(pixels);
   draw_dot(canvas.picture, {left + 0.3f * float(pixels), line - 0.35f * float(pixels)}, size, kDots);

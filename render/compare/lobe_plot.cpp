@@ -6,12 +6,12 @@
 #include "io/in_colour.h"
 #include "io/in_plane.h"
 #include "io/numbers.h"
+#include "render/compare/lobe_colours.h"
 #include "render/compare/lobe_points.h"
 
 namespace brdf::render {
 namespace {
 
-constexpr ByteColor kGrid{110, 110, 115}, kLight{255, 220, 120}, kWords{225, 225, 225};
 constexpr std::array kFirst{ByteColor{235, 80, 70}, ByteColor{90, 205, 90}, ByteColor{90, 145, 255}};
 constexpr std::array kSecond{ByteColor{255, 175, 155}, ByteColor{185, 245, 175}, ByteColor{175, 210, 255}};
 
@@ -96,10 +96,10 @@ LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees,
   };
   for (const LobeDot& dot : dots)
     if (drawn(dot)) plot.largest = std::max(plot.largest, dot.value);
-  for (const float radius : {0.5f, 1.0f}) plot.paths.push_back({half_circle(radius), kGrid, 1});
+  for (const float radius : {0.5f, 1.0f}) plot.paths.push_back({half_circle(radius), kLobeGrid, 1});
   for (int angle = -90; angle <= 90; angle += 30)
-    plot.paths.push_back({{{0, 0}, at_angle(degrees(angle), 1)}, kGrid, 1});
-  plot.paths.push_back({{{0, 0}, at_angle(degrees(-theta_i_degrees), 1)}, kLight, 1.5f});
+    plot.paths.push_back({{{0, 0}, at_angle(degrees(angle), 1)}, kLobeGrid, 1});
+  plot.paths.push_back({{{0, 0}, at_angle(degrees(-theta_i_degrees), 1)}, kLobeLight, 1.5f});
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (!shown(solo, c)) continue;
     LobePath path{{}, curves[c].color, 2};
@@ -139,30 +139,30 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
   for (int angle = -90; angle <= 90; angle += 30) {
     centred(place(at_angle(degrees(angle), 1 + 1.2f * float(pixels) / radius)) +
                 glm::vec2(0, 0.35f * float(pixels)),
-            std::to_string(std::abs(angle)) + "°", kWords);
+            std::to_string(std::abs(angle)) + "°", kLobeWords);
   }
   // Radius: the cube root of the share, so half of it is an eighth.
   const float below = origin.y + 1.6f * float(pixels);
-  centred({origin.x + radius / 2, below}, io::short_number(double(plot.largest) / 8, 3), kWords);
-  centred({origin.x + radius, below}, io::short_number(double(plot.largest), 3), kWords);
-  centred({origin.x, below}, "0", kWords);
-  centred({origin.x - radius / 2, below}, "f_r in 1/sr, radius its cube root", kWords);
+  centred({origin.x + radius / 2, below}, io::short_number(double(plot.largest) / 8, 3), kLobeWords);
+  centred({origin.x + radius, below}, io::short_number(double(plot.largest), 3), kLobeWords);
+  centred({origin.x, below}, "0", kLobeWords);
+  centred({origin.x - radius / 2, below}, "f_r in 1/sr, radius its cube root", kLobeWords);
   float left = float(pixels);
   float line = origin.y + 4 * float(pixels);
   const auto word = [&](const std::string& text, ByteColor color) {
     draw_text(out, {left, line}, text, pixels, color);
     left += text_width(text, pixels) + 1.5f * float(pixels);
   };
-  word("light at " + io::short_number(theta_i_degrees, 3) + "°", kLight);
+  word("light at " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (shown(solo, c)) word(curves[c].name, curves[c].color);
   }
   if (dots.empty()) return out;
   left = float(pixels);
   line += 2 * float(pixels);
-  draw_dot(out, {left, line - 0.35f * float(pixels)}, dot_size, kWords);
+  draw_dot(out, {left, line - 0.35f * float(pixels)}, dot_size, kLobeWords);
   left += float(pixels);
-  word("measured, within " + io::short_number(io::kInPlane, 3) + "° of the plane of incidence", kWords);
+  word("measured, within " + io::short_number(io::kInPlane, 3) + "° of the plane of incidence", kLobeWords);
   return out;
 }
 

@@ -11,7 +11,7 @@ namespace brdf::render {
 namespace {
 
 constexpr float kNearLine = 8, kStill = 4;  // pixels
-constexpr float kTurn = 0.008f;             // radians per pixel
+constexpr float kTurnPerPixel = 0.008f;     // radians per pixel
 
 }  // namespace
 
@@ -51,8 +51,8 @@ void Hand::move(ViewState& state, const Area& picture, double x, double y) {
   Camera& camera = state.scene.camera;
   if (holds_ == Holds::split_line)
     state.split = glm::clamp((place_.x - picture.x) / std::max(picture.width, 1.0f), 0.0f, 1.0f);
-  if (holds_ == Holds::camera) orbit(camera, -by.x * kTurn, by.y * kTurn);
-  if (holds_ == Holds::light) turn_light(state.scene, by.x * kTurn, by.y * kTurn);
+  if (holds_ == Holds::camera) orbit(camera, -by.x * kTurnPerPixel, by.y * kTurnPerPixel);
+  if (holds_ == Holds::light) turn_light(state.scene, by.x * kTurnPerPixel, by.y * kTurnPerPixel);
   if (holds_ == Holds::place)
     pan(camera, by / glm::vec2(std::max(picture.width, 1.0f), std::max(picture.height, 1.0f)));
 }

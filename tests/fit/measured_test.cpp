@@ -23,11 +23,6 @@ class Measured : public ::testing::Test {
   void SetUp() override {
     if (!std::getenv("BRDF_DATA_DIR")) GTEST_SKIP() << "BRDF_DATA_DIR is unset: no measured samples";
   }
-  static const Estimate& estimate(const FormFit& f, const std::string& name) {
-    for (const Estimate& e : f.estimates)
-      if (e.name == name) return e;
-    throw std::runtime_error("no estimate of " + name);
-  }
   FitResult result_;
 };
 

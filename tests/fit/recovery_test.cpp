@@ -16,12 +16,6 @@ double worst_parameter(const Material& fitted, const Material& truth) {
   return worst;
 }
 
-FitOptions without_cross_validation() {
-  FitOptions options;
-  options.cross_validation = false;
-  return options;
-}
-
 TEST(Recovery, NoiseFreeDefaultsOfEveryForm) {
   for (const Reflectance& form : catalogue()) {
     if (!info(form).fittable()) continue;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/fit.h"
@@ -31,6 +34,25 @@ inline io::SampleTable fine_hemisphere(const Material& material, double noise, s
   instrument.noise = noise;
   instrument.seed = seed;
   return synth::measure(material, instrument);
+}
+
+inline FitOptions without_cross_validation() {
+  FitOptions options;
+  options.cross_validation = false;
+  return options;
+}
+
+// The first estimate with this name, of this channel where one is given ("": what all channels share); null without.
+inline const Estimate* find_estimate(const FormFit& f, std::string_view name,
+                                     std::optional<std::string_view> channel = std::nullopt) {
+  for (const Estimate& e : f.estimates)
+    if (e.name == name && (!channel || e.channel == *channel)) return &e;
+  return nullptr;
+}
+inline const Estimate& estimate(const FormFit& f, std::string_view name) {
+  const Estimate* found = find_estimate(f, name);
+  if (found == nullptr) throw std::runtime_error("no estimate of " + std::string(name));
+  return *found;
 }
 
 inline std::vector<Reflectance> forms(std::initializer_list<const char*> names) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/report/html.h"
+#include "tests/fit/samples.h"
 #include "tests/fit/spectra.h"
 
 namespace brdf::fit {
@@ -10,12 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-FitOptions without_cross_validation() {
-  FitOptions options;
-  options.cross_validation = false;
-  return options;
-}
 
 // The minima are looked for on three of the bands: what is found must be the minimum of all.
 TEST(Spectrum, OfThirtyOneBandsTheTruthComesBack) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "albedo_coverage.h"
+#include "samples.h"
 
 namespace brdf::fit {
 namespace {
@@ -11,18 +12,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-const Estimate& estimate(const FormFit& f, std::string_view name, std::string_view channel = "f") {
-  for (const Estimate& e : f.estimates)
-    if (e.name == name && (e.channel.empty() || e.channel == channel)) return e;
-  throw std::runtime_error("no estimate");
-}
-
-FitOptions plain() {
-  FitOptions options;
-  options.cross_validation = false;
-  return options;
-}
 
 Material gloss(double alpha, std::vector<double> weights, std::vector<std::string> channels = {"f"}) {
   Material m = make_material(*find_form("cook_torrance"), std::move(channels));
@@ -52,7 +41,7 @@ io::SampleTable head_on(const Material& material, double noise) {
 TEST(Determined, IsAPredictionWhoseSplitIsNot) {
   const Material truth = gloss(0.2, {0.2, 0.3, 0.4}, {"r", "g", "b"});
   const io::SampleTable table = head_on(truth, 0.02);
-  const FormFit f = fit_one(table, {"cook_torrance"}, plain());
+  const FormFit f = fit_one(table, {"cook_torrance"}, without_cross_validation());
   EXPECT_EQ(f.verdict, Verdict::determined);
   EXPECT_TRUE(usable(f.verdict));
   EXPECT_TRUE(std::any_of(f.estimates.begin(), f.estimates.end(), [](const Estimate& e) {
@@ -78,7 +67,7 @@ TEST(Determined, IsAPredictionWhoseSplitIsNot) {
 }
 
 TEST(Determined, AndADielectricSplitsIt) {
-  FitOptions options = plain();
+  FitOptions options = without_cross_validation();
   options.physical = Physical::either;
   const FormFit f = fit_one(head_on(gloss(0.2, {0.2, 1, 0.05}), 0.02), {"cook_torrance"}, options);
   EXPECT_EQ(f.verdict, Verdict::converged);
@@ -90,7 +79,7 @@ TEST(Determined, AndADielectricSplitsIt) {
 // Where the width itself is unknown, so is what the model gives elsewhere.
 TEST(Determined, IsNotWhatHasNoWidth) {
   io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}));
-  const FormFit f = fit_one(table, {"ward"}, plain());
+  const FormFit f = fit_one(table, {"ward"}, without_cross_validation());
   EXPECT_EQ(f.verdict, Verdict::not_identifiable);
 }
 
@@ -112,7 +101,7 @@ Material brushed() {
 }
 
 TEST(TwoWidths, WithoutATurnOfTheSampleAreNotBelieved) {
-  FitOptions options = plain();
+  FitOptions options = without_cross_validation();
   options.anisotropic = true;
   for (const double azimuth : {0.0, 180.0, 37.0}) {
     const FormFit f = fit_one(at_azimuths(brushed(), {azimuth}), {"ward"}, options);
@@ -126,7 +115,7 @@ TEST(TwoWidths, WithoutATurnOfTheSampleAreNotBelieved) {
 }
 
 TEST(TwoWidths, WithATurnAreIdentified) {
-  FitOptions options = plain();
+  FitOptions options = without_cross_validation();
   options.anisotropic = true;
   const FormFit f = fit_one(at_azimuths(brushed(), {0, 45, 90}), {"ward"}, options);
   EXPECT_EQ(f.verdict, Verdict::converged);
@@ -135,7 +124,7 @@ TEST(TwoWidths, WithATurnAreIdentified) {
 }
 
 TEST(TwoWidths, HeldAcrossNeedNoTurn) {
-  FitOptions options = plain();
+  FitOptions options = without_cross_validation();
   options.anisotropic = true;
   options.fix = {{"alpha_y", {0.25}}, {"tangent_phi", {0}}};
   const FormFit f = fit_one(at_azimuths(brushed(), {0}), {"ward"}, options);
@@ -180,7 +169,8 @@ TEST(Turn, IsTheSameConfigurationAtAnotherAzimuth) {
 }
 
 TEST(Energy, BeyondAllLightIsSaidWithItsNumber) {
-  const FormFit f = fit_one(measured(gloss(0.3, {0.8, 0.9, 0.6})), {"cook_torrance"}, plain());
+  const FormFit f =
+      fit_one(measured(gloss(0.3, {0.8, 0.9, 0.6})), {"cook_torrance"}, without_cross_validation());
   ASSERT_TRUE(f.largest_albedo);
   const LargestAlbedo truth = largest_albedo(gloss(0.3, {0.8, 0.9, 0.6}));
   EXPECT_NEAR(f.largest_albedo->value, truth.value, 1e-3);
@@ -188,7 +178,7 @@ TEST(Energy, BeyondAllLightIsSaidWithItsNumber) {
   EXPECT_LT(truth.value, 1.7);
   EXPECT_THAT(f.findings,
               Contains(testing::AllOf(HasSubstr("more light than falls on it"), HasSubstr("--physical"))));
-  FitOptions bounded = plain();
+  FitOptions bounded = without_cross_validation();
   bounded.physical = Physical::bounded;
   const FormFit kept = fit_one(measured(gloss(0.3, {0.8, 0.9, 0.6})), {"cook_torrance"}, bounded);
   EXPECT_LE(kept.largest_albedo->value, 1.001);
@@ -196,7 +186,8 @@ TEST(Energy, BeyondAllLightIsSaidWithItsNumber) {
 }
 
 TEST(Energy, WithinAllLightIsNotMentioned) {
-  const FormFit f = fit_one(measured(gloss(0.3, {0.3, 0.5, 0.6})), {"cook_torrance"}, plain());
+  const FormFit f =
+      fit_one(measured(gloss(0.3, {0.3, 0.5, 0.6})), {"cook_torrance"}, without_cross_validation());
   EXPECT_LT(f.largest_albedo->value, 0.95);
   EXPECT_GT(f.largest_albedo->value, 0.5);
   EXPECT_THAT(f.findings, Not(Contains(HasSubstr("more light"))));
@@ -204,7 +195,7 @@ TEST(Energy, WithinAllLightIsNotMentioned) {
 
 // The intervals of what is a parameter are that parameter's own; only their degrees of freedom are counted otherwise.
 TEST(DerivedIntervals, AreTheParametersOwn) {
-  FitOptions options = plain();
+  FitOptions options = without_cross_validation();
   options.metric = Metric::log_relative;  // under which no few values decide
   const FormFit f =
       fit_one(measured(gloss(0.2, {0.3, 0.5, 0.3}), {"hemisphere"}, 0.02), {"cook_torrance"}, options);
@@ -222,8 +213,8 @@ TEST(DerivedIntervals, AreTheParametersOwn) {
 }
 
 TEST(DerivedIntervals, ComeBackFromAMaterialsFile) {
-  const FormFit f =
-      fit_one(measured(gloss(0.2, {0.3, 0.5, 0.3}), {"hemisphere"}, 0.02), {"cook_torrance"}, plain());
+  const FormFit f = fit_one(measured(gloss(0.2, {0.3, 0.5, 0.3}), {"hemisphere"}, 0.02), {"cook_torrance"},
+                            without_cross_validation());
   const auto back = covariance_of({{"covariance", to_json(*f.covariance)}});
   ASSERT_TRUE(back);
   EXPECT_EQ(back->names, f.covariance->names);

@@ -36,12 +36,6 @@ std::string refusal(std::initializer_list<const char*> names, const FitOptions& 
   }
 }
 
-const Estimate* estimate(const FormFit& f, std::string_view name, std::string_view channel = "") {
-  for (const Estimate& e : f.estimates)
-    if (e.name == name && e.channel == channel) return &e;
-  return nullptr;
-}
-
 TEST(Tie, WithoutNoiseWhatIsSharedIsRecoveredUnderEveryMetric) {
   const Material truth = paint({{0.3, 0.4, 0.06}, {0.2, 0.5, 0.06}, {0.1, 0.7, 0.06}});
   for (const Metric metric : {Metric::log, Metric::cosine_l2, Metric::log_relative}) {
@@ -54,9 +48,9 @@ TEST(Tie, WithoutNoiseWhatIsSharedIsRecoveredUnderEveryMetric) {
       EXPECT_LT(largest_relative_difference(f.material.terms[0].weights[c], truth.terms[0].weights[c]), 1e-6);
       EXPECT_EQ(f.material.terms[0].weights[c][2], f.material.terms[0].weights[0][2]);
     }
-    ASSERT_NE(estimate(f, "f0"), nullptr);  // once, of no channel
-    EXPECT_EQ(estimate(f, "f0", "r"), nullptr);
-    EXPECT_NE(estimate(f, "ks", "r"), nullptr);
+    ASSERT_NE(find_estimate(f, "f0", ""), nullptr);  // once, of no channel
+    EXPECT_EQ(find_estimate(f, "f0", "r"), nullptr);
+    EXPECT_NE(find_estimate(f, "ks", "r"), nullptr);
   }
 }
 
@@ -84,12 +78,12 @@ TEST(Tie, NarrowsTheIntervalOfWhatIsShared) {
   const FormFit own = fit_one(table, {"cook_torrance"}, options);
   options.tie = {"f0"};
   const FormFit tied = fit_one(table, {"cook_torrance"}, options);
-  ASSERT_NE(estimate(tied, "f0"), nullptr);
-  ASSERT_EQ(estimate(tied, "f0")->status, Status::free);
-  const double width = estimate(tied, "f0")->standard_error;
+  ASSERT_NE(find_estimate(tied, "f0", ""), nullptr);
+  ASSERT_EQ(find_estimate(tied, "f0", "")->status, Status::free);
+  const double width = find_estimate(tied, "f0", "")->standard_error;
   for (const char* channel : {"r", "g", "b"})
-    EXPECT_LT(width, 0.75 * estimate(own, "f0", channel)->standard_error) << channel;
-  EXPECT_LT(std::abs(estimate(tied, "f0")->value - 0.06), 3 * width);
+    EXPECT_LT(width, 0.75 * find_estimate(own, "f0", channel)->standard_error) << channel;
+  EXPECT_LT(std::abs(find_estimate(tied, "f0", "")->value - 0.06), 3 * width);
 }
 
 TEST(Tie, OfAShapeLeavesTheOthersToTheChannels) {
@@ -109,10 +103,10 @@ TEST(Tie, OfAShapeLeavesTheOthersToTheChannels) {
     EXPECT_NEAR(f.material.terms[0].shape[c][0], truth.terms[0].shape[c][0], 1e-6);
     EXPECT_NEAR(f.material.terms[1].shape[c][0], 0.1, 1e-7);
   }
-  ASSERT_NE(estimate(f, "terms[1].alpha_x"), nullptr);
-  EXPECT_EQ(estimate(f, "terms[1].alpha_y")->status, Status::free);
-  EXPECT_EQ(estimate(f, "terms[1].alpha_x", "r"), nullptr);
-  EXPECT_NE(estimate(f, "terms[0].sigma", "g"), nullptr);
+  ASSERT_NE(find_estimate(f, "terms[1].alpha_x", ""), nullptr);
+  EXPECT_EQ(find_estimate(f, "terms[1].alpha_y", "")->status, Status::free);
+  EXPECT_EQ(find_estimate(f, "terms[1].alpha_x", "r"), nullptr);
+  EXPECT_NE(find_estimate(f, "terms[0].sigma", "g"), nullptr);
 }
 
 // The two lobes of a sum change places together with what they share.
@@ -204,7 +198,7 @@ TEST(PhysicalWeights, OfADielectricHaveAWholeLobe) {
     EXPECT_NEAR(f.material.terms[0].weights[c][2], 0.05, 0.005);
   }
   EXPECT_EQ(f.verdict, Verdict::converged);
-  EXPECT_EQ(estimate(f, "ks", "r")->status, Status::fixed);
+  EXPECT_EQ(find_estimate(f, "ks", "r")->status, Status::fixed);
 }
 
 TEST(PhysicalWeights, OfWhatIsNoDielectricAddUpToLessThanOne) {
@@ -221,7 +215,7 @@ TEST(PhysicalWeights, OfADielectricLeaveF0WhatIsHeld) {
   options.fix = {{"kd", {0.3, 0.05, 0}}};
   const FormFit f = fit_one(measured(metal), {"cook_torrance"}, options);
   EXPECT_DOUBLE_EQ(f.material.terms[0].weights[0][2], 0.7);
-  EXPECT_EQ(estimate(f, "f0", "r")->status, Status::at_bound);
+  EXPECT_EQ(find_estimate(f, "f0", "r")->status, Status::at_bound);
   EXPECT_NEAR(f.material.terms[0].weights[1][2], 0.95, 0.06);
   EXPECT_LE(f.material.terms[0].weights[1][2], 0.95);
 }

@@ -10,8 +10,6 @@
 namespace brdf {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 Term term_of(const Reflectance& form, std::vector<double> shape, std::vector<double> weights) {
   return {form, {std::move(shape)}, {std::move(weights)}};
 }
@@ -52,7 +50,7 @@ TEST(Albedo, OfPhongMatchesTheClosedForms) {
         phong_of(n), 90,
         (n + 2) * std::exp(std::lgamma((n + 1) / 2) - std::lgamma(n / 2 + 2)) / (4 * std::sqrt(kPi)));
   for (const double theta : {0.0, 20.0, 70.0, 89.0})
-    expect_albedo(phong_of(0), theta, (1 + std::cos(theta * kDegree)) / 2);
+    expect_albedo(phong_of(0), theta, (1 + std::cos(degrees(theta).radians())) / 2);
 }
 
 TEST(Albedo, OfBlinnPhongMatchesThePublishedValues) {
@@ -99,7 +97,7 @@ TEST(Albedo, OfOrenNayarMatchesTheClosedForm) {
     const double s2 = sigma * sigma, a = 1 - .5 * s2 / (s2 + .33), b = .45 * s2 / (s2 + .09);
     const Term term = term_of(oren_nayar{}, {sigma}, {1});
     for (const double theta : {0.0, 1.0, 45.0, 80.0, 89.9}) {
-      const double t = theta * kDegree, s = std::sin(t), c = std::cos(t);
+      const double t = degrees(theta).radians(), s = std::sin(t), c = std::cos(t);
       expect_albedo(term, theta,
                     a + b / kPi * (s * (t - s * c) + 2.0 / 3 * s * c * (1 + s + s * s) / (1 + s)));
     }

@@ -13,7 +13,6 @@
 namespace brdf {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 using Values = std::vector<double>;
 
 double albedo(const Reflectance& form, const Values& weights, const Values& shape, double theta,
@@ -52,13 +51,13 @@ TEST(KnownViolations, PhongUnnormalisedReflectsTooMuchBelowExponent428) {
 
 TEST(KnownViolations, PhongLosesOneMinusCosine) {
   for (double theta : {30.0, 60.0, 80.0})
-    EXPECT_NEAR(albedo(phong{}, {0, 1}, {1e5}, theta), std::cos(theta * kDegree), 1e-4);
+    EXPECT_NEAR(albedo(phong{}, {0, 1}, {1e5}, theta), std::cos(degrees(theta).radians()), 1e-4);
 }
 
 TEST(KnownViolations, PhongAsCodedHasItsTwoAlbedos) {
   const double rho = 0.7, metallic = 0.4, f0 = 0.03 + metallic * (rho - 0.03);
   for (double theta : {0.0, 60.0, 89.0}) {
-    const double c = std::cos(theta * kDegree);
+    const double c = std::cos(degrees(theta).radians());
     EXPECT_NEAR(albedo(phong_as_coded{}, {rho}, {metallic}, theta), (rho + kPi * f0 * std::pow(c, 16)) / c,
                 1e-6 / c);
     EXPECT_NEAR(albedo(phong_as_coded{}, {rho}, {metallic}, theta, Fixed::viewer),
@@ -150,7 +149,7 @@ TEST(KnownViolations, OneSidedClampsBreakReciprocity) {
 
 // The popular compensation f (1 + f0 (1/E(wo) - 1)): swapping the directions changes it by E(wi)/E(wo).
 TEST(KnownViolations, ScalingByTheViewersAlbedoBreaksReciprocity) {
-  const double low = albedo(cook_torrance{}, {0, 1, 1}, {1, 1}, std::acos(0.1) / kDegree);
+  const double low = albedo(cook_torrance{}, {0, 1, 1}, {1, 1}, radians(std::acos(0.1)).degrees());
   const double normal = albedo(cook_torrance{}, {0, 1, 1}, {1, 1}, 0);
   EXPECT_NEAR(low / normal, 2.48, 0.005);
   EXPECT_NEAR(1 / normal, 1 / (1 - std::log(2.0)), 1e-7);

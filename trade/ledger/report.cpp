@@ -6,13 +6,10 @@
 #include "io/numbers.h"
 #include "io/shell.h"
 #include "trade/ledger/conclusion.h"
+#include "trade/measure/number.h"
 
 namespace brdf::trade {
 namespace {
-
-std::string number(double x) {
-  return io::short_number(x, 3);
-}
 
 std::vector<std::string> questions_of(const Ledger& ledger, Unit unit) {
   std::vector<std::string> names;

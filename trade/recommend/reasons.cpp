@@ -2,16 +2,12 @@
 
 #include <algorithm>
 
-#include "io/numbers.h"
+#include "trade/measure/number.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/variants.h"
 
 namespace brdf::trade {
 namespace {
-
-std::string number(double x) {
-  return io::short_number(x, 3);
-}
 
 // Whether it reflects light without direction only.
 bool is_diffuse(const Candidate& c) {

@@ -7,6 +7,7 @@
 #include "io/material_json.h"
 #include "io/numbers.h"
 #include "io/output.h"
+#include "trade/measure/number.h"
 #include "trade/measure/timing.h"
 #include "trade/recommend/recommend.h"
 
@@ -22,10 +23,6 @@ io::Json candidate_json(const Candidate& c) {
           {"image_error", c.image_error},
           {"brdf_error", c.brdf_error},
           {"reason", c.reason}};
-}
-
-std::string number(double x) {
-  return io::short_number(x, 3);
 }
 
 std::vector<std::string> sentences_of(const Recommendation& r) {

@@ -65,12 +65,6 @@ void measure(const Material& material, io::SampleTable& t, double noise, std::mt
   }
 }
 
-const Estimate& estimate(const FormFit& f, const std::string& name) {
-  for (const Estimate& e : f.estimates)
-    if (e.name == name) return e;
-  throw std::runtime_error("no estimate of " + name);
-}
-
 int replicates(int usual) {
   const char* asked = std::getenv("BRDF_REPLICATES");
   return asked ? std::atoi(asked) : usual;
@@ -79,7 +73,7 @@ int replicates(int usual) {
 const std::vector<std::string> kNames{"alpha_x", "ks", "kd"};
 
 // How often the intervals of one lobe hold the values of a fit without noise.
-class Coverage {
+class LobeCoverage {
  public:
   // A table with noise, and the one whose values its intervals are to hold.
   void add(const io::SampleTable& table, const FormFit& expected) {
@@ -129,7 +123,7 @@ FormFit without_noise(io::SampleTable table) {
 // Incidences and viewers are drawn anew in each replicate: what the model's error does to the parameters depends on them.
 TEST(LackOfFit, EnlargedIntervalsHoldTheValueOfTenTimesTheRowsWithoutNoise) {
   std::mt19937_64 random(11);
-  Coverage coverage;
+  LobeCoverage coverage;
   for (int k = 0; k < replicates(500); ++k) {
     const io::SampleTable dense = pattern(incidences(140, random), 60, random);
     io::SampleTable table = pattern(incidences(14, random), 60, random);
@@ -158,7 +152,7 @@ TEST(LackOfFit, EnlargedIntervalsOfAFixedPatternAreNeverTooNarrow) {
                         {"hemisphere, 8 incidences", grid(many, 10, 15), grid(many, 5, 3)}};
   for (Pattern& p : patterns) {
     const FormFit expected = without_noise(p.dense);
-    Coverage coverage;
+    LobeCoverage coverage;
     for (int k = 0; k < replicates(100); ++k) {
       measure(two_lobes(), p.table, 0.03, random);
       coverage.add(p.table, expected);

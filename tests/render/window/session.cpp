@@ -14,7 +14,7 @@
 namespace brdf::render {
 namespace {
 
-ViewState some_state() {
+ViewState edited_state() {
   ViewState state;
   state.scene = material_scene({any_material()});
   return state;
@@ -29,7 +29,7 @@ Term& first_term(Session& session) {
 }
 
 TEST(Session, AThousandEditsAreUndoneToTheFirstByteAndDoneAgain) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   const std::string first = state_text(session.state());
   std::mt19937 random(7);
   const PreparedScene drawn = prepare(session.state().scene);
@@ -54,7 +54,7 @@ TEST(Session, AThousandEditsAreUndoneToTheFirstByteAndDoneAgain) {
 }
 
 TEST(Session, AnEditAfterUndoingForgetsWhatWasUndone) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   session.state().scene.exposure = 1;
   session.record();
   EXPECT_EQ(session.undo(), "the view");
@@ -65,14 +65,14 @@ TEST(Session, AnEditAfterUndoingForgetsWhatWasUndone) {
 }
 
 TEST(Session, AnotherSizeOfTheWindowIsNoEdit) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   session.state().scene.camera.width = 333;
   session.record();
   EXPECT_EQ(session.steps(), 0u);
 }
 
 TEST(Session, OnceRoundAllFormsBringsTheValuesBack) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   for (double& w : first_term(session).weights[0]) w = 0.123456789;
   for (double& s : first_term(session).shape[0]) s = 0.0314;
   const Term before = first_term(session);
@@ -81,7 +81,7 @@ TEST(Session, OnceRoundAllFormsBringsTheValuesBack) {
 }
 
 TEST(Session, LookingAroundIsNoChangeAndTheTitleTellsChanges) {
-  Session session(some_state(), "some/brass.json");
+  Session session(edited_state(), "some/brass.json");
   EXPECT_EQ(session.title(), "brass.json - brdf");
   command("turn left").edit(session, {});
   command("split").edit(session, {});
@@ -96,7 +96,7 @@ TEST(Session, LookingAroundIsNoChangeAndTheTitleTellsChanges) {
 }
 
 TEST(Session, RevertGoesBackToTheFileAndCanBeUndone) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   const std::string opened = state_text(session.state());
   command("next form").edit(session, {});
   const std::string edited = state_text(session.state());
@@ -107,7 +107,7 @@ TEST(Session, RevertGoesBackToTheFileAndCanBeUndone) {
 }
 
 TEST(Session, AMaterialIsSavedAndOpenedAgain) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   const std::filesystem::path file = in_temp("window_saved.json");
   first_term(session).weights[0][0] = 0.377;
   session.save_material(file);
@@ -123,7 +123,7 @@ TEST(Session, AMaterialIsSavedAndOpenedAgain) {
 }
 
 TEST(Session, WhatCannotBeOpenedOrDrawnChangesNothing) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   const std::filesystem::path broken = in_temp("window_broken.json"), good = in_temp("window_good.json");
   std::ofstream(broken) << "{";
   io::write_material_file(good, {make_material(catalogue().back()), {}});
@@ -135,7 +135,7 @@ TEST(Session, WhatCannotBeOpenedOrDrawnChangesNothing) {
 }
 
 TEST(Session, ASavedStateKeepsWhatStandsInThePlotAndHowTheLightGoes) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   command("keep in plot").edit(session, {});
   command("light follows").edit(session, {});
   const std::filesystem::path file = in_temp("window_state.json");
@@ -148,7 +148,7 @@ TEST(Session, ASavedStateKeepsWhatStandsInThePlotAndHowTheLightGoes) {
 }
 
 TEST(Session, AMaterialIsReadFromASavedState) {
-  Session session(some_state(), "");
+  Session session(edited_state(), "");
   first_term(session).weights[1][0] = 0.2345;
   const std::filesystem::path file = in_temp("window_holds.json");
   session.save_state(file, 10, 10);

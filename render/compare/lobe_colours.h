@@ -1,0 +1,10 @@
+// Colours of what stands around lobes in plots and bodies.
+#pragma once
+
+#include "render/picture/canvas.h"
+
+namespace brdf::render {
+
+inline constexpr ByteColor kLobeGrid{110, 110, 115}, kLobeLight{255, 220, 120}, kLobeWords{225, 225, 225};
+
+}  // namespace brdf::render
