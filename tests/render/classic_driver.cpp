@@ -6,6 +6,7 @@
 #include "render/gpu/lookup.h"
 #include "render/gpu/renderer.h"
 #include "render/scene/camera_view.h"
+#include "tests/render/drawn.h"
 
 namespace brdf::render {
 namespace {
@@ -28,12 +29,6 @@ Scene article_scene(const std::string& mesh, Shading shading) {
   scene.shading = shading;
   scene.tone_map = ToneMap::none;
   return scene;
-}
-
-Picture drawn(Device& device, const Scene& scene) {
-  Renderer renderer(device, prepare(scene));
-  renderer.draw();
-  return picture_from(scene.camera.width, scene.camera.height, renderer.read_color());
 }
 
 // What a pixel would show on the sphere itself: normal and view direction there.

@@ -7,6 +7,7 @@
 #include "render/gpu/renderer.h"
 #include "render/proof/parity.h"
 #include "render/reference/reference.h"
+#include "tests/render/drawn.h"
 
 namespace brdf::render {
 namespace {
@@ -15,12 +16,6 @@ Scene sphere_scene(const Material& material, int size = 256) {
   Scene scene = material_scene({{"m", material}});
   scene.camera.width = scene.camera.height = size;
   return scene;
-}
-
-Picture drawn(Device& device, const PreparedScene& scene, const RendererOptions& options) {
-  Renderer renderer(device, scene, options);
-  renderer.draw();
-  return picture_from(scene.scene.camera.width, scene.scene.camera.height, renderer.read_color());
 }
 
 TEST(Deferred, EveryFormEqualsTheReference) {

@@ -7,15 +7,10 @@
 #include "render/gpu/renderer.h"
 #include "render/reference/reference.h"
 #include "render/scene/camera_view.h"
+#include "tests/render/drawn.h"
 
 namespace brdf::render {
 namespace {
-
-Picture drawn(Device& device, const PreparedScene& scene, const RendererOptions& options) {
-  Renderer renderer(device, scene, options);
-  renderer.draw();
-  return picture_from(scene.scene.camera.width, scene.scene.camera.height, renderer.read_color());
-}
 
 // A ball of radius 1/2 that floats over a ground at height 0, seen and lit from above.
 Scene ball_over_ground(const glm::vec3& light) {
