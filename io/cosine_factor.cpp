@@ -12,7 +12,7 @@ namespace {
 
 // Rough diffuse forms fall with the cosines' power 0.6 at grazing light, f_r cos_i cos_o of a diffuse surface with 1.
 constexpr double kFound = 0.5, kFoundAtGrazing = 0.75;
-constexpr std::size_t kFewestPairs = 8, kFewestValues = 30, kMostRows = 50'000;
+constexpr std::size_t kFewestPairs = 8, kFewestValues = 30, kJudgedRows = 50'000;
 
 std::optional<double> exchanged_power(const std::vector<ReciprocalPair>& pairs) {
   std::vector<double> powers;
@@ -45,7 +45,7 @@ struct Line {
 std::optional<double> grazing_power(const SampleTable& t) {
   constexpr double kCell = 2, kHighlight = 20, kSteepest = 85;  // degrees
   std::map<std::pair<std::size_t, int>, Line> lines;
-  const std::size_t stride = (t.rows() + kMostRows - 1) / kMostRows;
+  const std::size_t stride = (t.rows() + kJudgedRows - 1) / kJudgedRows;
   for (std::size_t k = 0; k < t.rows(); k += stride) {
     if (t.theta_i[k] > kSteepest || t.theta_o[k] > kSteepest) continue;
     const Vec3<double> wi = unit_vector(t.theta_i[k], t.phi_i[k]), wo = unit_vector(t.theta_o[k], t.phi_o[k]);

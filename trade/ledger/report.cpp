@@ -6,7 +6,7 @@
 #include "io/numbers.h"
 #include "io/shell.h"
 #include "trade/ledger/conclusion.h"
-#include "trade/measure/number.h"
+#include "trade/ledger/number.h"
 
 namespace brdf::trade {
 namespace {

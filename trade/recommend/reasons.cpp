@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "trade/measure/number.h"
+#include "trade/ledger/number.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/variants.h"
 

@@ -7,7 +7,7 @@
 #include "io/material_json.h"
 #include "io/numbers.h"
 #include "io/output.h"
-#include "trade/measure/number.h"
+#include "trade/ledger/number.h"
 #include "trade/measure/timing.h"
 #include "trade/recommend/recommend.h"
 
