@@ -1,7 +1,6 @@
 #include "cli/unit.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -12,46 +11,22 @@
 #include "io/content.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A folder in the job's, for what is made on the way. What a killed process leaves does no harm.
-class Scratch {
- public:
-  explicit Scratch(const fs::path& job) {
-    const fs::path above = job / "scratch";
-    io::make_folder(above);
-    std::string pattern = (above / "XXXXXX").string();
-    if (!mkdtemp(pattern.data())) io::cannot_write(above, errno);
-    path_ = pattern;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    fs::remove(path_.parent_path(), ignored);  // the last one
-  }
-
-  const fs::path& path() const { return path_; }
-
-  // The files in it with their names below it, in the order of these.
-  std::vector<maps::UnitFile> files() const {
-    std::vector<maps::UnitFile> out;
-    for (const auto& entry : fs::recursive_directory_iterator(path_))
-      if (entry.is_regular_file())
-        out.push_back(
-            {entry.path().lexically_relative(path_).string(), io::read_content(entry.path()).bytes});
-    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-    return out;
-  }
-
- private:
-  fs::path path_;
-};
+// The files in a folder with their names below it, in the order of these.
+std::vector<maps::UnitFile> files_in(const fs::path& folder) {
+  std::vector<maps::UnitFile> out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      out.push_back({entry.path().lexically_relative(folder).string(), io::read_content(entry.path()).bytes});
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return out;
+}
 
 std::vector<maps::UnitFile> files_of(const texel::Planes& planes) {
   std::vector<maps::UnitFile> files;
@@ -86,17 +61,17 @@ std::vector<maps::UnitFile> fit_texels(const Task& task, const texel::Region& re
 
 // What is no fault of a sample ends the unit: it is done again.
 std::vector<maps::UnitFile> fit_tables(const Task& task, const texel::Region& region) {
-  const Scratch scratch(task.job());
+  const io::TemporaryFolder scratch(task.job());
   const FileFits files{task.samples(), scratch.path(), 1, !task.options().no_pictures,
                        region.x,       region.width};
   const auto rows = fit_files(files, task.options().choice, fit_options(task.options().choice, 2), {});
   for (const fit::BatchRow& row : rows)
     if (row.environment_failed) throw EnvironmentError(row.error);
-  return scratch.files();
+  return files_in(scratch.path());
 }
 
 std::vector<maps::UnitFile> study_tables(const Task& task, const texel::Region& region) {
-  const Scratch scratch(task.job());
+  const io::TemporaryFolder scratch(task.job());
   study::StudyOptions options =
       study_options(task.options().choice, !task.options().no_pictures, scratch.path(), 2);
   options.jobs = 1;
@@ -104,7 +79,7 @@ std::vector<maps::UnitFile> study_tables(const Task& task, const texel::Region& 
   options.count = region.width;
   for (const study::Row& row : study::study(task.samples(), options))
     if (row.fault == study::Fault::environment) throw EnvironmentError(row.json["error"].get<std::string>());
-  return scratch.files();
+  return files_in(scratch.path());
 }
 
 Exit collect_stack(const Task& task, const CollectFiles& files) {

@@ -101,7 +101,7 @@ with tempfile.TemporaryDirectory() as name:
         done = run(f"collect {verb}_job -o {verb}_out", code)
         assert done.stderr.count("paint_0004.csv") == 1, done.stderr
         place.same(f"{verb}_at_once", f"{verb}_out")
-        assert not (place.folder / f"{verb}_job/scratch").exists()
+        assert not list((place.folder / f"{verb}_job").glob("brdf_*"))
     table = (place.folder / "fit_out/summary.csv").read_text().splitlines()
     assert len(table) == 8 and sum(",error," in row for row in table) == 1, table
     refused("plan fit measurements/paint_0000.csv --form ward -o one", "one table is no work to divide")
