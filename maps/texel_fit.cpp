@@ -131,7 +131,7 @@ void TexelFitter::select_rows(const Vec3<double>& normal) {
 
 fit::Solution TexelFitter::solve_from(const fit::FitData& data, std::span<const double> start,
                                       double tolerance, int iterations) const {
-  const fit::SampleStream stream(data, model_, residual_, settings_.options.aperture);
+  const fit::SampleStream stream = stream_of(data);
   fit::SolveOptions options;
   options.tolerance = tolerance;
   options.max_iterations = iterations;
@@ -186,7 +186,7 @@ fit::Solution TexelFitter::solve_from_grid() {
   const bool coarse = data_.rows() > 2 * kCoarseRows;
   const fit::FitData few = coarse ? fit::thinned(data_, kCoarseRows) : fit::FitData();
   const fit::FitData& first = coarse ? few : data_;
-  const fit::SampleStream stream(first, model_, residual_, settings_.options.aperture);
+  const fit::SampleStream stream = stream_of(first);
   struct Start {
     std::vector<double> p;
     double cost;
@@ -216,7 +216,7 @@ fit::Solution TexelFitter::solve_from_grid() {
 
 // The solver of a table's fit, for the few texels whose valley is too flat for quick steps.
 fit::Solution TexelFitter::solve_at_length(std::span<const double> start) const {
-  const fit::SampleStream stream(data_, model_, residual_, settings_.options.aperture);
+  const fit::SampleStream stream = stream_of(data_);
   fit::SolveOptions options;
   options.interrupted = settings_.options.interrupted;
   return fit::refine(stream, start, options);
@@ -242,23 +242,30 @@ bool TexelFitter::jumps(const fit::Solution& s, const TexelFit& neighbour) const
   return s.cost > kExact * black;
 }
 
-fit::Misfit TexelFitter::judged(const std::vector<std::vector<double>>& values,
-                                const Vec3<double>& normal) const {
-  fit::FitData local = data_;
-  std::vector<std::vector<double>> seen = values;
-  if (model_.fits_normal())
-    for (std::size_t k = 0; k < data_.rows(); ++k) {
-      const Vec3<double> wi = in_frame_of(normal, data_.directions(k, 1).wi(0)),
-                         wo = in_frame_of(normal, data_.directions(k, 1).wo(0));
-      const double ratio = data_.wi_z[k] / wi.z;
-      for (std::size_t c = 0; c < seen.size(); ++c) {
-        local.values[c][k] *= ratio;
-        seen[c][k] *= ratio;
-      }
-      local.wi_x[k] = wi.x, local.wi_y[k] = wi.y, local.wi_z[k] = wi.z;
-      local.wo_x[k] = wo.x, local.wo_y[k] = wo.y, local.wo_z[k] = wo.z;
+// As the texel's table has it, where the rows are in the stack's frame: data and `values` in that of the normal.
+void TexelFitter::turn_rows(const Vec3<double>& normal, fit::FitData& data,
+                            std::vector<std::vector<double>>& values) const {
+  for (std::size_t k = 0; k < data.rows(); ++k) {
+    const Vec3<double> wi = in_frame_of(normal, data_.directions(k, 1).wi(0)),
+                       wo = in_frame_of(normal, data_.directions(k, 1).wo(0));
+    const double ratio = data_.wi_z[k] / wi.z;
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      data.values[c][k] *= ratio;
+      values[c][k] *= ratio;
     }
-  fit::Misfit misfit = fit::judge(local, seen, std::nullopt);
+    data.wi_x[k] = wi.x, data.wi_y[k] = wi.y, data.wi_z[k] = wi.z;
+    data.wo_x[k] = wo.x, data.wo_y[k] = wo.y, data.wo_z[k] = wo.z;
+  }
+}
+
+fit::Misfit TexelFitter::judged(std::vector<std::vector<double>> values, const Vec3<double>& normal) const {
+  fit::FitData turned;
+  if (model_.fits_normal()) {
+    turned = data_;
+    turn_rows(normal, turned, values);
+  }
+  const fit::FitData& local = model_.fits_normal() ? turned : data_;
+  fit::Misfit misfit = fit::judge(local, values, std::nullopt);
   if (!misfit.misfit) return misfit;
   // Only now is it worth knowing how much the values scatter.
   const io::SampleTable table = texel_table(stack_, pixels_, normal);
@@ -266,15 +273,22 @@ fit::Misfit TexelFitter::judged(const std::vector<std::vector<double>>& values,
   for (std::size_t k = 0; k < table.rows(); ++k)
     if (std::max(table.theta_i[k], table.theta_o[k]) <= settings_.options.max_theta)
       used.push_back(std::uint32_t(k));
-  return fit::judge(local, seen, io::relative_noise(table, used).value);
+  return fit::judge(local, values, io::relative_noise(table, used).value);
+}
+
+fit::SampleStream TexelFitter::stream_of(const fit::FitData& data) const {
+  return {data, model_, residual_, settings_.options.aperture, spare_};
 }
 
 void TexelFitter::assess(const fit::Solution& s, TexelFit& out) {
-  const fit::SampleStream stream(data_, model_, residual_, settings_.options.aperture);
+  const fit::SampleStream stream = stream_of(data_);
   fit::Minimum m{s.p, s.cost, 1, s.at_bound, s.termination, s.message};
   fit::canonicalise(model_, m);
-  fit::drop_negligible_lobes(stream, m);
-  const fit::Uncertainty u = fit::uncertainty(stream, m, fit::Detail::estimates);
+  const std::vector<double> before = m.p;
+  const fit::NormalEquations n = fit::drop_negligible_lobes(stream, m);
+  // Without a loss the solver's matrix is that of the errors.
+  const bool same = m.p == before && residual_.loss.kind == fit::LossFunction::Kind::none;
+  const fit::Uncertainty u = fit::uncertainty(stream, m, fit::Detail::estimates, same ? &n.hessian : nullptr);
   out.normal = model_.fits_normal() ? model_.normal(m.p) : normal_;
   out.verdict = fit::verdict_of(m, u, judged(stream.values(m.p), out.normal));
   out.estimates = u.estimates;

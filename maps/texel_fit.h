@@ -9,6 +9,7 @@
 #include "fit/assess/assess.h"
 #include "fit/model/data.h"
 #include "fit/model/model.h"
+#include "fit/solve/sample_stream.h"
 #include "fit/solve/solve.h"
 #include "io/samples.h"
 #include "texel/stack.h"
@@ -66,7 +67,10 @@ class TexelFitter {
   std::vector<Vec3<double>> likely_normals() const;
   bool jumps(const fit::Solution& s, const TexelFit& neighbour) const;
   void assess(const fit::Solution& s, TexelFit& out);
-  fit::Misfit judged(const std::vector<std::vector<double>>& values, const Vec3<double>& normal) const;
+  void turn_rows(const Vec3<double>& normal, fit::FitData& data,
+                 std::vector<std::vector<double>>& values) const;
+  fit::Misfit judged(std::vector<std::vector<double>> values, const Vec3<double>& normal) const;
+  fit::SampleStream stream_of(const fit::FitData& data) const;
 
   const texel::Stack& stack_;
   const Settings& settings_;
@@ -78,6 +82,7 @@ class TexelFitter {
   std::span<const float> pixels_;
   Vec3<double> normal_{0, 0, 1};
   fit::FitData data_;
+  std::shared_ptr<fit::SampleStream::Spare> spare_ = std::make_shared<fit::SampleStream::Spare>();
 };
 
 }  // namespace brdf::maps

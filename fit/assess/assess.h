@@ -25,21 +25,23 @@ struct Uncertainty {
   bool split_only = false;    // weights alone are not identified: what they give together may still be
   std::optional<ParameterCovariance> covariance;
   // Relative standard error that 95 % of the model's values, and of the light, keep to; of more rows than are looked at
-  // one by one only where it decides the verdict.
+  // one by one only where it decides the verdict. Not in estimates alone.
   std::optional<double> prediction_error;
+  bool predictable = false;           // it is known, and at most kDetermined
   std::vector<std::string> findings;  // about bounds and identifiability
 
   // What the model gives is known, and only how weights share it is not.
-  bool determined() const { return split_only && prediction_error && *prediction_error <= kDetermined; }
+  bool determined() const { return split_only && predictable; }
 };
 
 // `estimates`: what a verdict and standard errors need, without intervals, correlations, the parameters' covariance, and
 // sentences.
 enum class Detail { everything, estimates };
 
-// Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not.
+// Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not. `curvature`: the stream's
+// bread there, where it is known already.
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution,
-                        Detail detail = Detail::everything);
+                        Detail detail = Detail::everything, const Matrix* curvature = nullptr);
 
 // Whether some configuration (both polar angles and the azimuth between them) was measured at two azimuths of the
 // sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.

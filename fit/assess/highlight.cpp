@@ -69,11 +69,26 @@ std::vector<Row> gathered(std::vector<Row> rows) {
   return rows;
 }
 
+// Whether enough values are so far above the model (side 1) or below it (-1) that they might count; saves the logarithms
+// and quantiles where the model fits.
+bool some_excess(const std::vector<double>& measured, const std::vector<double>& model, double excess,
+                 int side) {
+  const double ratio = std::exp(excess) * (1 - 1e-9);  // no value is lost by rounding
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < model.size(); ++k) {
+    const double f = std::max(model[k], 1e-300), g = measured[k];
+    found += g > 0 && (side > 0 ? g >= ratio * f : f >= ratio * g);
+  }
+  return found >= kFewest;
+}
+
 // `side` 1: values above the model towards the mirror direction; -1: below it away from there, where the fit took the
 // highlight's level for that of the surface.
 std::vector<Row> missing_highlight(const std::vector<double>& measured, const std::vector<double>& model,
                                    const std::vector<double>& mirror, double noise, int side) {
-  if (!is_matt(model, mirror)) return {};
+  const double contrast = std::max(std::log(kContrast), 5 * noise),
+               least = std::max(std::log(kExcess), 5 * noise);
+  if (!some_excess(measured, model, least, side) || !is_matt(model, mirror)) return {};
   std::vector<Row> rows;
   std::vector<double> excess;
   for (std::size_t k = 0; k < model.size(); ++k) {
@@ -83,9 +98,7 @@ std::vector<Row> missing_highlight(const std::vector<double>& measured, const st
   }
   if (excess.empty()) return {};
   const double base = io::quantile(std::move(excess), 0.25), bright = kMatt * io::median(model);
-  for (Row& r : rows)
-    r.counts = r.excess - base > std::max(std::log(kContrast), 5 * noise) &&
-               r.excess > std::max(std::log(kExcess), 5 * noise) && model[r.row] <= bright;
+  for (Row& r : rows) r.counts = r.excess - base > contrast && r.excess > least && model[r.row] <= bright;
   return gathered(std::move(rows));
 }
 

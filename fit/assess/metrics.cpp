@@ -78,21 +78,25 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
                     std::optional<double> noise) {
   // Off by more than a factor of two (and five times the noise), weighted by the light reflected: a
   // retro-reflector's whole lobe is, a good fit's tails are not.
-  const double five_times = 5 * noise.value_or(0), factor = std::max(std::log(2.0), five_times);
+  constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
+  const double five_times = 5 * noise.value_or(0), factor = std::exp(std::max(std::log(2.0), five_times)),
+               most = std::max(kMiddle, five_times), far = std::exp(most);
   double off = 0, all = 0;
-  std::vector<double> sizes;
+  std::size_t far_off = 0;
+  std::vector<double> ratios;
+  ratios.reserve(model.size() * data.rows());
   for (std::size_t c = 0; c < model.size(); ++c)
     for (std::size_t k = 0; k < data.rows(); ++k) {
       const double f = std::max(model[c][k], 1e-300) * data.wi_z[k], g = data.values[c][k] * data.wi_z[k];
       if (!(g > 0)) continue;
-      const double r = std::abs(std::log(f / g)), light = std::max(f, g);
+      const double light = std::max(f, g), ratio = light / std::min(f, g);
       all += light;
-      if (r > factor) off += light;
-      sizes.push_back(r);
+      if (ratio > factor) off += light;
+      far_off += ratio > far;
+      ratios.push_back(ratio);
     }
-  if (sizes.empty()) return {};
-  const double middle = io::median(std::move(sizes)), share = off / all;
-  constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
+  if (ratios.empty()) return {};
+  const double share = off / all;
   const std::string cannot = (noise ? " (the values scatter by " + io::percent_to_tenths(*noise) + ")" : "") +
                              ": the surface does something this form cannot";
   const std::optional<double> retro = retro_excess(data, model);
@@ -102,8 +106,9 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
   if (share > kShare)
     return {true, io::percent_to_tenths(share) +
                       " of the reflected light is off by more than a factor of two" + cannot};
-  if (middle > std::max(kMiddle, five_times))
-    return {true, "the middle deviation is " + io::percent_to_tenths(std::expm1(middle)) + cannot};
+  if (2 * far_off >= ratios.size())
+    return {true,
+            "the middle deviation is " + io::percent_to_tenths(io::median(std::move(ratios)) - 1) + cannot};
   return {};
 }
 

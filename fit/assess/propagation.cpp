@@ -55,30 +55,60 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
   return out;
 }
 
-double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance) {
-  constexpr double kShare = 0.95;
+namespace {
+
+constexpr double kShare = 0.95;  // of the values and of their light that a prediction's error is about
+
+// A value of the model: its relative standard error and its light.
+struct Predicted {
+  double error, light;
+};
+
+// Those above 0, channel by channel.
+std::vector<Predicted> predicted(const SampleStream& stream, std::span<const double> p,
+                                 const RowMatrix& covariance) {
   Matrix c{stream.model().size(), stream.model().size()};
   std::copy(covariance.data(), covariance.data() + covariance.size(), c.a.begin());
-  const auto errors = stream.value_errors(p, c), values = stream.values(p);
-  struct Value {
-    double error, light;
-  };
-  std::vector<Value> all;
-  double light = 0;
+  const auto [values, errors] = stream.value_errors(p, c);
+  std::vector<Predicted> all;
+  all.reserve(values.size() * stream.data().rows());
   for (std::size_t channel = 0; channel < values.size(); ++channel)
-    for (std::size_t k = 0; k < values[channel].size(); ++k) {
-      const double f = values[channel][k];
-      if (!(f > 0)) continue;
-      all.push_back({errors[channel][k] / f, f * stream.data().wi_z[k]});
-      light += all.back().light;
-    }
-  std::sort(all.begin(), all.end(), [](const Value& a, const Value& b) { return a.error < b.error; });
+    for (std::size_t k = 0; k < values[channel].size(); ++k)
+      if (const double f = values[channel][k]; f > 0)
+        all.push_back({errors[channel][k] / f, f * stream.data().wi_z[k]});
+  return all;
+}
+
+double light_of(const std::vector<Predicted>& all) {
+  double light = 0;
+  for (const Predicted& value : all) light += value.light;
+  return light;
+}
+
+}  // namespace
+
+double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance) {
+  std::vector<Predicted> all = predicted(stream, p, covariance);
+  const double light = light_of(all);
+  std::sort(all.begin(), all.end(), [](const Predicted& a, const Predicted& b) { return a.error < b.error; });
   double below = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     below += all[k].light;
     if (below >= kShare * light && double(k + 1) >= kShare * double(all.size())) return all[k].error;
   }
   return 0;
+}
+
+bool predicts_within(double error, const SampleStream& stream, std::span<const double> p,
+                     const RowMatrix& covariance) {
+  const std::vector<Predicted> all = predicted(stream, p, covariance);
+  double below = 0, count = 0;
+  for (const Predicted& value : all)
+    if (value.error <= error) {
+      below += value.light;
+      ++count;
+    }
+  return below >= kShare * light_of(all) && count >= kShare * double(all.size());
 }
 
 }  // namespace brdf::fit

@@ -32,5 +32,8 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
 
 // Relative standard error that 95 % of the model's values keep to, and 95 % of the light.
 double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance);
+// Whether that is at most `error`.
+bool predicts_within(double error, const SampleStream& stream, std::span<const double> p,
+                     const RowMatrix& covariance);
 
 }  // namespace brdf::fit

@@ -37,10 +37,13 @@ struct Covariance {
   double condition = 1;
 };
 
-Covariance covariance(const SampleStream& stream, const Minimum& m) {
+Covariance covariance(const SampleStream& stream, const Minimum& m, const Matrix* curvature) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
-  const ScoreMatrices scores = stream.scores(m.p);
+  // Of many rows no leverage is worth a second pass.
+  const bool many = stream.data().rows() > kManyRows;
+  const ScoreMatrices scores =
+      many ? stream.scores(m.p) : ScoreMatrices{curvature ? *curvature : stream.bread(m.p), {}};
   const Eigen::Map<const RowMatrix> bread(scores.bread.a.data(), n, n);
   Covariance out;
   out.scale = Eigen::VectorXd::Zero(n);
@@ -85,9 +88,8 @@ Covariance covariance(const SampleStream& stream, const Minimum& m) {
   for (Eigen::Index i = 0; i < f; ++i)
     for (Eigen::Index j = 0; j < f; ++j)
       influence(std::size_t(free[std::size_t(i)]), std::size_t(free[std::size_t(j)])) = unscaled(i, j);
-  const bool many = stream.data().rows() > kManyRows;
-  const ScoreMatrices freed = many ? scores : stream.scores(m.p, &influence);
-  const Eigen::Map<const RowMatrix> c(influence.a.data(), n, n), meat(freed.meat.a.data(), n, n);
+  const Matrix freed = many ? scores.meat : stream.meat(m.p, influence);
+  const Eigen::Map<const RowMatrix> c(influence.a.data(), n, n), meat(freed.a.data(), n, n);
   out.inverse = c;
   out.matrix = c * meat * c;
   return out;
@@ -212,12 +214,13 @@ void add_bound_findings(const std::vector<Reported>& all, const Model& model, co
 
 }  // namespace
 
-Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail detail) {
+Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail detail,
+                        const Matrix* curvature) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   Uncertainty out;
   std::vector<Reported> all = reported_parameters(model, m.p);
-  const Covariance c = covariance(stream, m);
+  const Covariance c = covariance(stream, m, curvature);
   out.condition = c.condition;
   double free = 0;
   for (int b : m.at_bound) free += b == 0;
@@ -281,7 +284,11 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     out.covariance = parameter_covariance(stream, m.p, all, {c.matrix, c.inverse}, freedom);
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
   const bool any_unidentified = std::any_of(all.begin(), all.end(), unidentified);
-  if ((!many && !lean) || any_unidentified) out.prediction_error = prediction_error(stream, m.p, c.matrix);
+  if (lean)
+    out.predictable = any_unidentified && predicts_within(kDetermined, stream, m.p, c.matrix);
+  else if (!many || any_unidentified)
+    out.prediction_error = prediction_error(stream, m.p, c.matrix);
+  if (out.prediction_error) out.predictable = *out.prediction_error <= kDetermined;
   out.split_only = !few && any_unidentified && std::all_of(all.begin(), all.end(), [&](const Reported& r) {
     return r.weight || !unidentified(r);
   });

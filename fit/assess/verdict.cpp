@@ -12,7 +12,7 @@ constexpr double kNegligible = 1e-7;  // share of a lobe in the model below whic
 
 }  // namespace
 
-void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
+NormalEquations drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
   const Model& model = stream.model();
   const NormalEquations n = stream.normal_equations(m.p);
   for (std::size_t k = model.shape_slots(); k < model.size(); ++k) {
@@ -27,6 +27,7 @@ void drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
       m.at_bound[k] = -1;
     }
   }
+  return n;
 }
 
 Verdict verdict_of(const Minimum& m, const Uncertainty& u, const Misfit& misfit) {

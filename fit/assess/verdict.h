@@ -8,8 +8,9 @@
 
 namespace brdf::fit {
 
-// Linear unknowns whose lobe adds next to nothing become exactly 0 and are held there.
-void drop_negligible_lobes(const SampleStream& stream, Minimum& m);
+// Linear unknowns whose lobe adds next to nothing become exactly 0 and are held there. Returns the normal equations before
+// that.
+NormalEquations drop_negligible_lobes(const SampleStream& stream, Minimum& m);
 
 // Whether the model does something else than the surface; `values` are the model's, `noise` the values' relative scatter,
 // none where it is not known (less noise never makes a misfit good).

@@ -49,8 +49,13 @@ ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::si
           rows};
 }
 
-SampleStream::SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture)
-    : data_(data), model_(model), residual_(residual), part_{{0, data.rows()}} {
+SampleStream::SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture,
+                           std::shared_ptr<Spare> spare)
+    : data_(data),
+      model_(model),
+      residual_(residual),
+      part_{{0, data.rows()}},
+      spare_(spare ? std::move(spare) : std::make_shared<Spare>()) {
   if (aperture > 0) detector_ = aperture_nodes(degrees(aperture), kFitRings);
 }
 
@@ -93,7 +98,7 @@ void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size
         const std::size_t q = std::size_t(term.partial[m]);
         double*& column = w.derivatives[term.first_partial + q][k];
         if (taken[q])  // tied parameters move together: their derivatives add
-          add(columns.derivative(k, m), column);
+          add(columns.derivative(k, m), padded(rows), column);
         else
           column = columns.derivative(k, m);
         taken[q] = true;
@@ -107,12 +112,13 @@ void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size
 }
 
 // Derivatives of one channel's residuals by its lobes' weights and by the shapes, before the scales.
-void SampleStream::fill_jacobian(const double* weights, Workspace& w) const {
-  for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
+void SampleStream::fill_jacobian(const double* weights, std::size_t rows, Workspace& w) const {
+  const std::size_t entries = padded(rows);
+  for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, entries, w.scaled[k]);
   for (const TermModel& term : model_.terms())
     for (std::size_t q = term.first_partial; q < term.first_partial + term.partials; ++q) {
-      mix(term.lobes, w.derivatives[q].data(), weights + term.first_lobe, w.mixed);
-      multiply(w.mixed, w.slope, w.scaled[model_.lobes() + q]);
+      mix(term.lobes, w.derivatives[q].data(), weights + term.first_lobe, entries, w.mixed);
+      multiply(w.mixed, w.slope, entries, w.scaled[model_.lobes() + q]);
     }
 }
 
@@ -143,16 +149,17 @@ SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, co
   const bool robust = residual.loss.kind != LossFunction::Kind::none && !residual.linearised;
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, derivatives));
-  std::unique_ptr<Workspace> own = spare_.take(model_);
+  std::unique_ptr<Workspace> own = spare_->take(model_);
   Workspace& w = *own;
   ChannelSums out{std::vector<Matrix>(channels, Matrix(columns, columns)), 0};
   double robust_sum = 0;
   for_each_block([&](std::size_t first, std::size_t rows) {
-    std::fill(w.slope + rows, w.slope + kBlockRows, 0.0);
-    std::fill(w.r + rows, w.r + kBlockRows, 0.0);
+    const std::size_t entries = padded(rows);
+    std::fill(w.slope + rows, w.slope + entries, 0.0);
+    std::fill(w.r + rows, w.r + entries, 0.0);
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
-      mix(model_.lobes(), w.lobes.data(), &weights.a[c * weights.cols], w.f);
+      mix(model_.lobes(), w.lobes.data(), &weights.a[c * weights.cols], entries, w.f);
       residuals(residual, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       if (robust) {
         apply_loss(residual.loss, rows, w.r, w.rho, w.root, w.curvature);
@@ -163,18 +170,18 @@ SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, co
         }
       }
       if (derivatives)
-        fill_jacobian(&weights.a[c * weights.cols], w);
+        fill_jacobian(&weights.a[c * weights.cols], rows, w);
       else
-        for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, w.scaled[k]);
-      std::copy(w.r, w.r + kBlockRows, w.scaled.back());
-      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, out.raw[c].a.data());
+        for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, entries, w.scaled[k]);
+      std::copy(w.r, w.r + entries, w.scaled.back());
+      add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, entries, out.raw[c].a.data());
     }
   });
 
   double sum = 0;
   for (const Matrix& raw : out.raw) sum += raw(columns - 1, columns - 1);
   out.cost = 0.5 * (robust ? robust_sum : sum);
-  spare_.give(std::move(own));
+  spare_->give(std::move(own));
   return out;
 }
 
@@ -240,21 +247,23 @@ LobeGram SampleStream::lobe_gram(std::span<const double> p, std::size_t group) c
   for (const TermModel& term : model_.terms()) out.derivatives += term.partials * term.lobes;
   const std::size_t columns = out.lobes + out.derivatives, all = columns + members.size();
   const Shapes group_shapes = shapes(p, group, true);
-  Workspace w(model_);
+  std::unique_ptr<Workspace> own = spare_->take(model_);
+  Workspace& w = *own;
   std::vector<double> scaled(all * kBlockRows);
   std::vector<double*> column;
   for (std::size_t k = 0; k < all; ++k) column.push_back(&scaled[k * kBlockRows]);
   Matrix products(columns, all);
   out.square.assign(members.size(), 0);
   for_each_block([&](std::size_t first, std::size_t rows) {
+    const std::size_t entries = padded(rows);
     fill_lobes(group_shapes, first, rows, w);
-    for (std::size_t j = 0; j < kBlockRows; ++j) w.slope[j] = j < rows ? data_.wi_z[first + j] : 0.0;
+    for (std::size_t j = 0; j < entries; ++j) w.slope[j] = j < rows ? data_.wi_z[first + j] : 0.0;
     if (!data_.weight.empty())
       for (std::size_t j = 0; j < rows; ++j) w.slope[j] *= std::sqrt(data_.weight[first + j]);
     std::size_t next = 0;
-    for (double* lobe : w.lobes) multiply(lobe, w.slope, column[next++]);
+    for (double* lobe : w.lobes) multiply(lobe, w.slope, entries, column[next++]);
     for (const auto& partial : w.derivatives)
-      for (double* derivative : partial) multiply(derivative, w.slope, column[next++]);
+      for (double* derivative : partial) multiply(derivative, w.slope, entries, column[next++]);
     for (std::size_t m = 0; m < members.size(); ++m) {
       const double* y = &data_.values[members[m]][first];
       double* out_column = column[next++];
@@ -263,12 +272,13 @@ LobeGram SampleStream::lobe_gram(std::span<const double> p, std::size_t group) c
         out_column[j] = y[j] * w.slope[j];
         square += out_column[j] * out_column[j];
       }
-      std::fill(out_column + rows, out_column + kBlockRows, 0.0);
+      std::fill(out_column + rows, out_column + entries, 0.0);
       out.square[m] += square;
     }
     // Only j >= i counts for the lobes; measurements stand to their right, so every product is there.
-    add_gram(columns, column.data(), all, column.data(), true, products.a.data());
+    add_gram(columns, column.data(), all, column.data(), true, entries, products.a.data());
   });
+  spare_->give(std::move(own));
   out.gram = Matrix(columns, columns);
   out.cross = Matrix(members.size(), columns);
   for (std::size_t i = 0; i < columns; ++i) {
@@ -285,7 +295,8 @@ std::vector<std::vector<double>> SampleStream::values(std::span<const double> p)
 }
 
 void SampleStream::values(std::span<const double> p, std::vector<std::vector<double>>& out) const {
-  Workspace w(model_);
+  std::unique_ptr<Workspace> own = spare_->take(model_);
+  Workspace& w = *own;
   std::vector<double> weights(model_.lobes());
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, false));
@@ -293,10 +304,11 @@ void SampleStream::values(std::span<const double> p, std::vector<std::vector<dou
     for (std::size_t c = 0; c < out.size(); ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
       model_.lobe_weights(p, c, weights);
-      mix(model_.lobes(), w.lobes.data(), weights.data(), w.f);
+      mix(model_.lobes(), w.lobes.data(), weights.data(), padded(rows), w.f);
       std::copy(w.f, w.f + rows, out[c].begin() + std::ptrdiff_t(first));
     }
   });
+  spare_->give(std::move(own));
 }
 
 std::vector<std::vector<double>> SampleStream::residual_values(std::span<const double> p) const {

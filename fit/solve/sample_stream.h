@@ -43,10 +43,35 @@ struct LobeQuadratic {
   double cost = 0;
 };
 
+struct ValueErrors {
+  std::vector<std::vector<double>> values, errors;  // [channel][row]
+};
+
 class SampleStream {
+  struct Shapes;
+  struct Workspace;
+
  public:
-  // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows.
-  SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture);
+  // Room that one pass leaves for the next; several threads may pass. Of streams of one model.
+  class Spare {
+   public:
+    Spare() = default;
+    Spare(const Spare&) = delete;
+    Spare& operator=(const Spare&) = delete;
+    ~Spare();
+
+   private:
+    friend class SampleStream;
+    std::unique_ptr<Workspace> take(const Model& model);
+    void give(std::unique_ptr<Workspace> workspace);
+
+    std::atomic<Workspace*> kept_{nullptr};
+  };
+
+  // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows. `spare`: of the
+  // streams of many small problems, one after another; its own unless it is given.
+  SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture,
+               std::shared_ptr<Spare> spare = nullptr);
   // Over some rows only; `scores` and `freedom` are of all rows still.
   SampleStream(const SampleStream& all, std::vector<RowRange> part);
 
@@ -59,14 +84,16 @@ class SampleStream {
   NormalEquations linearised_weights(std::span<const double> p) const;
   // That quadratic in the weights of the lobes themselves.
   LobeQuadratic linearised_lobes(std::span<const double> p) const;
-  // With `inverse`, the inverse of the bread, every residual is divided by the root of 1 less its
-  // leverage, which makes its square unbiased (MacKinnon and White 1985, HC2).
-  ScoreMatrices scores(std::span<const double> p, const Matrix* inverse = nullptr) const;
+  ScoreMatrices scores(std::span<const double> p) const;
+  Matrix bread(std::span<const double> p) const;
+  // The meat where, with the inverse of the bread, every residual is divided by the root of 1 less its leverage, which
+  // makes its square unbiased (MacKinnon and White 1985, HC2).
+  Matrix meat(std::span<const double> p, const Matrix& inverse) const;
   // Degrees of freedom of the variance of v'g for each v, g the gradient of one value: (sum a^2)^2 / sum a^4
   // of the values' influences a, noise taken as proportional to the value (Bell and McCaffrey 2002).
   std::vector<double> freedom(std::span<const double> p, const std::vector<std::vector<double>>& v) const;
-  // [channel][row]: the standard error of the model's value, from the covariance of the solver's parameters.
-  std::vector<std::vector<double>> value_errors(std::span<const double> p, const Matrix& covariance) const;
+  // The model's values and their standard errors, from the covariance of the solver's parameters.
+  ValueErrors value_errors(std::span<const double> p, const Matrix& covariance) const;
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
   // [channel][row]: the model's values. The second writes only the rows that are summed over.
   std::vector<std::vector<double>> values(std::span<const double> p) const;
@@ -76,27 +103,14 @@ class SampleStream {
   std::vector<std::vector<double>> residuals_of(std::vector<std::vector<double>> values) const;
 
  private:
-  struct Shapes;
-  struct Workspace;
-  // What one pass leaves for the next, whose entries beyond the last row are not 0 then; several threads may pass.
-  class Spare {
-   public:
-    Spare() = default;
-    Spare(const Spare&) {}
-    Spare& operator=(const Spare&) = delete;
-    ~Spare();
-    std::unique_ptr<Workspace> take(const Model& model);
-    void give(std::unique_ptr<Workspace> workspace);
-
-   private:
-    std::atomic<Workspace*> kept_{nullptr};
-  };
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   void fill_tilted(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   Directions<double> tilt(const Vec3<double>& normal, std::size_t first, std::size_t rows,
                           Workspace& w) const;
-  void fill_jacobian(const double* weights, Workspace& w) const;
+  // Only what is not null.
+  void add_scores(std::span<const double> p, const Matrix* inverse, Matrix* bread, Matrix* meat) const;
+  void fill_jacobian(const double* weights, std::size_t rows, Workspace& w) const;
   template <class Visit>
   void for_each_block(Visit&& visit) const;
   // Products of the columns (lobes, partials, residual) of every channel, and the cost.
@@ -114,7 +128,7 @@ class SampleStream {
   Residual residual_;
   std::vector<ApertureNode> detector_;  // empty: readings are of one direction
   std::vector<RowRange> part_;
-  mutable Spare spare_;
+  std::shared_ptr<Spare> spare_;
 };
 
 }  // namespace brdf::fit
