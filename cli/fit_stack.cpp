@@ -8,6 +8,7 @@
 #include "cli/fit_options.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/stack_scene.h"
 #include "io/error.h"
 #include "io/output.h"
 #include "io/provenance.h"
@@ -39,18 +40,24 @@ std::string normals_file(const StackOptions& options) {
   return options.normals == "flat" || options.normals == "fit" ? "" : options.normals;
 }
 
+std::vector<std::string> result_names() {
+  return {maps::kMapsFile, maps::kSummaryFile, kSceneFile};
+}
+
 Exit write_results(const StackFiles& files, const texel::Stack& stack, const maps::Making& making,
                    const texel::Planes& maps, std::optional<double> seconds) {
   const maps::Summary summary = maps::summary_of(maps);
   const std::string json = maps::summary_json(stack, making, summary, maps);
   io::make_folder(files.output);
   maps::write_maps(files.output, maps, making, json);
+  const std::string scene = summary.fitted > 0 ? write_scene(files.output, stack, making.settings, maps) : "";
   if (!files.report.empty())
     io::write_file_atomically(files.report, maps::html_page(stack, making.settings, summary, maps));
   if (files.json)
     std::cout << json;
   else
     maps::print(std::cout, stack, making.settings, summary, files.output, seconds);
+  if (!files.json && !scene.empty()) std::cout << scene << '\n';
   return summary.usable() > 0 ? Exit::good : Exit::failed;
 }
 
@@ -60,7 +67,7 @@ Exit run_stack(const StackFiles& files, const StackOptions& stack_options, const
   maps::Settings settings = settings_of(stack_options, choice, options);
   if (files.output.empty()) throw InputError("a stack needs -o FOLDER");
   const std::string given = normals_file(stack_options);
-  io::check_folder_target({"-o", files.output}, {maps::kMapsFile, maps::kSummaryFile}, {given});
+  io::check_folder_target({"-o", files.output}, result_names(), {given});
   io::check_targets({{"--report", files.report}});
   const texel::Stack stack = texel::open_stack(files.stack);
   std::optional<maps::Normals> normals;

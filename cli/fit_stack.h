@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/verbs.h"
 #include "fit/choice.h"
@@ -31,7 +32,10 @@ maps::Settings settings_of(const StackOptions& stack_options, const fit::FitChoi
 // The file that the normals are given in; empty where they are flat or fitted.
 std::string normals_file(const StackOptions& options);
 
-// Writes maps and page, and prints the summary.
+// The files that write_results() writes into a folder, but for pictures.
+std::vector<std::string> result_names();
+
+// Writes maps, scene and page, and prints the summary.
 Exit write_results(const StackFiles& files, const texel::Stack& stack, const maps::Making& making,
                    const texel::Planes& maps, std::optional<double> seconds);
 

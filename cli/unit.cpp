@@ -84,7 +84,7 @@ std::vector<maps::UnitFile> study_tables(const Task& task, const texel::Region& 
 
 Exit collect_stack(const Task& task, const CollectFiles& files) {
   const StackTask stack = task.stack();
-  io::check_folder_target({"-o", files.output}, {maps::kMapsFile, maps::kSummaryFile});
+  io::check_folder_target({"-o", files.output}, result_names());
   texel::Planes maps = maps::empty_maps(stack.stack, stack.settings);
   const std::vector<texel::Region> units = task.plan().units();
   for (std::size_t k = 0; k < units.size(); ++k)

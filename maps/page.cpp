@@ -16,7 +16,7 @@ namespace {
 
 using io::Json;
 
-constexpr std::size_t kWorst = 10, kWidestPicture = 256;
+constexpr std::size_t kWorst = 10, kWidestPicture = 256, kHistogramHeight = 40, kHistogramGap = 4;
 constexpr std::string_view kErrorPrefix = "standard_error.";
 
 struct Texel {
@@ -71,21 +71,59 @@ Range range_of(const std::vector<float>& values) {
   return {io::quantile(known, 0.01), io::quantile(known, 0.99), known.size()};
 }
 
-// Transparent where there is no value.
-std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
-  const std::size_t step =
-      std::max<std::size_t>(1, (std::max(maps.width, maps.height) + kWidestPicture - 1) / kWidestPicture);
-  const std::size_t width = (maps.width + step - 1) / step, height = (maps.height + step - 1) / step;
-  std::vector<unsigned char> pixels(4 * width * height, 0);
-  for (std::size_t k = 0; k < width * height; ++k) {
-    const float value = values[(k / width) * step * maps.width + (k % width) * step];
-    if (!std::isfinite(value)) continue;
-    const double share =
-        range.high > range.low ? (double(value) - range.low) / (range.high - range.low) : 0.5;
-    io::map_colour(share, &pixels[4 * k]);
-    pixels[4 * k + 3] = 255;
+// Pixels that start transparent.
+class Canvas {
+ public:
+  Canvas(std::size_t width, std::size_t height)
+      : width_(width), height_(height), pixels_(4 * width * height) {}
+
+  // The colour of a share of the range.
+  void set(std::size_t x, std::size_t y, double share) {
+    unsigned char* pixel = &pixels_[4 * (y * width_ + x)];
+    io::map_colour(share, pixel);
+    pixel[3] = 255;
   }
-  return io::png_of_pixels(width, height, pixels);
+  std::string png() const { return io::png_of_pixels(width_, height_, pixels_); }
+
+ private:
+  std::size_t width_, height_;
+  std::vector<unsigned char> pixels_;
+};
+
+double share_of(double value, const Range& range) {
+  return range.high > range.low ? (value - range.low) / (range.high - range.low) : 0.5;
+}
+
+// How often each share of the range occurs, over that of the most frequent; what is beyond is in the bins at the ends.
+std::vector<double> histogram(const std::vector<float>& values, const Range& range, std::size_t bins) {
+  std::vector<double> counts(bins, 0);
+  for (const float value : values)
+    if (std::isfinite(value))
+      ++counts[std::size_t(std::clamp(share_of(double(value), range), 0.0, 1.0) * double(bins - 1) + 0.5)];
+  const double most = std::max(1.0, *std::max_element(counts.begin(), counts.end()));
+  for (double& count : counts) count /= most;
+  return counts;
+}
+
+// The map, and below it its histogram in the same colours, from dark to bright. Transparent where there is no value.
+std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
+  const std::size_t larger = std::max(maps.width, maps.height),
+                    step = (larger + kWidestPicture - 1) / kWidestPicture,
+                    zoom = std::max<std::size_t>(1, kWidestPicture / 2 / larger);
+  const std::size_t width = (maps.width + step - 1) / step * zoom,
+                    height = (maps.height + step - 1) / step * zoom;
+  Canvas canvas(width, height + kHistogramGap + kHistogramHeight);
+  for (std::size_t k = 0; k < width * height; ++k) {
+    const std::size_t x = k % width, y = k / width;
+    const float value = values[y / zoom * step * maps.width + x / zoom * step];
+    if (std::isfinite(value)) canvas.set(x, y, share_of(double(value), range));
+  }
+  const std::vector<double> counts = histogram(values, range, width);
+  for (std::size_t x = 0; x < width; ++x)
+    for (std::size_t y = 0; y < std::size_t(std::ceil(counts[x] * double(kHistogramHeight))); ++y)
+      canvas.set(x, height + kHistogramGap + kHistogramHeight - 1 - y,
+                 double(x) / double(std::max<std::size_t>(width - 1, 1)));
+  return canvas.png();
 }
 
 io::Figure figure_of(const texel::Planes& maps, std::size_t plane, std::size_t fitted) {
@@ -204,6 +242,10 @@ std::string html_page(const texel::Stack& stack, const Settings& settings, const
     if (maps.names[k] == "error" || maps.names[k] == "verdict") planes.push_back(k);
   for (const std::size_t k : planes) pictures.push_back(figure_of(maps, k, summary.fitted));
   html.pictures(pictures);
+  html.paragraph(
+      "Below each map: how often its values occur, from dark to bright. The colours reach from the first to "
+      "the "
+      "last percentile.");
   html.heading("The worst texels");
   std::vector<io::Row> rows;
   for (const Texel& t : worst_texels(maps))

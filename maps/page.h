@@ -31,7 +31,7 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
 void print(std::ostream& out, const texel::Stack& stack, const Settings& settings, const Summary& summary,
            const std::filesystem::path& folder, std::optional<double> seconds);
 
-// A page with every map as a picture and the worst texels.
+// A page with every map as a picture above its histogram, and the worst texels.
 std::string html_page(const texel::Stack& stack, const Settings& settings, const Summary& summary,
                       const texel::Planes& maps);
 

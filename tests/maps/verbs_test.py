@@ -2,6 +2,7 @@
 """verbs_test.py BRDF: `synth --texels` and `fit STACK` as a user calls them: what is written, the same bytes whatever the
 number of threads and the memory, what is refused and in which words."""
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -14,7 +15,7 @@ with tempfile.TemporaryDirectory() as name:
 
     def run(words, code=0):
         done = subprocess.run([brdf, *words.split()], cwd=folder, capture_output=True, text=True)
-        assert done.returncode == code, (words, done.returncode, done.stdout, done.stderr)
+        assert code is None or done.returncode == code, (words, done.returncode, done.stdout, done.stderr)
         return done
 
     def refused(words, text):
@@ -48,6 +49,18 @@ with tempfile.TemporaryDirectory() as name:
     # Another limit of memory is another command, and the same maps.
     few = json.loads(run(fit + "-o few --memory-limit 100K --json").stdout)
     assert {**few, "command": summary["command"]} == summary
+
+    # The scene: every texel of a matt surface shows its own rho (a form's smooth variation, docs/scale.md), right way up.
+    run("synth --form lambert --texels 16x8 --lights 12 --vary rho=0.1:0.6 -o matt")
+    assert "scene.json: 8 bits of rho and the normal" in run("fit matt --form lambert -o matt_maps").stdout
+    for column, row in ((2, 1), (13, 1), (2, 6), (13, 6), (5, 2)):
+        share = 0.5 + 0.5 * math.sin(2 * math.pi * (0.5 * (column + 0.5) / 16 + 0.5 * (row + 0.5) / 8 + 3 * 0.6180339887498949 % 1))
+        place = f"{32 * column + 16},{32 * row + 16}"
+        said = run(f"render --scene matt_maps/scene.json --probe {place}").stdout
+        f_r = [line for line in said.splitlines() if line.startswith("f_r")][0]
+        red = float(f_r.split("(")[1].split(",")[0])
+        assert abs(red * math.pi - (0.1 + 0.5 * share)) < 0.01 * (0.1 + 0.5 * share) + 0.002, (column, row, red * math.pi, share)
+    assert "no scene: a sum of forms" in run("fit matt --form lambert+phong -o sum --jobs 2", None).stdout
 
     refused("fit stack --form all -o maps", "--form all: a stack is fitted with one form")
     refused("fit stack --form ward", "a stack needs -o FOLDER")
