@@ -50,6 +50,9 @@ void add_texel_options(CLI::App& verb, Options& o) {
   verb.add_option("--tilt", o.stack.tilt, "Largest tilt of a stack's normals, which vary smoothly, degrees")
       ->needs(texels);
   verb.add_option("--dark-level", o.stack.dark_level, "Added to every pixel of a stack, 1/sr")->needs(texels);
+  verb.add_option("--registration", o.stack.registration,
+                  "Each image of a stack lies this far off in x and y, standard deviation in texels")
+      ->needs(texels);
 }
 
 void add_options(CLI::App& verb, Options& o) {
@@ -99,7 +102,7 @@ void add_options(CLI::App& verb, Options& o) {
       "          brdf synth --material brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv\n"
       "          brdf synth --form cook_torrance --set kd=0.3,0.2,0.1 --texels 64x64 --lights 151 --viewers "
       "1 --vary "
-      "alpha=0.08:0.5 --tilt 30 --noise 0.03 --dark-level 0.001 -o stack");
+      "alpha=0.08:0.5 --tilt 30 --noise 0.03 --dark-level 0.001 --registration 0.2 -o stack");
 }
 
 Exit write(const io::SampleTable& table, const std::string& path) {

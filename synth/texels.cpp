@@ -36,6 +36,7 @@ void check(const TexelOptions& o) {
   between("--noise-floor", o.noise_floor, 0, 1e6);
   between("--saturation", o.saturation, 0, 1e30);
   between("--dark-level", o.dark_level, 0, 1e6);
+  between("--registration", o.registration, 0, 100);
 }
 
 // Points on the cap of the hemisphere, evenly (Vogel 1979: the golden angle).
@@ -99,15 +100,14 @@ Surface::Surface(const Material& material, const TexelOptions& options)
 }
 
 // Smooth, in [0, 1], another one for every `which`.
-double Surface::field(std::size_t which, std::size_t x, std::size_t y) const {
-  const double u = (double(x) + 0.5) / double(options_.width),
-               v = (double(y) + 0.5) / double(options_.height);
+double Surface::field(std::size_t which, double x, double y) const {
+  const double u = (x + 0.5) / double(options_.width), v = (y + 0.5) / double(options_.height);
   const double phase = std::fmod(double(which) * 0.6180339887498949, 1.0);
   const double across = 0.5 + 0.25 * double(which % 3), down = 0.5 + 0.25 * double((which + 1) % 4);
   return 0.5 + 0.5 * io::sin_degrees(360 * (across * u + down * v + phase));
 }
 
-Material Surface::material(std::size_t x, std::size_t y) const {
+Material Surface::material(double x, double y) const {
   Material out = material_;
   std::vector<io::Setting> settings;
   for (std::size_t k = 0; k < options_.vary.size(); ++k) {
@@ -125,7 +125,7 @@ Material Surface::material(std::size_t x, std::size_t y) const {
   return out;
 }
 
-Vec3<double> Surface::normal(std::size_t x, std::size_t y) const {
+Vec3<double> Surface::normal(double x, double y) const {
   // Both components reach the largest together at most at one corner of the square.
   const double largest = io::sin_degrees(options_.tilt) * 0.7071067811865475;
   const double a = largest * (2 * field(0, x, y) - 1), b = largest * (2 * field(1, x, y) - 1);
@@ -147,7 +147,7 @@ texel::Planes Surface::truth() const {
   }
   for (const char* name : {"normal.x", "normal.y", "normal.z"}) add(name);
   for (std::size_t k = 0; k < out.width * out.height; ++k) {
-    const std::size_t x = k % out.width, y = k / out.width;
+    const double x = double(k % out.width), y = double(k / out.width);
     const Material here = material(x, y);
     const Vec3<double> n = normal(x, y);
     std::size_t plane = 0;
@@ -190,7 +190,7 @@ void check_folder(const std::filesystem::path& folder, const TexelOptions& optio
   std::set<std::string> own;
   for (int k = 0; k < options.lights * options.viewers; ++k) own.insert(image_name(k));
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".exr" && !own.contains(entry.path().filename().string()))
+    if (texel::is_image(entry.path()) && !own.contains(entry.path().filename().string()))
       throw InputError("-o " + folder.string() + ": holds " + entry.path().filename().string() +
                        ", which would be taken for an image of this stack");
 }
@@ -210,8 +210,32 @@ void record(const Material& material, const TexelOptions& o, io::SampleTable& li
   for (const auto& [key, value] : io::provenance_fields(io::provenance(o.seed)))
     lights.add_comment(key, value);
   lights.add_comment("material", io::to_line(io::to_json(material)));
+  if (o.registration > 0) lights.add_comment("registration", io::to_text(o.registration));
   lights.add_comment("dark_level", io::to_text(o.dark_level));
   lights.add_comment("saturation", o.saturation > 0 ? io::to_text(o.saturation) : "none");
+}
+
+// A surface texel by texel.
+struct Grid {
+  std::vector<Material> materials;
+  std::vector<Vec3<double>> normals;
+};
+
+Grid sampled(const Surface& surface, const TexelOptions& o, double shift_x, double shift_y) {
+  Grid grid;
+  for (std::size_t k = 0; k < o.width * o.height; ++k) {
+    const double x = double(k % o.width) + shift_x, y = double(k / o.width) + shift_y;
+    grid.materials.push_back(surface.material(x, y));
+    grid.normals.push_back(surface.normal(x, y));
+  }
+  return grid;
+}
+
+// As an image sees it that lies a little off.
+Grid misplaced(const Surface& surface, const TexelOptions& o, std::uint64_t image) {
+  NormalPairs random(o.seed + 0xbf58476d1ce4e5b9u * (image + 1));
+  const NormalPairs::Pair shift = random.next();
+  return sampled(surface, o, o.registration * shift.first, o.registration * shift.second);
 }
 
 }  // namespace
@@ -222,12 +246,7 @@ void write_stack(const std::filesystem::path& folder, const Material& material, 
   check_folder(folder, options);
   const Surface surface(material, options);
   const std::size_t texels = options.width * options.height, channels = material.channels.size();
-  std::vector<Material> materials;
-  std::vector<Vec3<double>> normals;
-  for (std::size_t k = 0; k < texels; ++k) {
-    materials.push_back(surface.material(k % options.width, k / options.width));
-    normals.push_back(surface.normal(k % options.width, k / options.width));
-  }
+  const Grid in_place = sampled(surface, options, 0, 0);
   io::SampleTable lights = stack_directions(options);
   record(material, options, lights);
   const DirectionArrays<double> arrays = io::unit_directions(lights);
@@ -242,9 +261,11 @@ void write_stack(const std::filesystem::path& folder, const Material& material, 
         texel::Planes image{options.width, options.height, layers,
                             std::vector(channels, std::vector<float>(texels))};
         std::vector<double> value(channels);
+        const Grid moved = options.registration > 0 ? misplaced(surface, options, std::uint64_t(k)) : Grid();
+        const Grid& grid = options.registration > 0 ? moved : in_place;
         for (std::size_t t = 0; t < texels; ++t) {
-          eval_cos(materials[t], in_frame_of(normals[t], directions.wi(std::size_t(k))),
-                   in_frame_of(normals[t], directions.wo(std::size_t(k))), value);
+          eval_cos(grid.materials[t], in_frame_of(grid.normals[t], directions.wi(std::size_t(k))),
+                   in_frame_of(grid.normals[t], directions.wo(std::size_t(k))), value);
           for (std::size_t c = 0; c < channels; ++c) image.values[c][t] = reading(value[c], options, random);
         }
         texel::write_planes(folder / image_name(k), image);

@@ -23,11 +23,12 @@ struct TexelOptions {
   std::size_t width = 0, height = 0;
   int lights = 0, viewers = 1;  // every light with every viewer; one viewer looks along z
   std::vector<Variation> vary;
-  double tilt = 0;         // the normal's largest angle with z, degrees
-  double noise = 0;        // s of the factor exp(s z - s^2/2), z standard normal: mean 1
-  double noise_floor = 0;  // standard deviation of the additive noise, 1/sr
-  double saturation = 0;   // readings above are cut to this, 1/sr; 0: none
-  double dark_level = 0;   // added to every reading, 1/sr
+  double tilt = 0;          // the normal's largest angle with z, degrees
+  double noise = 0;         // s of the factor exp(s z - s^2/2), z standard normal: mean 1
+  double noise_floor = 0;   // standard deviation of the additive noise, 1/sr
+  double saturation = 0;    // readings above are cut to this, 1/sr; 0: none
+  double dark_level = 0;    // added to every reading, 1/sr
+  double registration = 0;  // standard deviation of each image's shift along x and along y, texels
   std::uint64_t seed = 1;
 };
 
@@ -43,13 +44,14 @@ class Surface {
   // Throws InputError on parameters that the material has not, and values out of range.
   Surface(const Material& material, const TexelOptions& options);
 
-  Material material(std::size_t x, std::size_t y) const;
-  Vec3<double> normal(std::size_t x, std::size_t y) const;
+  // At a texel's centre where both are whole.
+  Material material(double x, double y) const;
+  Vec3<double> normal(double x, double y) const;
   // Every parameter and the normal as planes.
   texel::Planes truth() const;
 
  private:
-  double field(std::size_t which, std::size_t x, std::size_t y) const;
+  double field(std::size_t which, double x, double y) const;
 
   Material material_;
   TexelOptions options_;

@@ -10,8 +10,6 @@
 namespace brdf::texel {
 namespace {
 
-constexpr std::size_t kMostTexels = std::size_t{1} << 26;  // 8192 x 8192
-
 Imf::InputFile opened(const std::filesystem::path& path) try {
   if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": no such file");
   return Imf::InputFile(path.c_str(), 1);

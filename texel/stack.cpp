@@ -7,7 +7,7 @@
 
 #include "io/error.h"
 #include "io/text.h"
-#include "texel/exr_input.h"
+#include "texel/photograph.h"
 
 namespace brdf::texel {
 namespace {
@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> images_in(const fs::path& folder) {
   std::vector<fs::path> images;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".exr" && entry.path().filename() != kMaskFile)
-      images.push_back(entry.path());
+    if (is_image(entry.path())) images.push_back(entry.path());
   std::sort(images.begin(), images.end());
   return images;
 }
@@ -45,6 +44,18 @@ double number_in(const io::SampleTable& table, std::string_view key, double othe
   return number;
 }
 
+std::optional<Transfer> transfer_in(const io::SampleTable& table) {
+  const std::optional<std::string> word = table.find_metadata("transfer");
+  if (!word) return std::nullopt;
+  std::optional<Transfer> transfer = transfer_named(*word);
+  if (!transfer)
+    throw InputError(table.name() + ": transfer " + io::shown(*word) +
+                     ": must be linear, srgb or a power from 0.1 to 10");
+  transfer->white = number_in(table, "white", 1);
+  if (!(transfer->white > 0)) throw InputError(table.name() + ": white: must be above 0");
+  return transfer;
+}
+
 void read_mask(Stack& stack) {
   const fs::path path = stack.folder / kMaskFile;
   if (!fs::exists(path)) return;
@@ -56,6 +67,10 @@ void read_mask(Stack& stack) {
 }
 
 }  // namespace
+
+bool is_image(const fs::path& path) {
+  return (path.extension() == ".exr" || path.extension() == ".png") && path.filename() != kMaskFile;
+}
 
 bool is_stack(const fs::path& path) {
   return fs::is_directory(path) && fs::exists(path / kLightsFile);
@@ -76,7 +91,8 @@ Stack open_stack(const fs::path& folder) {
       throw InputError(stack.lights.where(k) +
                        ": light and viewer must be above the sample's plane, both polar "
                        "angles below 90 degrees");
-  const ExrInput first(stack.images.at(0));
+  stack.transfer = transfer_in(stack.lights);
+  const Photograph first(stack.images.at(0), stack.transfer);
   stack.width = first.width();
   stack.height = first.height();
   name_channels(first.channels(), stack);
@@ -101,7 +117,7 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
   const float none = std::numeric_limits<float>::quiet_NaN();
   const float saturation = float(stack.saturation);  // rounded as the images' pixels are
   for (std::size_t k = 0; k < images; ++k) {
-    ExrInput image(stack.images[k]);
+    Photograph image(stack.images[k], stack.transfer);
     const auto has = [&](const std::string& layer) {
       return std::ranges::count(image.channels(), layer) > 0;
     };

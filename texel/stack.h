@@ -1,23 +1,27 @@
 // A stack: photographs of one flat sample, each under one far light and from one far viewpoint, pixel upon pixel.
 //
-// As a folder: an OpenEXR image per light (every *.exr but mask.exr, in the order of their names) and lights.csv, which has
-// the four angles of one image in each row (theta_i, phi_i, theta_o, phi_o in degrees, in the sample's plane: x to the
+// As a folder: an OpenEXR or PNG image per light (every *.exr and *.png but mask.exr, in the order of their names) and
+// lights.csv, which has the four angles of one image in each row (theta_i, phi_i, theta_o, phi_o in degrees, in the sample's plane: x to the
 // right of the picture, y upwards, z out of it). A pixel is what the surface reflects towards the viewer over
 // the irradiance on a plane that faces the light: f_r cos_i in 1/sr, cos_i taken at the surface as it lies there, however
 // its normal is tilted. Comments of lights.csv may say `# dark_level: X`, which a pixel has without any light and which
-// is subtracted, and `# saturation: X`, from which on (as the file has it) a pixel says nothing. mask.exr, one channel, is 0
+// is subtracted, and `# saturation: X`, from which on (as the file has it) a pixel says nothing; of PNG
+// images `# transfer: linear`, `srgb` or a power, and `# white: X`, which their largest number would be, were it not
+// saturated. mask.exr, one channel, is 0
 // where there is no sample.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/samples.h"
 #include "texel/planes.h"
+#include "texel/transfer.h"
 
 namespace brdf::texel {
 
@@ -29,13 +33,17 @@ struct Stack {
   std::vector<std::filesystem::path> images;  // [image]
   io::SampleTable lights;                     // [image] directions alone
   double dark_level = 0, saturation = std::numeric_limits<double>::infinity();
-  std::vector<float> mask;  // [texel]; empty: every texel is of the sample
+  std::optional<Transfer> transfer;  // of PNG images
+  std::vector<float> mask;           // [texel]; empty: every texel is of the sample
 
   bool holds(std::size_t x, std::size_t y) const { return mask.empty() || mask[y * width + x] != 0; }
 };
 
 inline constexpr const char* kLightsFile = "lights.csv";
 inline constexpr const char* kMaskFile = "mask.exr";
+
+// Whether a file in such a folder is one of its images, by its name.
+bool is_image(const std::filesystem::path& path);
 
 // Whether a path is such a folder.
 bool is_stack(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "io/png.h"
 #include "tests/io/temporary_folder.h"
 #include "texel/stack.h"
 
@@ -67,6 +68,34 @@ TEST_F(Stacks, LoseTheDarkLevelAndWhatIsSaturated) {
   EXPECT_EQ(pixels[1], 102.5f);
   EXPECT_EQ(pixels[6], 3.5f);
   EXPECT_TRUE(std::isnan(pixels[7]));
+}
+
+TEST_F(Stacks, MayBePngWhoseTransferIsStated) {
+  for (int k = 0; k < 2; ++k) std::filesystem::remove(path() / ("image_" + std::to_string(k) + ".exr"));
+  const std::vector<unsigned char> pixels{0, 51, 255, 102, 10, 200};
+  for (const char* name : {"a.png", "b.png"})
+    std::ofstream(path() / name, std::ios::binary) << io::png_of_pixels(2, 1, pixels);
+  EXPECT_THAT(refusal(), HasSubstr("a.png: what do its numbers mean?"));
+  write_lights("# transfer: bright\n");
+  EXPECT_THAT(refusal(), HasSubstr("transfer 'bright': must be linear, srgb or a power"));
+  const auto first_image = [&](const std::string& comments) {
+    write_lights(comments);
+    const std::vector<float> all = read_region(open_stack(path()), {0, 0, 2, 1});
+    std::vector<float> out;
+    for (std::size_t k = 0; k < all.size(); k += 2) out.push_back(all[k]);
+    return out;
+  };
+  const std::vector<float> linear = first_image("# transfer: linear\n# white: 2\n");
+  EXPECT_FLOAT_EQ(linear[1], 0.4f);
+  EXPECT_TRUE(std::isnan(linear[2]));  // 255 is saturated
+  EXPECT_FLOAT_EQ(linear[3], 0.8f);
+  // IEC 61966-2-1: 51 of 255 is 0.2, and ((0.2 + 0.055) / 1.055)^2.4 = 0.0331048; 10 of 255 is on the straight part.
+  const std::vector<float> srgb = first_image("# transfer: srgb\n");
+  EXPECT_NEAR(srgb[1], 0.0331048, 1e-7);
+  EXPECT_NEAR(srgb[4], 10 / 255.0 / 12.92, 1e-8);
+  EXPECT_NEAR(first_image("# transfer: 2.2\n")[1], 0.0289912, 1e-7);
+  std::filesystem::resize_file(path() / "b.png", 60);
+  EXPECT_THAT(refusal(), HasSubstr("b.png: no PNG image that can be read"));
 }
 
 TEST_F(Stacks, AreRefusedWithTheFileThatIsWrong) {
