@@ -50,6 +50,14 @@ void add_texel_options(CLI::App& verb, Options& o) {
   verb.add_option("--tilt", o.stack.tilt, "Largest tilt of a stack's normals, which vary smoothly, degrees")
       ->needs(texels);
   verb.add_option("--dark-level", o.stack.dark_level, "Added to every pixel of a stack, 1/sr")->needs(texels);
+  verb.add_option("--light-distance", o.stack.rig.light_distance,
+                  "Lights of a stack stand this far from its middle (default: far away)")
+      ->needs(texels);
+  verb.add_option("--viewer-distance", o.stack.rig.viewer_distance,
+                  "Viewers of a stack stand this far from its middle (default: far away)")
+      ->needs(texels);
+  verb.add_option("--texel-size", o.stack.rig.texel_size, "Side of a texel, in the unit of the distances")
+      ->needs(texels);
   verb.add_option("--registration", o.stack.registration,
                   "Each image of a stack lies this far off in x and y, standard deviation in texels")
       ->needs(texels);
@@ -102,7 +110,10 @@ void add_options(CLI::App& verb, Options& o) {
       "          brdf synth --material brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv\n"
       "          brdf synth --form cook_torrance --set kd=0.3,0.2,0.1 --texels 64x64 --lights 151 --viewers "
       "1 --vary "
-      "alpha=0.08:0.5 --tilt 30 --noise 0.03 --dark-level 0.001 --registration 0.2 -o stack");
+      "alpha=0.08:0.5 --tilt 30 --noise 0.03 --dark-level 0.001 --registration 0.2 -o stack\n"
+      "          brdf synth --form ward --texels 32x32 --lights 100 --light-distance 80 --viewer-distance "
+      "120 --texel-size "
+      "0.5 -o near_stack");
 }
 
 Exit write(const io::SampleTable& table, const std::string& path) {

@@ -125,7 +125,8 @@ texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, cons
     const bool has_left = column % kTile != 0 && !above[x - 1].empty();
     const TexelFit* neighbour = has_left ? &above[x - 1] : &above[x];
     if (neighbour->empty()) neighbour = nullptr;
-    TexelFit fit = fitter.fit(bands.at(x, y), normal_at(normals, row * stack.width + column), neighbour);
+    TexelFit fit =
+        fitter.fit({bands.at(x, y), column, row}, normal_at(normals, row * stack.width + column), neighbour);
     if (fit.empty()) continue;
     const std::vector<double> numbers = plane_values(fit, settings.fits_normal, stack.channels.size());
     for (std::size_t plane = 0; plane < numbers.size(); ++plane) out.values[plane][k] = float(numbers[plane]);
@@ -179,8 +180,9 @@ fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, c
       columns.push_back(column);
   const std::vector<float> pixels = texel::read_texels(stack, columns, row);
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const io::SampleTable table = texel_table(stack, std::span(pixels).subspan(k * values, values),
-                                              normal_at(normals, row * stack.width + columns[k]));
+    const io::SampleTable table =
+        texel_table(stack, {std::span(pixels).subspan(k * values, values), columns[k], row},
+                    normal_at(normals, row * stack.width + columns[k]));
     try {
       const fit::FitData data = fit::prepare(table, settings.options);
       const auto noise = io::relative_noise(table, data.row).value;

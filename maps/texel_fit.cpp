@@ -49,28 +49,27 @@ double TexelFit::error(std::size_t channels) const {
   return std::sqrt(2 * cost / double(rows * channels));
 }
 
-io::SampleTable texel_table(const texel::Stack& stack, std::span<const float> pixels,
-                            const Vec3<double>& normal) {
+io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel, const Vec3<double>& normal) {
   io::SampleTable table;
   table.source = stack.folder.string();
   table.channels = stack.channels;
   table.values.resize(stack.channels.size());
   table.sigma.resize(stack.channels.size());
-  const DirectionArrays<double> arrays = io::unit_directions(stack.lights);
+  const DirectionArrays<double> arrays = texel::directions_at(stack, texel.x, texel.y);
   const std::size_t images = arrays.size();
   for (std::size_t k = 0; k < images; ++k) {
     const Vec3<double> wi = in_frame_of(normal, arrays.view().wi(k)),
                        wo = in_frame_of(normal, arrays.view().wo(k));
     bool known = wi.z > 0 && wo.z > 0;
     for (std::size_t c = 0; c < stack.channels.size(); ++c)
-      known = known && std::isfinite(pixels[c * images + k]);
+      known = known && std::isfinite(texel.pixels[c * images + k]);
     if (!known) continue;
     double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;
     io::polar_degrees(wi, theta_i, phi_i);
     io::polar_degrees(wo, theta_o, phi_o);
     table.add_directions(theta_i, phi_i, theta_o, phi_o);
     for (std::size_t c = 0; c < stack.channels.size(); ++c)
-      table.values[c].push_back(double(pixels[c * images + k]) / wi.z);
+      table.values[c].push_back(double(texel.pixels[c * images + k]) / wi.z);
   }
   return table;
 }
@@ -89,7 +88,7 @@ TexelFitter::TexelFitter(const texel::Stack& stack, const Settings& settings)
     : stack_(stack),
       settings_(settings),
       model_(settings.forms, stack.channels, with_normal(settings)),
-      arrays_(io::unit_directions(stack.lights)),
+      arrays_(texel::directions_at(stack, 0, 0)),
       low_(model_.low()),
       high_(model_.high()),
       starts_(fit::grid_starts(model_)) {
@@ -111,7 +110,7 @@ void TexelFitter::select_rows(const Vec3<double>& normal) {
   for (std::size_t k = 0; k < all.count; ++k) {
     const Vec3<double> wi = in_frame_of(normal, all.wi(k)), wo = in_frame_of(normal, all.wo(k));
     bool used = wi.z >= least && wo.z >= least && wi.z > 0 && wo.z > 0;
-    for (std::size_t c = 0; c < channels; ++c) used = used && std::isfinite(pixels_[c * all.count + k]);
+    for (std::size_t c = 0; c < channels; ++c) used = used && std::isfinite(texel_.pixels[c * all.count + k]);
     if (!used) continue;
     const double cos_i = settings_.fits_normal ? all.wi_z[k] : wi.z;
     if (settings_.fits_normal)
@@ -119,7 +118,7 @@ void TexelFitter::select_rows(const Vec3<double>& normal) {
     else
       data_.add_directions(wi, wo);
     for (std::size_t c = 0; c < channels; ++c)
-      data_.values[c].push_back(double(pixels_[c * all.count + k]) / cos_i);
+      data_.values[c].push_back(double(texel_.pixels[c * all.count + k]) / cos_i);
     if (weighted) data_.weight.push_back(std::hypot(wi.x, wi.y) * std::hypot(wo.x, wo.y));
     data_.row.push_back(std::uint32_t(k));
   }
@@ -268,7 +267,7 @@ fit::Misfit TexelFitter::judged(std::vector<std::vector<double>> values, const V
   fit::Misfit misfit = fit::judge(local, values, std::nullopt);
   if (!misfit.misfit) return misfit;
   // Only now is it worth knowing how much the values scatter.
-  const io::SampleTable table = texel_table(stack_, pixels_, normal);
+  const io::SampleTable table = texel_table(stack_, texel_, normal);
   std::vector<std::uint32_t> used;
   for (std::size_t k = 0; k < table.rows(); ++k)
     if (std::max(table.theta_i[k], table.theta_o[k]) <= settings_.options.max_theta)
@@ -297,9 +296,9 @@ void TexelFitter::assess(const fit::Solution& s, TexelFit& out) {
   out.rows = data_.rows();
 }
 
-TexelFit TexelFitter::fit(std::span<const float> pixels, const Vec3<double>& normal,
-                          const TexelFit* neighbour) {
-  pixels_ = pixels;
+TexelFit TexelFitter::fit(const TexelPixels& texel, const Vec3<double>& normal, const TexelFit* neighbour) {
+  texel_ = texel;
+  if (stack_.rig.is_near()) arrays_ = texel::directions_at(stack_, texel.x, texel.y);
   TexelFit out;
   select_rows(neighbour && settings_.fits_normal ? neighbour->normal : normal);
   residual_ = fit::chosen_residual(data_, settings_.options);

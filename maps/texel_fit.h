@@ -39,10 +39,14 @@ struct TexelFit {
   double error(std::size_t channels) const;
 };
 
-// The texel's pixels, [channel][image], as samples of f_r in the frame of its normal: what `brdf fit` takes. Images below
+struct TexelPixels {
+  std::span<const float> pixels;  // [channel][image]
+  std::size_t x = 0, y = 0;       // in the stack
+};
+
+// The texel's pixels as samples of f_r in the frame of its normal: what `brdf fit` takes. Images below
 // that horizon, and those without a value, are left out.
-io::SampleTable texel_table(const texel::Stack& stack, std::span<const float> pixels,
-                            const Vec3<double>& normal);
+io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel, const Vec3<double>& normal);
 
 // Not for several threads at once: each has its own.
 class TexelFitter {
@@ -54,7 +58,7 @@ class TexelFitter {
   // From the solution of a neighbour, and from a grid of shapes (and normals) where there is none or what it leads to
   // costs more than the neighbour by more than noise explains. The minimum is that of fit::fit() on the texel's table.
   // `normal` is the surface's, or where it is fitted a guess.
-  TexelFit fit(std::span<const float> pixels, const Vec3<double>& normal, const TexelFit* neighbour);
+  TexelFit fit(const TexelPixels& texel, const Vec3<double>& normal, const TexelFit* neighbour);
 
  private:
   void select_rows(const Vec3<double>& normal);
@@ -76,10 +80,10 @@ class TexelFitter {
   const Settings& settings_;
   fit::Model model_;
   fit::Residual residual_;
-  DirectionArrays<double> arrays_;
+  DirectionArrays<double> arrays_;  // in this texel; in all of them where lights and viewers are far
   std::vector<double> low_, high_;
   std::vector<std::vector<double>> starts_;
-  std::span<const float> pixels_;
+  TexelPixels texel_;
   Vec3<double> normal_{0, 0, 1};
   fit::FitData data_;
   std::shared_ptr<fit::SampleStream::Spare> spare_ = std::make_shared<fit::SampleStream::Spare>();

@@ -36,6 +36,10 @@ void check(const TexelOptions& o) {
   between("--noise-floor", o.noise_floor, 0, 1e6);
   between("--saturation", o.saturation, 0, 1e30);
   between("--dark-level", o.dark_level, 0, 1e6);
+  if (!(o.rig.light_distance > 0 && o.rig.viewer_distance > 0 && o.rig.texel_size >= 0))
+    throw InputError("--light-distance, --viewer-distance, --texel-size: must be above 0");
+  if (o.rig.is_near() && o.rig.texel_size == 0)
+    throw InputError("--light-distance, --viewer-distance: need --texel-size, in their unit");
   between("--registration", o.registration, 0, 100);
 }
 
@@ -211,6 +215,11 @@ void record(const Material& material, const TexelOptions& o, io::SampleTable& li
     lights.add_comment(key, value);
   lights.add_comment("material", io::to_line(io::to_json(material)));
   if (o.registration > 0) lights.add_comment("registration", io::to_text(o.registration));
+  if (std::isfinite(o.rig.light_distance))
+    lights.add_comment("light_distance", io::to_text(o.rig.light_distance));
+  if (std::isfinite(o.rig.viewer_distance))
+    lights.add_comment("viewer_distance", io::to_text(o.rig.viewer_distance));
+  if (o.rig.is_near()) lights.add_comment("texel_size", io::to_text(o.rig.texel_size));
   lights.add_comment("dark_level", io::to_text(o.dark_level));
   lights.add_comment("saturation", o.saturation > 0 ? io::to_text(o.saturation) : "none");
 }
@@ -263,10 +272,17 @@ void write_stack(const std::filesystem::path& folder, const Material& material, 
         std::vector<double> value(channels);
         const Grid moved = options.registration > 0 ? misplaced(surface, options, std::uint64_t(k)) : Grid();
         const Grid& grid = options.registration > 0 ? moved : in_place;
+        const Vec3<double> light = directions.wi(std::size_t(k)), viewer = directions.wo(std::size_t(k));
         for (std::size_t t = 0; t < texels; ++t) {
-          eval_cos(grid.materials[t], in_frame_of(grid.normals[t], directions.wi(std::size_t(k))),
-                   in_frame_of(grid.normals[t], directions.wo(std::size_t(k))), value);
-          for (std::size_t c = 0; c < channels; ++c) image.values[c][t] = reading(value[c], options, random);
+          const Vec3<double> place = texel::place_of(options.rig, options.width, options.height,
+                                                     double(t % options.width), double(t / options.width));
+          const Vec3<double> wi = texel::direction_from(place, light, options.rig.light_distance),
+                             wo = texel::direction_from(place, viewer, options.rig.viewer_distance);
+          const double irradiance = texel::irradiance_at(place, light, options.rig.light_distance);
+          eval_cos(grid.materials[t], in_frame_of(grid.normals[t], wi), in_frame_of(grid.normals[t], wo),
+                   value);
+          for (std::size_t c = 0; c < channels; ++c)
+            image.values[c][t] = reading(value[c] * irradiance, options, random);
         }
         texel::write_planes(folder / image_name(k), image);
         return 0;

@@ -10,6 +10,7 @@
 #include "io/parallel.h"
 #include "io/samples.h"
 #include "texel/planes.h"
+#include "texel/rig.h"
 
 namespace brdf::synth {
 
@@ -29,6 +30,7 @@ struct TexelOptions {
   double saturation = 0;    // readings above are cut to this, 1/sr; 0: none
   double dark_level = 0;    // added to every reading, 1/sr
   double registration = 0;  // standard deviation of each image's shift along x and along y, texels
+  texel::Rig rig;           // lights and viewers that are not far
   std::uint64_t seed = 1;
 };
 

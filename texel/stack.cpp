@@ -56,6 +56,19 @@ std::optional<Transfer> transfer_in(const io::SampleTable& table) {
   return transfer;
 }
 
+Rig rig_in(const io::SampleTable& table) {
+  Rig rig;
+  rig.light_distance = number_in(table, "light_distance", rig.light_distance);
+  rig.viewer_distance = number_in(table, "viewer_distance", rig.viewer_distance);
+  rig.texel_size = number_in(table, "texel_size", 0);
+  if (!(rig.light_distance > 0 && rig.viewer_distance > 0 && rig.texel_size >= 0))
+    throw InputError(table.name() +
+                     ": light_distance and viewer_distance must be above 0, texel_size not below");
+  if (rig.is_near() && rig.texel_size == 0)
+    throw InputError(table.name() + ": lights or viewers at a distance need texel_size, in its unit");
+  return rig;
+}
+
 void read_mask(Stack& stack) {
   const fs::path path = stack.folder / kMaskFile;
   if (!fs::exists(path)) return;
@@ -98,8 +111,19 @@ Stack open_stack(const fs::path& folder) {
   name_channels(first.channels(), stack);
   stack.dark_level = number_in(stack.lights, "dark_level", 0);
   stack.saturation = number_in(stack.lights, "saturation", stack.saturation);
+  stack.rig = rig_in(stack.lights);
   read_mask(stack);
   return stack;
+}
+
+DirectionArrays<double> directions_at(const Stack& stack, std::size_t x, std::size_t y) {
+  DirectionArrays<double> out = io::unit_directions(stack.lights);
+  if (!stack.rig.is_near()) return out;
+  const Vec3<double> place = place_of(stack.rig, stack.width, stack.height, double(x), double(y));
+  for (std::size_t k = 0; k < out.size(); ++k)
+    out.set(k, direction_from(place, out.view().wi(k), stack.rig.light_distance),
+            direction_from(place, out.view().wo(k), stack.rig.viewer_distance));
+  return out;
 }
 
 std::size_t bytes_per_texel(const Stack& stack) {
@@ -115,7 +139,13 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
   std::vector<float> out(columns.size() * height * channels * images);
   std::vector<std::vector<float>> band;
   const float none = std::numeric_limits<float>::quiet_NaN();
+  const DirectionArrays<double> far = io::unit_directions(stack.lights);
   const float saturation = float(stack.saturation);  // rounded as the images' pixels are
+  const auto irradiance = [&](std::size_t column, std::size_t line, std::size_t image) {
+    if (!stack.rig.is_near()) return 1.0;
+    const Vec3<double> place = place_of(stack.rig, stack.width, stack.height, double(column), double(line));
+    return irradiance_at(place, far.view().wi(image), stack.rig.light_distance);
+  };
   for (std::size_t k = 0; k < images; ++k) {
     Photograph image(stack.images[k], stack.transfer);
     const auto has = [&](const std::string& layer) {
@@ -132,7 +162,7 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
           const float pixel = band[c][y * stack.width + columns[x]];
           const bool known = std::isfinite(pixel) && pixel < saturation;
           out[((y * columns.size() + x) * channels + c) * images + k] =
-              known ? float(double(pixel) - stack.dark_level) : none;
+              known ? float((double(pixel) - stack.dark_level) / irradiance(columns[x], row + y, k)) : none;
         }
   }
   return out;

@@ -1,4 +1,4 @@
-// A stack: photographs of one flat sample, each under one far light and from one far viewpoint, pixel upon pixel.
+// A stack: photographs of one flat sample, each under one light and from one viewpoint, pixel upon pixel.
 //
 // As a folder: an OpenEXR or PNG image per light (every *.exr and *.png but mask.exr, in the order of their names) and
 // lights.csv, which has the four angles of one image in each row (theta_i, phi_i, theta_o, phi_o in degrees, in the sample's plane: x to the
@@ -7,7 +7,9 @@
 // its normal is tilted. Comments of lights.csv may say `# dark_level: X`, which a pixel has without any light and which
 // is subtracted, and `# saturation: X`, from which on (as the file has it) a pixel says nothing; of PNG
 // images `# transfer: linear`, `srgb` or a power, and `# white: X`, which their largest number would be, were it not
-// saturated. mask.exr, one channel, is 0
+// saturated. Lights and viewers are far, unless `# light_distance: X`, `# viewer_distance: X` and `# texel_size: X` say how
+// far from the sample's middle they stand (texel/rig.h); the angles are those seen from there, and a pixel is over the
+// irradiance there. mask.exr, one channel, is 0
 // where there is no sample.
 #pragma once
 
@@ -21,6 +23,7 @@
 
 #include "io/samples.h"
 #include "texel/planes.h"
+#include "texel/rig.h"
 #include "texel/transfer.h"
 
 namespace brdf::texel {
@@ -33,6 +36,7 @@ struct Stack {
   std::vector<std::filesystem::path> images;  // [image]
   io::SampleTable lights;                     // [image] directions alone
   double dark_level = 0, saturation = std::numeric_limits<double>::infinity();
+  Rig rig;
   std::optional<Transfer> transfer;  // of PNG images
   std::vector<float> mask;           // [texel]; empty: every texel is of the sample
 
@@ -52,7 +56,10 @@ bool is_stack(const std::filesystem::path& path);
 // is not above the plane, or the mask is of another size.
 Stack open_stack(const std::filesystem::path& folder);
 
-// The pixels of a region, [texel][channel][image], less the dark level; NaN where a pixel is saturated or no number.
+// Light and viewer of each image as seen from a texel, in the sample's plane.
+DirectionArrays<double> directions_at(const Stack& stack, std::size_t x, std::size_t y);
+
+// The pixels of a region, [texel][channel][image], less the dark level, over the irradiance in that texel; NaN where a pixel is saturated or no number.
 // Throws InputError where an image is missing, damaged, or of another size or other channels than the first.
 std::vector<float> read_region(const Stack& stack, const Region& region);
 // The same of single texels of one row.

@@ -39,6 +39,8 @@ HOMONYMS = {
     ("render/", "albedo"): "a texture map",
     ("render/", "roughness"): "a texture map",
     ("render/", "metallic"): "a texture map",
+    ("cli/stack_scene.cpp", "albedo"): "a texture map",
+    ("cli/stack_scene.cpp", "roughness"): "a texture map",
     ("render/scene/scene.h", "phong"): "a shading",
     ("micro/", "lambert"): "a facet's reflection",
     ("micro/", "oren_nayar"): "the angles of grooves",

@@ -55,7 +55,8 @@ void expect_same_as_tables(bool fits_normal) {
     n.z = std::sqrt(1 - n.x * n.x - n.y * n.y);
     fit::FitOptions options;
     options.cross_validation = false;
-    const fit::FitResult alone = fit::fit(maps::texel_table(c.stack, pixels, n), {c.settings.forms}, options);
+    const fit::FitResult alone =
+        fit::fit(maps::texel_table(c.stack, {pixels, x, y}, n), {c.settings.forms}, options);
     const fit::FormFit& best = alone.ranking[0];
     ASSERT_EQ(double(alone.rows), at("images")) << x << ", " << y;
     if (!fits_normal) {
@@ -79,6 +80,23 @@ TEST(Maps, AreThoseOfATexelsTableUnderGivenNormals) {
 
 TEST(Maps, AreThoseOfATexelsTableWhereNormalsAreFitted) {
   expect_same_as_tables(true);
+}
+
+// Lights two widths of the sample away: a texel at the edge sees them some 14 degrees elsewhere, and by a fifth brighter.
+TEST(Maps, OfNearLightsAreTheTruth) {
+  synth::TexelOptions o = small_stack(8, 100);
+  o.rig = {16, 20, 1};
+  Case near(o, true);
+  const auto worst = [&](const texel::Planes& maps) {
+    double off = 0;
+    for (const char* name : {"normal.x", "normal.y", "kd.r", "alpha_x"})
+      for (std::size_t k = 0; k < 64; ++k)
+        off = std::max(off, std::abs(double((*maps.find(name))[k]) - double((*near.truth.find(name))[k])));
+    return off;
+  };
+  EXPECT_LT(worst(near.fit()), 2e-6);
+  near.stack.rig = {};  // taken for far
+  EXPECT_GT(worst(near.fit()), 0.05);
 }
 
 TEST(Maps, DoNotDependOnMemoryOrThreads) {

@@ -98,6 +98,22 @@ TEST_F(Stacks, MayBePngWhoseTransferIsStated) {
   EXPECT_THAT(refusal(), HasSubstr("b.png: no PNG image that can be read"));
 }
 
+TEST_F(Stacks, OfNearLightsKnowWhereATexelIs) {
+  write_lights("# light_distance: 10\n");
+  EXPECT_THAT(refusal(), HasSubstr("need texel_size"));
+  write_lights("# light_distance: 10\n# texel_size: 2\n");
+  const Stack stack = open_stack(path());
+  // The texel on the right in the upper of two rows of three: 2 to the right of the middle, 1 above it. The second light
+  // stands 30 degrees from z in the direction of 30 degrees from x.
+  const Vec3<double> light{10 * 0.25 * std::sqrt(3.0), 10 * 0.25, 10 * 0.5 * std::sqrt(3.0)};
+  const double x = light.x - 2, y = light.y - 1, square = x * x + y * y + light.z * light.z;
+  const DirectionArrays<double> seen = directions_at(stack, 2, 0);
+  EXPECT_NEAR(seen.view().wi(1).x, x / std::sqrt(square), 1e-12);
+  EXPECT_NEAR(seen.view().wi(1).y, y / std::sqrt(square), 1e-12);
+  EXPECT_EQ(seen.view().wo(1).z, 1);  // the viewer is far
+  EXPECT_NEAR(read_region(stack, {2, 0, 1, 1})[1], 102 * square / 100, 1e-4);
+}
+
 TEST_F(Stacks, AreRefusedWithTheFileThatIsWrong) {
   write_lights("", 3);
   EXPECT_THAT(refusal(), HasSubstr("lights.csv: 3 rows for 2 images"));
