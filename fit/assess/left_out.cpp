@@ -1,9 +1,11 @@
 #include "fit/assess/left_out.h"
 
+#include <atomic>
 #include <cmath>
 
 #include "fit/assess/errors.h"
 #include "fit/solve/minima.h"
+#include "io/parallel.h"
 
 namespace brdf::fit {
 namespace {
@@ -69,19 +71,24 @@ std::optional<LeftOut> leave_out(const SampleStream& all, std::span<const double
   if (folds.size() < 2) return std::nullopt;
   LeftOut out;
   std::vector predictions(data.channels.size(), std::vector<double>(data.rows()));
-  std::vector<double> medians;
+  std::vector<double> medians(folds.size());
+  out.solutions.resize(folds.size());
   SolveOptions solver;
   solver.tolerance = kTolerance;
   solver.max_iterations = kIterations;
   solver.starts_at_solution = true;
   solver.interrupted = options.interrupted;
-  for (const Fold& fold : folds) {
-    if (options.stop()) return std::nullopt;
-    const Solution s = refine(SampleStream(all, fold.kept), solution, solver);
-    SampleStream(all, {fold.held}).values(s.p, predictions);
-    out.solutions.push_back(s.p);
-    medians.push_back(relative_errors(data, predictions, fold.held).median);
-  }
+  std::atomic<bool> stopped{false};
+  const auto leave_fold_out = [&](std::size_t k) {
+    if (options.stop()) stopped = true;
+    if (stopped) return;
+    const Fold& fold = folds[k];
+    out.solutions[k] = refine(SampleStream(all, fold.kept), solution, solver).p;
+    SampleStream(all, {fold.held}).values(out.solutions[k], predictions);
+    medians[k] = relative_errors(data, predictions, fold.held).median;
+  };
+  io::parallel_for(folds.size(), leave_fold_out, options.threads);
+  if (stopped) return std::nullopt;
   out.errors = relative_errors(data, predictions, {0, data.rows()});
   out.median_standard_error = standard_error(medians);
   LossFunction loss = all.residual().loss;

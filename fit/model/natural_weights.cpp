@@ -104,11 +104,11 @@ NaturalWeights::NaturalWeights(std::span<const Reflectance> forms, const Constra
     }
   }
   add_f0s();
-  if (physical != Physical::off) {
+  if (physical != Physical::off)
     add_bounded(std::move(free));
-    return;
-  }
-  for (const Place& place : free) add_alone(place, {});
+  else
+    for (const Place& place : free) add_alone(place, {});
+  make_lobes();
 }
 
 // What shares a slot: all channels, or every one for itself.
@@ -228,13 +228,22 @@ void NaturalWeights::add_bounded(std::vector<Place> free) {
   }
 }
 
-Product NaturalWeights::lobe(std::size_t term, std::size_t channel, std::size_t lobe) const {
+Product NaturalWeights::product_of_lobe(std::size_t term, std::size_t channel, std::size_t lobe) const {
   const ReflectanceInfo& info = forms_[term].info();
   const LobeWeight& of = info.lobes[lobe];
   const Product& weight = weights_[term][channel][of.weight];
   if (of.factor == LobeWeight::Factor::one) return weight;
   const Product& f0 = weights_[term][channel][std::size_t(info.weight_index(Role::f0))];
   return times(weight, of.factor == LobeWeight::Factor::f0 ? f0 : without(f0));
+}
+
+void NaturalWeights::make_lobes() {
+  for (std::size_t t = 0; t < forms_.size(); ++t) {
+    lobes_.emplace_back(channels_.size());
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      for (std::size_t k = 0; k < forms_[t].info().lobes.size(); ++k)
+        lobes_[t][c].push_back(product_of_lobe(t, c, k));
+  }
 }
 
 NaturalWeights::Sum NaturalWeights::bounded_sum(std::span<const double> p) const {

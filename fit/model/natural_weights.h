@@ -44,7 +44,9 @@ class NaturalWeights {
   const Product& weight(std::size_t term, std::size_t channel, std::size_t k) const {
     return weights_[term][channel][k];
   }
-  Product lobe(std::size_t term, std::size_t channel, std::size_t lobe) const;
+  const Product& lobe(std::size_t term, std::size_t channel, std::size_t lobe) const {
+    return lobes_[term][channel][lobe];
+  }
   bool shared(std::size_t term, std::size_t k) const;
   // What --physical bounds together: "kd + ks", and the channels where that is at its bound. Empty where there is no
   // more than one such weight.
@@ -64,6 +66,8 @@ class NaturalWeights {
   double held(std::size_t channel) const;
   void add_bounded(std::vector<Place> free);
   void add_alone(const Place& place, std::span<const double> most);
+  Product product_of_lobe(std::size_t term, std::size_t channel, std::size_t lobe) const;
+  void make_lobes();
   std::size_t add_slot(const Place& place, std::size_t group, double low, double high);
   std::vector<double> room(const std::vector<Place>& free) const;
   std::vector<std::size_t> groups(const Place& place) const;
@@ -84,6 +88,7 @@ class NaturalWeights {
   std::vector<Place> summed_;  // what is at most 1 together; empty: a single weight
   std::vector<Place> place_;   // [slot]
   std::vector<std::vector<std::vector<Product>>> weights_;  // [term][channel][weight]
+  std::vector<std::vector<std::vector<Product>>> lobes_;    // [term][channel][lobe]
 };
 
 // Whether the weights can be those of a dielectric under these constraints: there is one specular weight, f0 divides

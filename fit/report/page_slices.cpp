@@ -77,12 +77,30 @@ std::vector<double> angles_of(const Slice& slice) {
 
 struct Curve {
   std::vector<double> angles;
-  std::vector<std::vector<double>> values;  // [channel][angle]
+  std::vector<std::vector<double>> values;  // [channel shown][angle]
   std::vector<std::vector<Extent>> bands;   // the same; empty: not known
 };
 
-// With the 95 % band from the parameters' covariance.
-Curve curve_of(const FormFit& fit, const Slice& slice, double aperture) {
+// The material in these channels alone, behind the first, by whose weights some forms mix channels.
+Material in_channels(const Material& material, const std::vector<std::size_t>& channels) {
+  Material out;
+  std::vector<std::size_t> kept{0};
+  kept.insert(kept.end(), channels.begin(), channels.end());
+  for (const std::size_t c : kept) out.channels.push_back(material.channels[c]);
+  for (const Term& term : material.terms) {
+    Term& own = out.terms.emplace_back(Term{term.form, {}, {}, term.tangent_phi});
+    for (const std::size_t c : kept) {
+      own.weights.push_back(term.weights[c]);
+      if (term.shape.size() > 1) own.shape.push_back(term.shape[c]);
+    }
+    if (term.shape.size() == 1) own.shape = term.shape;
+  }
+  return out;
+}
+
+// Of these channels, with the 95 % band from the parameters' covariance.
+Curve curve_of(const FormFit& fit, const Slice& slice, const std::vector<std::size_t>& channels,
+               double aperture) {
   Curve curve{angles_of(slice), {}, {}};
   const std::size_t count = curve.angles.size();
   DirectionArrays<double> directions(count);
@@ -91,16 +109,20 @@ Curve curve_of(const FormFit& fit, const Slice& slice, double aperture) {
     const double angle = curve.angles[k], turn = angle < 0 ? 0 : 180;
     directions.set(k, wi, direction(degrees(std::abs(angle)), degrees(slice.phi_i + turn)));
   }
-  curve.values = fitted_values(fit.material, directions.view(), aperture);
+  const auto shown_values = [&](const Material& m) {
+    auto values = fitted_values(in_channels(m, channels), directions.view(), aperture);
+    values.erase(values.begin());
+    return values;
+  };
+  curve.values = shown_values(fit.material);
   if (!fit.covariance) return curve;
   const auto in_one_row = [](const std::vector<std::vector<double>>& values) {
     std::vector<double> row;
     for (const auto& channel : values) row.insert(row.end(), channel.begin(), channel.end());
     return row;
   };
-  const auto bands =
-      intervals(fit.material, *fit.covariance, in_one_row(curve.values),
-                [&](const Material& m) { return in_one_row(fitted_values(m, directions.view(), aperture)); });
+  const auto bands = intervals(fit.material, *fit.covariance, in_one_row(curve.values),
+                               [&](const Material& m) { return in_one_row(shown_values(m)); });
   for (std::size_t c = 0; bands && c < curve.values.size(); ++c)
     curve.bands.emplace_back(bands->begin() + std::ptrdiff_t(c * count),
                              bands->begin() + std::ptrdiff_t((c + 1) * count));
@@ -116,8 +138,9 @@ std::vector<std::size_t> shown_channels(const std::vector<std::string>& channels
   return shown;
 }
 
+// Of one channel, the `shown`th of the curves.
 io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slices,
-                    const std::vector<Curve>& curves, std::size_t channel) {
+                    const std::vector<Curve>& curves, std::size_t channel, std::size_t shown) {
   io::Plot plot;
   plot.title = "Channel " + table.channels[channel] + ": measured (points) and fitted (lines)";
   plot.x_label = "theta_o, degrees: the viewer's angle, positive on the mirror side";
@@ -131,10 +154,10 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
       points.y.push_back(table.values[channel][row]);
     }
     io::Series line{"light at " + io::short_number(slices[s].theta_i) + " degrees", curves[s].angles,
-                    curves[s].values[channel], io::Series::Style::line};
+                    curves[s].values[shown], io::Series::Style::line};
     line.colour = int(s);
     if (!curves[s].bands.empty())
-      for (const Extent& band : curves[s].bands[channel]) {
+      for (const Extent& band : curves[s].bands[shown]) {
         line.low.push_back(band.low);
         line.high.push_back(band.high);
       }
@@ -189,9 +212,10 @@ void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
   if (slices.empty()) return;
   report.heading("Measured and fitted in the plane of incidence");
   std::vector<Curve> curves;
-  for (const Slice& slice : slices) curves.push_back(curve_of(fit, slice, aperture));
   const std::vector<std::size_t> channels = shown_channels(table.channels);
-  for (const std::size_t c : channels) report.plot(slice_plot(table, slices, curves, c));
+  for (const Slice& slice : slices) curves.push_back(curve_of(fit, slice, channels, aperture));
+  for (std::size_t k = 0; k < channels.size(); ++k)
+    report.plot(slice_plot(table, slices, curves, channels[k], k));
   std::string about;
   if (!curves[0].bands.empty())
     about = "Bands: where the fitted values lie with 95 %, if the form is right. ";

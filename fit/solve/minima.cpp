@@ -204,34 +204,42 @@ class Search {
       solved[k] = reseat_lobes(stream, solve_one(stream, p, tolerance, tallies[k]), tolerance, tallies[k]);
     };
     io::parallel_for(starts.size(), solve_start, options_.threads);
-    std::vector<Minimum> minima;
-    for (std::size_t k = 0; k < starts.size(); ++k) {
-      tallies[k].add_to(result_);
-      if (solved[k] && std::isfinite(solved[k]->cost)) add_minimum(stream, std::move(*solved[k]), minima);
-    }
-    sort_minima(minima);
-    return minima;
+    for (std::optional<Minimum>& s : solved)
+      if (s && !std::isfinite(s->cost)) s.reset();
+    return collected(stream, solved, tallies);
   }
 
   // The best few, solved again on other rows; the rest keep their place in the list with the cost they had.
   std::vector<Minimum> polish(const FitData& data, const std::vector<Minimum>& minima, double tolerance) {
+    // A minimum far above the best is listed, not polished: it cannot become the answer.
+    std::size_t count = std::min<std::size_t>(minima.size(), 1);
+    while (count < std::min(minima.size(), kPolished) && minima[count].cost <= 1.5 * minima[0].cost + 1e-300)
+      ++count;
     const SampleStream stream(data, model_, residual_, options_.aperture);
-    std::vector<Minimum> out;
-    for (std::size_t k = 0; k < std::min(minima.size(), kPolished); ++k) {
-      if (options_.stop() && !out.empty()) {
-        result_.interrupted = true;
-        break;
+    std::vector<std::optional<Minimum>> solved(count);
+    std::vector<Tally> tallies(count);
+    const auto solve_minimum = [&](std::size_t k) {
+      if (options_.stop() && k > 0) {
+        tallies[k].interrupted = true;
+        return;
       }
-      // A minimum far above the best is listed, not polished: it cannot become the answer.
-      if (k > 0 && minima[k].cost > 1.5 * minima[0].cost + 1e-300) break;
-      Tally tally;
-      Minimum m = solve_one(stream, minima[k].p, tolerance, tally);
-      tally.add_to(result_);
-      m.basin = minima[k].basin;
-      add_minimum(stream, std::move(m), out);
+      solved[k] = solve_one(stream, minima[k].p, tolerance, tallies[k]);
+      solved[k]->basin = minima[k].basin;
+    };
+    io::parallel_for(count, solve_minimum, options_.threads);
+    return collected(stream, solved, tallies);
+  }
+
+  // In the order of the starts.
+  std::vector<Minimum> collected(const SampleStream& stream, std::vector<std::optional<Minimum>>& solved,
+                                 const std::vector<Tally>& tallies) {
+    std::vector<Minimum> minima;
+    for (std::size_t k = 0; k < solved.size(); ++k) {
+      tallies[k].add_to(result_);
+      if (solved[k]) add_minimum(stream, std::move(*solved[k]), minima);
     }
-    sort_minima(out);
-    return out;
+    sort_minima(minima);
+    return minima;
   }
 
   const FitData& data_;

@@ -5,6 +5,7 @@
 
 #include "io/hatching.h"
 #include "io/html_report.h"
+#include "io/parallel.h"
 #include "io/png.h"
 #include "io/srgb.h"
 
@@ -44,15 +45,17 @@ Pixel difference(const Colour& fitted, const Colour& known) {
 using Panels = std::vector<std::vector<unsigned char>>;
 
 Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure, int side) {
-  Panels panels(measured ? 3 : 1);
+  constexpr std::size_t kBytes = std::tuple_size_v<Pixel>;
+  Panels panels(measured ? 3 : 1, std::vector<unsigned char>(kBytes * std::size_t(side) * std::size_t(side)));
   const double radius = kRadius * side, gain = kPi * std::exp2(exposure);
   const View view = first_view();
-  const auto add = [](std::vector<unsigned char>& panel, Pixel pixel, double covered) {
-    pixel[3] = static_cast<unsigned char>(std::lround(255 * covered));
-    panel.insert(panel.end(), pixel.begin(), pixel.end());
-  };
-  for (int row = 0; row < side; ++row)
+  const auto draw_row = [&](std::size_t row_number) {
+    const int row = int(row_number);
     for (int column = 0; column < side; ++column) {
+      const auto add = [&](std::vector<unsigned char>& panel, Pixel pixel, double covered) {
+        pixel[3] = static_cast<unsigned char>(std::lround(255 * covered));
+        std::ranges::copy(pixel, &panel[kBytes * (row_number * std::size_t(side) + std::size_t(column))]);
+      };
       const double x = (column + 0.5 - 0.5 * side) / radius, y = (0.5 * side - row - 0.5) / radius;
       const double distance = std::hypot(x, y), covered = std::clamp((1 - distance) * radius + 0.5, 0.0, 1.0);
       const double inside = std::fmin(1.0, kRim / std::fmax(distance, kRim));
@@ -68,6 +71,8 @@ Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, doubl
       add(panels[1], m ? lit(*m, wi.z * gain) : hatched(column, row), covered);
       add(panels[2], m ? difference(f, *m) : hatched(column, row), covered);
     }
+  };
+  parallel_for(std::size_t(side), draw_row);
   return panels;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/numbers.h"
+#include "io/parallel.h"
 
 namespace brdf::io::sphere {
 namespace {
@@ -36,23 +37,30 @@ class Nodes {
  public:
   Nodes(const FittedPairs& fitted, const MeasuredPairs& measured, const TableSize& n)
       : fitted_(fitted), measured_(measured), n_(n) {
-    each([&](int i, int j, int k, int l) { nodes_.push_back(at(i, j, k, l)); });
+    nodes_.resize(std::size_t(n.theta_h) * std::size_t(n.theta_d) * std::size_t(n.phi_d + 1) *
+                  std::size_t(n.phi_h));
+    each([&](Node& node, int i, int j, int k, int l) { node = at(i, j, k, l); });
     const std::vector<Node> whole = nodes_;
-    std::size_t number = 0;
-    each([&](int i, int j, int k, int l) {
-      Node& node = nodes_[number++];
+    each([&](Node& node, int i, int j, int k, int l) {
       if (at_the_edge(whole, i, j, k, l)) refine(node, i, j, k, l);
     });
   }
   const std::vector<Node>& all() const { return nodes_; }
 
  private:
+  // visit(node, i, j, k, l), side by side.
   template <class Visit>
-  void each(Visit&& visit) const {
-    for (int l = 0; l < n_.phi_h; ++l)
-      for (int k = 0; k <= n_.phi_d; ++k)
-        for (int j = 0; j < n_.theta_d; ++j)
-          for (int i = 0; i < n_.theta_h; ++i) visit(i, j, k, l);
+  void each(Visit&& visit) {
+    parallel_for(nodes_.size(), [&](std::size_t number) {
+      int rest = int(number);
+      const auto next = [&rest](int count) {
+        const int index = rest % count;
+        rest /= count;
+        return index;
+      };
+      const int i = next(n_.theta_h), j = next(n_.theta_d), k = next(n_.phi_d + 1);
+      visit(nodes_[number], i, j, k, rest);
+    });
   }
 
   Node at(double i, double j, double k, double l) const {

@@ -20,8 +20,8 @@ FittedPairs fitted_pairs(const Material& given) {
   const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
   if (!colours) throw InputError("the channels of the material say nothing of colour");
-  return [material, of = colours->of, f = std::vector<double>(material.channels.size())](
-             const Vec3<double>& wi, const Vec3<double>& wo) mutable {
+  return [material, of = colours->of](const Vec3<double>& wi, const Vec3<double>& wo) {
+    std::vector<double> f(material.channels.size());
     eval(material, wi, wo, f);
     return Colour{f[of[0]], f[of[1]], f[of[2]]};
   };

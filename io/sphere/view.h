@@ -12,7 +12,8 @@ namespace brdf::io::sphere {
 // f_r of red, green and blue in 1/sr.
 using Colour = std::array<double, 3>;
 
-// f_r of a pair of unit directions in the surface's frame; none where it was not measured.
+// f_r of a pair of unit directions in the surface's frame; none where it was not measured. Asked by several threads at
+// once, as FittedPairs are.
 using MeasuredPairs = std::function<std::optional<Colour>(const Vec3<double>& wi, const Vec3<double>& wo)>;
 
 // f_r of a material whose channels are colours (io/channel_colours.h) or one grey.
