@@ -19,19 +19,29 @@
 namespace brdf::io {
 namespace {
 
-constexpr std::size_t kWidth = 1024;
-
 // Attributes by which OpenEXR tells kinds of files apart: a comment of that name would be taken for one.
 constexpr std::array kReserved{"type",    "name",   "version",       "chunkCount",
                                "tiles",   "view",   "multiView",     "maxSamplesPerPixel",
                                "preview", "envmap", "chromaticities"};
-constexpr std::string_view kPrefix = "comment.";
 constexpr std::size_t kLongestKey = 255;
 
 struct Column {
   std::string name;
   const std::vector<double>* values;
+  bool is_sigma = false;
 };
+
+// A standard deviation stays above 0.
+float as_float(double value, bool is_sigma) {
+  const auto rounded = static_cast<float>(value);
+  return is_sigma && rounded == 0 ? std::numeric_limits<float>::denorm_min() : rounded;
+}
+
+std::string joined_names(const std::vector<Column>& columns) {
+  std::string all;
+  for (const Column& column : columns) (all += all.empty() ? "" : ",") += column.name;
+  return all;
+}
 
 std::vector<Column> columns_of(const SampleTable& table) {
   std::vector<Column> columns = {{"theta_i", &table.theta_i},
@@ -40,13 +50,14 @@ std::vector<Column> columns_of(const SampleTable& table) {
                                  {"phi_o", &table.phi_o}};
   for (std::size_t c = 0; c < table.channels.size(); ++c) {
     columns.push_back({table.channels[c], &table.values[c]});
-    if (table.has_sigma(c)) columns.push_back({"sigma_" + table.channels[c], &table.sigma[c]});
+    if (table.has_sigma(c)) columns.push_back({"sigma_" + table.channels[c], &table.sigma[c], true});
   }
   return columns;
 }
 
 std::string to_exr(const SampleTable& table) {
-  const std::size_t width = std::min(kWidth, table.rows()), height = (table.rows() + width - 1) / width;
+  const std::size_t width = std::min(kExrTableWidth, table.rows()),
+                    height = (table.rows() + width - 1) / width;
   Imf::Header header(static_cast<int>(width), static_cast<int>(height));
   Imf::FrameBuffer frame;
   const std::vector<Column> columns = columns_of(table);
@@ -55,16 +66,21 @@ std::string to_exr(const SampleTable& table) {
   for (const Column& column : columns) {
     std::vector<float>& plane = planes.emplace_back(width * height, std::numeric_limits<float>::quiet_NaN());
     std::transform(column.values->begin(), column.values->end(), plane.begin(),
-                   [](double value) { return static_cast<float>(value); });
+                   [&](double value) { return as_float(value, column.is_sigma); });
     header.channels().insert(column.name, Imf::Channel(Imf::FLOAT));
     frame.insert(column.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float),
                                          sizeof(float) * width));
   }
+  header.insert(std::string(kExrColumns), Imf::StringAttribute(joined_names(columns)));
+  std::string comments;
+  for (const Comment& comment : table.metadata)
+    (comments += comments.empty() ? "" : "\n") += comment_text(comment);
+  if (!table.metadata.empty()) header.insert(std::string(kExrComments), Imf::StringAttribute(comments));
   for (const auto& [key, value] : table.metadata) {
-    if (key.empty() || key.size() + kPrefix.size() > kLongestKey) continue;
+    if (key.empty() || key.size() + kExrPrefix.size() > kLongestKey) continue;
     const bool is_reserved = std::find(kReserved.begin(), kReserved.end(), key) != kReserved.end() ||
                              header.find(key.c_str()) != header.end();
-    header.insert(is_reserved ? std::string(kPrefix) + key : key, Imf::StringAttribute(value));
+    header.insert(is_reserved ? std::string(kExrPrefix) + key : key, Imf::StringAttribute(value));
   }
   Imf::StdOSStream bytes;
   {
@@ -81,8 +97,7 @@ std::vector<std::string> write_exr_table(const std::filesystem::path& path, cons
   if (table.rows() == 0) throw InputError(table.name() + ": holds no rows");
   check_table(table);
   write_file_atomically(path, to_exr(table));
-  std::vector<std::string> lost{"digits beyond 32-bit float (7 significant ones)",
-                                "free-text comments and line numbers"};
+  std::vector<std::string> lost{"digits beyond 32-bit float (7 significant ones)"};
   std::size_t infinite = 0;
   for (const Column& column : columns_of(table))
     infinite += static_cast<std::size_t>(

@@ -4,6 +4,8 @@
 #include "io/astm.h"
 #include "io/csv.h"
 #include "io/error.h"
+#include "io/exr_bytes.h"
+#include "io/exr_table.h"
 #include "io/material_file.h"
 #include "io/merl.h"
 #include "io/rgl.h"
@@ -79,6 +81,7 @@ SampleTable read_text(Content text, bool need_values) {
 SampleTable read_samples(Content content) {
   SampleTable table = rgl::recognises(content)    ? rgl::read(content)
                       : merl::recognises(content) ? merl::read(content)
+                      : is_exr(content)           ? read_exr_table(content)
                                                   : read_text(std::move(content), true);
   check_table(table);
   return table;

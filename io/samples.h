@@ -27,7 +27,7 @@ struct SampleTable {
   std::vector<Comment> metadata;           // header comments in order; free text has no key
 
   std::string source;                 // the file's path, for messages
-  std::string format = "csv";         // csv, merl, rgl, astm_e1392, zemax, alta
+  std::string format = "csv";         // csv, merl, rgl, astm_e1392, zemax, alta, exr
   std::vector<std::uint32_t> lines;   // [row] line in the file; empty where the format has none
   std::vector<std::string> warnings;  // what the reader left out or repaired, one sentence each
   double scale = 1;                   // by which the file's values were divided (relative_scale.h)

@@ -172,7 +172,7 @@ class Table:
 
     @property
     def format(self) -> str:
-        """csv, merl, rgl, astm_e1392, zemax, alta, material, or arrays."""
+        """csv, merl, rgl, astm_e1392, zemax, alta, exr, material, or arrays."""
         return self._samples.format
 
     @property

@@ -1,7 +1,5 @@
 #include "render/decode/picture_bytes.h"
 
-#include <Iex.h>
-#include <ImfVersion.h>
 #include <stb_image.h>
 
 #include <algorithm>
@@ -64,14 +62,6 @@ Pixels<Value> decoded(const io::Content& content, int channels, const std::strin
 
 }  // namespace
 
-bool ExrBytes::read(char to[], int count) {
-  const std::uint64_t left = at_ < bytes_.size() ? bytes_.size() - at_ : 0;
-  if (count < 0 || std::uint64_t(count) > left) throw Iex::InputExc("the file ends too soon");
-  std::memcpy(to, bytes_.data() + at_, std::size_t(count));
-  at_ += std::uint64_t(count);
-  return at_ < bytes_.size();
-}
-
 std::optional<PictureSize> picture_size(const io::Content& content) {
   Source source(content.bytes);
   PictureSize size;
@@ -83,10 +73,6 @@ std::optional<PictureSize> picture_size(const io::Content& content) {
 bool is_radiance(const io::Content& content) {
   Source source(content.bytes);
   return stbi_is_hdr_from_callbacks(&kCalls, &source) != 0;
-}
-
-bool is_exr(const io::Content& content) {
-  return content.bytes.size() >= 4 && Imf::isImfMagic(content.bytes.data());
 }
 
 Pixels<unsigned char> decoded_bytes(const io::Content& content, int channels, const std::string& fault) {

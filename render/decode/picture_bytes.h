@@ -2,28 +2,12 @@
 // no picture, and no picture is made of half a file.
 #pragma once
 
-#include <ImfIO.h>
-
-#include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "io/content.h"
 
 namespace brdf::render {
-
-// For OpenEXR, which names the file in what it says. The content must live longer.
-class ExrBytes : public Imf::IStream {
- public:
-  explicit ExrBytes(const io::Content& content) : IStream(content.name.c_str()), bytes_(content.bytes) {}
-  bool read(char to[], int count) override;
-  std::uint64_t tellg() override { return at_; }
-  void seekg(std::uint64_t place) override { at_ = place; }
-
- private:
-  const std::string& bytes_;
-  std::uint64_t at_ = 0;
-};
 
 struct PictureSize {
   int width = 0, height = 0;  // pixels; the height of a BMP is negative where its first row is on top
@@ -32,7 +16,6 @@ struct PictureSize {
 // Of PNG, JPEG, BMP, TGA or Radiance, as its header says; nothing where it is none.
 std::optional<PictureSize> picture_size(const io::Content& content);
 bool is_radiance(const io::Content& content);
-bool is_exr(const io::Content& content);
 
 // Rows from the top, `channels` values a pixel.
 template <class Value>

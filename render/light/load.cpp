@@ -7,6 +7,7 @@
 
 #include "io/content.h"
 #include "io/error.h"
+#include "io/exr_bytes.h"
 #include "render/decode/picture_bytes.h"
 #include "render/light/light_map.h"
 
@@ -27,7 +28,7 @@ void require_size(std::int64_t width, std::int64_t height, const std::string& fi
 Radiances read_exr_pixels(const io::Content& content) {
   const std::string& file = content.name;
   try {
-    ExrBytes bytes(content);
+    io::ExrBytes bytes(content);
     Imf::InputFile in(bytes);
     const Imath::Box2i window = in.header().dataWindow();
     Radiances out{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}};
@@ -74,7 +75,7 @@ LightMap load_light_map(const std::filesystem::path& file) {
     throw InputError(file.string() + ": no such file; an environment is a .hdr or .exr picture, or one of " +
                      known_names<Formula>());
   const io::Content content = io::read_content(file);
-  const bool is_open_exr = is_exr(content);
+  const bool is_open_exr = io::is_exr(content);
   if (!is_open_exr && !is_radiance(content))
     throw InputError(file.string() + ": is neither a Radiance picture (.hdr) nor an OpenEXR one (.exr)");
   const Radiances pixels = is_open_exr ? read_exr_pixels(content) : read_hdr_pixels(content);

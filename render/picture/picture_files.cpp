@@ -8,10 +8,10 @@
 
 #include "io/content.h"
 #include "io/error.h"
+#include "io/exr_bytes.h"
 #include "io/output.h"
 #include "io/png.h"
 #include "io/provenance.h"
-#include "render/decode/picture_bytes.h"
 #include "render/picture/picture.h"
 #include "render/scene/texture.h"
 
@@ -67,7 +67,7 @@ void write_exr(const std::filesystem::path& file, const std::vector<Layer>& laye
 Picture read_exr(const std::filesystem::path& file, const std::string& layer) {
   const io::Content content = io::read_content(file);
   try {
-    ExrBytes bytes(content);
+    io::ExrBytes bytes(content);
     Imf::InputFile in(bytes);
     const Imath::Box2i window = in.header().dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1,

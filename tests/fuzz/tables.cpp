@@ -1,6 +1,7 @@
 // Sample tables, ours and other programs': one target per format, so that each has its own corpus.
 #include "io/arrange.h"
 #include "io/astm.h"
+#include "io/exr_table.h"
 #include "io/optical_constants.h"
 #include "io/text.h"
 #include "io/zemax.h"
@@ -27,6 +28,21 @@ const Registered arranged("arranged", [](std::string_view input) {
   check_samples(table);
   io::arrange(table, {.polarisation = io::Polarisation::average});
   check_samples(table);
+});
+
+// As OpenEXR, which rounds once.
+const Registered exr_tables("exr_table", [](std::string_view input) {
+  const io::SampleTable table = io::read_samples(content_of(input));
+  check_samples(table);
+  if (table.format != "exr") return;
+  const std::filesystem::path path = output();
+  io::write_exr_table(path, table);
+  const io::SampleTable again = io::read_samples(path);
+  require(again.channels == table.channels && again.metadata == table.metadata,
+          "OpenEXR keeps names and comments");
+  require(again.theta_i == table.theta_i && again.phi_i == table.phi_i && again.theta_o == table.theta_o &&
+              again.phi_o == table.phi_o && again.values == table.values && again.sigma == table.sigma,
+          "floats come back as they were");
 });
 
 // Other programs' formats: what is written reads back to the same numbers.

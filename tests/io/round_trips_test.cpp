@@ -168,6 +168,61 @@ TEST_F(RoundTrips, LensDesignTextStatesTheScatteredShare) {
   EXPECT_NEAR(std::stod(written.substr(written.find("TIS") + 4)), 1, .002);
 }
 
+// Numbers of six digits are themselves again; order, comments and standard deviations are kept, too.
+TEST_F(RoundTrips, OpenExrHoldsNumbersOfSixDigits) {
+  std::string text =
+      "# sample: x\n# free text\n# sample: y\n# type: deepscanline\n# columns: none\n# : quantity: counts\n" +
+      kAngles + "r,465nm,b,sigma_b,sigma_r\n";
+  for (int row = 0; row < 1500; ++row) {
+    const std::string n = std::to_string(row);
+    text += "30.1,180," + std::to_string(row % 90) + ".25,-720.5," + n + "e-7,-0.0" + n + ",1e30,.1,1e-40\n";
+  }
+  const SampleTable table = read(text), back = again(table, ".exr");
+  EXPECT_EQ(back.format, "exr");
+  EXPECT_EQ(back.channels, table.channels);
+  EXPECT_EQ(back.metadata, table.metadata);
+  EXPECT_EQ(back.theta_i, table.theta_i);
+  EXPECT_EQ(back.theta_o, table.theta_o);
+  EXPECT_EQ(back.phi_o, table.phi_o);
+  EXPECT_EQ(back.values, table.values);
+  EXPECT_EQ(back.sigma[2], table.sigma[2]);
+  EXPECT_FALSE(back.has_sigma(1));
+  EXPECT_NEAR(back.sigma[0][7], 1e-40, 1e-45);
+  EXPECT_THAT(lost_, ElementsAre("digits beyond 32-bit float (7 significant ones)"));
+  EXPECT_THAT(back.warnings, IsEmpty());
+  expect_same(again(back, ".exr"), back);
+}
+
+TEST_F(RoundTrips, OpenExrRoundsOnceToFloat) {
+  const SampleTable table =
+      read(kAngles + "fr,sigma_fr\n89.99999999,180,12.345678901,5,0.12345678901234567,1e-60\n");
+  const SampleTable back = again(table, ".exr");
+  EXPECT_EQ(back.theta_i[0], 90);
+  EXPECT_NE(back.values[0][0], table.values[0][0]);
+  EXPECT_NEAR(back.values[0][0], table.values[0][0], 1.2e-7 * table.values[0][0]);
+  EXPECT_GT(back.sigma[0][0], 0);
+  expect_same(again(back, ".exr"), back);
+}
+
+TEST_F(RoundTrips, OpenExrLeavesOutWhatIsNotFinite) {
+  const SampleTable back = again(read(kAngles + "fr\n1,2,3,4,5\n1,2,3,4,1e300\n1,2,3,5,6\n"), ".exr");
+  EXPECT_THAT(back.values[0], ElementsAre(5, 6));
+  EXPECT_EQ(back.skipped, 1u);
+  EXPECT_THAT(back.warnings, ElementsAre("1 of 3 pixels hold a number that is not finite: left out"));
+}
+
+TEST_F(RoundTrips, OpenExrThatIsNoTableIsRefused) {
+  SampleTable table = read(kAngles + "fr\n1,2,3,4,5\n");
+  again(table, ".exr");
+  std::string bytes = read_content(folder_.path() / "file.exr").bytes;
+  EXPECT_THAT(message(bytes.substr(0, bytes.size() / 2)), HasSubstr("is no OpenEXR table that can be read"));
+  for (std::size_t at = bytes.find("phi_o"); at != bytes.npos; at = bytes.find("phi_o", at + 1))
+    bytes[at] = 'q';
+  EXPECT_THAT(message(bytes),
+              HasSubstr("is an OpenEXR picture (channels fr, phi_i, qhi_o, theta_i, theta_o), not "
+                        "a table of samples, which has channels theta_i, phi_i, theta_o, phi_o"));
+}
+
 TEST_F(RoundTrips, OfMeasuredFilesAreTheSameTable) {
   const auto folder = measured_data();
   if (!folder) GTEST_SKIP() << "BRDF_DATA_DIR is unset";
@@ -178,6 +233,12 @@ TEST_F(RoundTrips, OfMeasuredFilesAreTheSameTable) {
       if (!lost_.empty()) back.metadata = table.metadata;  // free text is lost, and said to be
       expect_same(back, table);
     }
+    const SampleTable as_float = again(table, ".exr");
+    ASSERT_EQ(as_float.rows(), table.rows());
+    EXPECT_EQ(as_float.metadata, table.metadata);
+    for (std::size_t c = 0; c < table.channels.size(); ++c)
+      for (std::size_t k = 0; k < table.rows(); ++k)
+        ASSERT_NEAR(as_float.values[c][k], table.values[c][k], 1.2e-7 * std::abs(table.values[c][k]));
     if (table.format != "zemax") continue;
     const SampleTable back = again(table, ".zemax");
     expect_same(back, table);

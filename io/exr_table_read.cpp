@@ -1,0 +1,177 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+#include "io/error.h"
+#include "io/exr_bytes.h"
+#include "io/exr_table.h"
+#include "io/numbers.h"
+#include "io/table_rules.h"
+#include "io/text.h"
+
+namespace brdf::io {
+namespace {
+
+// The shortest decimal that is this float, as a double: 30.1 comes back as 30.1, not as 30.100000381.
+double as_written(float value) {
+  if (!std::isfinite(value)) return value;
+  char text[64];
+  const char* end = std::to_chars(text, text + sizeof text, value).ptr;
+  double out = value;
+  std::from_chars(text, end, out);
+  return out;
+}
+
+struct Shape {
+  std::size_t width, height;
+  Imath::Box2i window;
+};
+
+Shape shape_of(const Imf::Header& header, std::size_t columns, const std::string& name) {
+  const Imath::Box2i& window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1,
+                     height = std::int64_t{window.max.y} - window.min.y + 1;
+  constexpr auto kMost = static_cast<std::int64_t>(kMostRows + kExrTableWidth);
+  if (width > kMost || height > kMost || width * height > kMost)
+    throw InputError(name + ": has " + std::to_string(width) + " x " + std::to_string(height) +
+                     " pixels; a table has at most " + std::to_string(kMostRows) + " rows, a pixel each");
+  const Shape shape{static_cast<std::size_t>(width), static_cast<std::size_t>(height), window};
+  if (shape.width * shape.height > kLargestFile / sizeof(float) / columns)
+    throw InputError(name + ": its " + std::to_string(columns) + " columns of " +
+                     std::to_string(shape.width * shape.height) + " numbers take more than " +
+                     std::to_string(kLargestFile >> 30) + " GiB");
+  return shape;
+}
+
+std::vector<std::string_view> fields_of(const std::string& text, char separator) {
+  std::vector<std::string_view> fields;
+  split(text, separator, fields);
+  return fields;
+}
+
+// In the order that the table had, where the file says it; OpenEXR's own is the alphabet's.
+std::vector<std::string> column_names(const Imf::Header& header, const std::string& file) {
+  std::vector<std::string> names;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
+      throw InputError(file + ": channel " + shown(c.name()) + " leaves out pixels");
+    names.emplace_back(c.name());
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (!has_plain_angle_names(known))
+    throw InputError(
+        file + ": is an OpenEXR picture (channels " + joined(names) +
+        "), not a table of samples, which has channels theta_i, phi_i, theta_o, phi_o and those of "
+        "values");
+  if (const auto* order = header.findTypedAttribute<Imf::StringAttribute>(std::string(kExrColumns))) {
+    const std::vector<std::string_view> listed = fields_of(order->value(), ',');
+    std::ranges::stable_sort(
+        names, {}, [&](const std::string& name) { return std::ranges::find(listed, name) - listed.begin(); });
+  }
+  return names;
+}
+
+void add_comments(const Imf::Header& header, SampleTable& table) {
+  if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(std::string(kExrComments))) {
+    for (const std::string_view line : fields_of(text->value(), '\n'))
+      table.metadata.push_back(parse_comment(line));
+    return;
+  }
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+    std::string_view key = a.name();
+    if (!text || key == kExrColumns) continue;
+    if (key.starts_with(kExrPrefix)) key.remove_prefix(kExrPrefix.size());
+    table.add_comment(key, text->value());
+  }
+}
+
+// Takes the columns where they belong by name; standard deviations find their channels.
+void place_columns(const std::vector<std::string>& names, std::vector<std::vector<double>>& columns,
+                   SampleTable& table) {
+  std::vector<double>* const angles[] = {&table.theta_i, &table.phi_i, &table.theta_o, &table.phi_o};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k].starts_with(kSigmaPrefix)) continue;
+    if (is_plain_angle_name(names[k])) {
+      *angles[std::ranges::find(kAngleNames, names[k]) - kAngleNames] = std::move(columns[k]);
+      continue;
+    }
+    table.channels.push_back(names[k]);
+    table.values.push_back(std::move(columns[k]));
+  }
+  if (table.channels.empty()) throw InputError(table.source + ": has no channel of values beside the angles");
+  table.sigma.resize(table.channels.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!names[k].starts_with(kSigmaPrefix)) continue;
+    const auto channel = std::ranges::find(table.channels, names[k].substr(kSigmaPrefix.size()));
+    if (channel == table.channels.end())
+      throw InputError(table.source + ": " + shown(names[k]) + " has no channel of values");
+    table.sigma[static_cast<std::size_t>(channel - table.channels.begin())] = std::move(columns[k]);
+  }
+}
+
+// Leaves out pixels that are no rows: those that fill the last line, and any other whose numbers are not all finite.
+std::vector<std::size_t> rows_of(const std::vector<std::vector<float>>& planes, SampleTable& table) {
+  const auto finite = [&](std::size_t pixel) {
+    return std::ranges::all_of(planes, [&](const auto& plane) { return std::isfinite(plane[pixel]); });
+  };
+  const auto filler = [&](std::size_t pixel) {
+    return std::ranges::all_of(planes, [&](const auto& plane) { return std::isnan(plane[pixel]); });
+  };
+  std::size_t last = planes[0].size();
+  while (last > 0 && filler(last - 1)) --last;
+  std::vector<std::size_t> rows;
+  for (std::size_t pixel = 0; pixel < last; ++pixel)
+    if (finite(pixel)) rows.push_back(pixel);
+  table.skipped = last - rows.size();
+  if (rows.empty()) throw InputError(table.source + ": holds no row of finite numbers");
+  if (table.skipped > 0)
+    table.warnings.push_back(std::to_string(table.skipped) + " of " + std::to_string(last) +
+                             " pixels hold a number that is not finite: left out");
+  return rows;
+}
+
+SampleTable read_table(const Content& content) {
+  ExrBytes bytes(content);
+  Imf::InputFile file(bytes);
+  SampleTable table;
+  table.source = content.name;
+  table.format = "exr";
+  const std::vector<std::string> names = column_names(file.header(), content.name);
+  const Shape shape = shape_of(file.header(), names.size(), content.name);
+  std::vector planes(names.size(), std::vector<float>(shape.width * shape.height));
+  Imf::FrameBuffer frame;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    frame.insert(names[k], Imf::Slice::Make(Imf::FLOAT, planes[k].data(), shape.window));
+  file.setFrameBuffer(frame);
+  file.readPixels(shape.window.min.y, shape.window.max.y);
+  const std::vector<std::size_t> rows = rows_of(planes, table);
+  std::vector<std::vector<double>> columns(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    columns[k].reserve(rows.size());
+    for (const std::size_t pixel : rows) columns[k].push_back(as_written(planes[k][pixel]));
+    planes[k] = {};
+  }
+  place_columns(names, columns, table);
+  add_comments(file.header(), table);
+  return table;
+}
+
+}  // namespace
+
+SampleTable read_exr_table(const Content& content) try {
+  return read_table(content);
+} catch (const InputError&) {
+  throw;
+} catch (const std::exception& error) {
+  throw InputError(content.name + ": is no OpenEXR table that can be read: " + error.what());
+}
+
+}  // namespace brdf::io
