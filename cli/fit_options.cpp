@@ -26,7 +26,12 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
       verb, "--metric", choice.options.metric,
       "Residual; auto: the one whose noise is the most even on the data, log where it is not known");
   verb.add_flag("--anisotropic", choice.options.anisotropic, "Two widths and the tangent's azimuth");
-  verb.add_flag("--per-channel", choice.options.per_channel, "A shape for every channel");
+  verb.add_flag("--per-channel", choice.options.per_channel, "A shape for every channel: --shape free");
+  offer(verb.add_option(
+            "--shape", choice.shape,
+            "Over the channels: shared (default), free, or smooth[:DEGREE], a polynomial in 1/wavelength "
+            "(default degree 2)"),
+        {"shared", "free", "smooth"});
   verb.add_flag("--free-scale", choice.options.free_scale,
                 "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
   add_arrangement_options(verb, choice.options.arrangement);

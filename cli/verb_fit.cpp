@@ -141,6 +141,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit paint.csv --form ward --robust huber:0.1 --bounds alpha=0.01:0.5 --start "
       "alpha=0.1\n"
       "          brdf fit metal.csv --form cook_torrance --start f0=Johnson.yml\n"
+      "          brdf fit bands.csv --form cook_torrance --shape smooth:1\n"
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"

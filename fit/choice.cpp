@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fit/model/smooth.h"
 #include "io/error.h"
 #include "io/settings.h"
 #include "io/shell.h"
@@ -33,6 +34,28 @@ NamedRange parse_range(const std::string& text) {
   const auto values = io::parse_settings({name + "=" + low + "," + high}, "--bounds")[0].values;
   if (!(values[0] < values[1])) throw InputError("--bounds " + text + ": low must be below high");
   return {name, values[0], values[1]};
+}
+
+constexpr int kUsualDegree = 2;
+
+// Shapes over the channels.
+void parse_shape(const std::string& text, FitOptions& f) {
+  const std::string smooth = "smooth", given = "--shape " + text;
+  double degree = kUsualDegree;
+  if (f.per_channel && text != "free")
+    throw InputError(given + ": --per-channel is --shape free; give one of the two");
+  if (text == "shared") return;
+  if (text == "free") {
+    f.per_channel = true;
+    return;
+  }
+  if (text != smooth && !text.starts_with(smooth + ":"))
+    throw InputError(given + ": must be shared, free, smooth or smooth:DEGREE");
+  if (text != smooth && (!io::parse_number(text.substr(smooth.size() + 1), degree) ||
+                         degree != std::floor(degree) || degree < 1 || degree > kHighestDegree))
+    throw InputError(given + ": the degree must be a whole number from 1 to " +
+                     std::to_string(kHighestDegree));
+  f.smooth = int(degree);
 }
 
 // What stands behind the equals sign: "gold.yml", "metals.csv:Au"; empty where that is numbers.
@@ -78,6 +101,7 @@ FitOptions options_of(const FitChoice& o) {
   check_range("--starts", f.random_starts, 0, 100000);
   check_range("--aperture", f.aperture, 0.0, 90.0);
   if (!o.robust.empty()) parse_robust(o.robust, f);
+  if (!o.shape.empty()) parse_shape(o.shape, f);
   add_values(o.fix, "--fix", f.fix);
   add_values(o.start, "--start", f.start);
   for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
@@ -117,6 +141,7 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
   if (o.options.weighting != plain.options.weighting)
     add("--weights", std::string(name_of(o.options.weighting)));
   if (!o.robust.empty()) add("--robust", o.robust);
+  if (!o.shape.empty()) add("--shape", o.shape);
   for (const auto& [option, list] : {std::pair{"--fix", &o.fix}, std::pair{"--start", &o.start},
                                      std::pair{"--bounds", &o.bounds}, std::pair{"--tie", &o.options.tie}})
     for (const std::string& word : *list) add(option, word);

@@ -12,6 +12,8 @@ struct FitChoice {
   std::string form = "all", robust;
   std::vector<std::string> fix, start, bounds;
   bool physical = false;
+  std::string
+      shape;  // over the channels: "shared", "free", "smooth", "smooth:DEGREE"; "": as the options say
   FitOptions options{.metric = Metric::automatic};
 };
 

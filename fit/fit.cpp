@@ -88,6 +88,7 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
                            shape_text(model.material(search.minima[1].p)));
   out.material = model.material(best.p);
   out.estimates = u.estimates;
+  out.smooth = u.smooth;
   out.correlations = u.correlations;
   out.covariance = u.covariance;
   out.prediction_error = u.prediction_error;

@@ -38,6 +38,8 @@ void check(const Settings& s) {
     throw InputError("--free-scale: not for stacks: divide the images by one scale before");
   if (s.options.arrangement != io::Arrangement())
     throw InputError("--polarisation, --repeats: not for stacks, whose images are what they are");
+  if (s.options.smooth > 0)
+    throw InputError("--shape smooth: not for stacks, whose maps hold one shape or one for every channel");
   if (s.options.random_starts > 0 || !s.options.start.empty())
     throw InputError(
         "--start, --starts: not for stacks, whose texels start from the grid or their neighbours");

@@ -27,7 +27,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                          const std::vector<std::string>& tie, bool physical, bool anisotropic,
                          bool per_channel, bool free_scale, const std::string& polarisation,
                          const std::string& repeats, double max_theta, double aperture, int starts,
-                         std::uint64_t seed) {
+                         std::uint64_t seed, const std::string& shape) {
   const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
                                 .weighting = named<fit::Weighting>("--weights", weights),
                                 .max_theta = max_theta,
@@ -39,7 +39,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                                 .random_starts = starts,
                                 .seed = seed,
                                 .aperture = aperture};
-  return {form, robust, fix, start, bounds, physical, options};
+  return {form, robust, fix, start, bounds, physical, shape, options};
 }
 
 // The table as it is fitted: its own values, unless another arrangement is asked for, and a name for reports.

@@ -19,6 +19,7 @@ inline constexpr double kDetermined = 0.05;
 struct Uncertainty {
   std::vector<Estimate> estimates;
   Correlations correlations;
+  std::vector<SmoothCurve> smooth;
   double condition = 1;
   bool singular = false;      // some parameter has no effect, or only together with others
   bool sum_at_bound = false;  // what --physical bounds together

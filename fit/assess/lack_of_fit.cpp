@@ -91,9 +91,9 @@ Extent range_of(const std::vector<double>& values) {
 // One reported parameter at each of these points, on the scale that its intervals are symmetric on.
 std::vector<double> on_interval_scale(const Reported& r, const std::vector<double>& natural,
                                       const Model& model) {
-  if (r.slot == kNoSlot || model.slots()[r.slot].kind != Slot::Kind::shape) return natural;
+  if (r.scale == kNoSlot) return natural;
   std::vector<double> out;
-  for (double v : natural) out.push_back(model.slots()[r.slot].to_solver(v));
+  for (double v : natural) out.push_back(model.slots()[r.scale].to_solver(v));
   return out;
 }
 

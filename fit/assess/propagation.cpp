@@ -12,6 +12,15 @@ Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
   return g;
 }
 
+namespace {
+
+std::string name_of_parameter(const Reported& r, const Model& model) {
+  if (r.slot != kNoSlot) return model.slots()[r.slot].name;
+  return r.scale == kNoSlot ? label(r.estimate) : label(model.slots()[r.scale].name, r.estimate.channel);
+}
+
+}  // namespace
+
 ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
                                          const std::vector<Reported>& all, const SlotCovariance& c,
                                          double freedom) {
@@ -19,13 +28,15 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
   ParameterCovariance out;
   std::vector<Eigen::VectorXd> scaled;  // gradients, in standard errors
   std::vector<double> errors;
-  std::set<std::size_t> seen;
+  std::set<std::string> seen;
   for (const Reported& r : all) {
-    if (r.slot != kNoSlot && !seen.insert(r.slot).second) continue;
+    // Where two widths are tied the second is no parameter of its own.
+    const std::string name = name_of_parameter(r, model);
+    if (!seen.insert(name).second) continue;
     const Eigen::VectorXd g = gradient_vector(r, c.matrix.rows());
     const double variance = g.dot(c.matrix * g);
     if (!(variance > 0)) continue;
-    out.names.push_back(r.slot == kNoSlot ? label(r.estimate) : model.slots()[r.slot].name);
+    out.names.push_back(name);
     errors.push_back(std::sqrt(variance));
     scaled.push_back(g / errors.back());
   }

@@ -26,7 +26,9 @@ void add_shape(const Model& model, std::span<const double> p, std::size_t t, std
     const std::vector<double> shape = model.shape(p, t, g);
     for (std::size_t k = 0; k < shape.size(); ++k) {
       const std::size_t s = shape_slot(model, t, k, g);
-      const bool shared = model.groups() == 1 || (s != kNoSlot && model.slots()[s].group == kEveryGroup);
+      const bool smooth = s != kNoSlot && model.slots()[s].nodes > 1;
+      const bool shared =
+          model.groups() == 1 || (s != kNoSlot && !smooth && model.slots()[s].group == kEveryGroup);
       if (shared && g > 0) continue;
       Reported r;
       r.estimate.name = model.prefixed(t, term.info->shape[k].name);
@@ -35,8 +37,9 @@ void add_shape(const Model& model, std::span<const double> p, std::size_t t, std
       r.estimate.value = shape[k];
       if (s != kNoSlot) {
         const Slot& slot = model.slots()[s];
-        r.slot = s;
-        r.gradient = {{s, slot.slope(p[s])}};
+        if (!smooth) r.slot = s;
+        r.scale = s;
+        r.gradient = model.shape_slopes(p, s, g);
         r.min = slot.min;
         r.max = slot.max;
       }
@@ -111,9 +114,10 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
 }
 
 Extent extent_of(const Reported& r, const Model& model, std::span<const double> p, double half_width) {
-  if (r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape) {
-    const Slot& slot = model.slots()[r.slot];
-    return {slot.to_natural(p[r.slot] - half_width), slot.to_natural(p[r.slot] + half_width)};
+  if (r.scale != kNoSlot) {
+    const Slot& slot = model.slots()[r.scale];
+    const double u = r.slot != kNoSlot ? p[r.slot] : slot.to_solver(r.estimate.value);
+    return {slot.to_natural(u - half_width), slot.to_natural(u + half_width)};
   }
   return {std::max(r.estimate.value - half_width, r.min), std::min(r.estimate.value + half_width, r.max)};
 }

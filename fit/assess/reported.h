@@ -16,7 +16,8 @@ struct Reported {
   Estimate estimate;
   const ParameterInfo* info = nullptr;  // never null once reported
   std::vector<std::pair<std::size_t, double>> gradient;
-  std::size_t slot = kNoSlot;  // a shape parameter's own
+  std::size_t slot = kNoSlot;   // a shape parameter's own
+  std::size_t scale = kNoSlot;  // of any shape parameter: a slot on whose scale its interval is symmetric
   double min = 0, max = 0;
   bool weight = false;
   double weight_scale = 0;                 // weights: the channel's sum

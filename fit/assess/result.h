@@ -98,6 +98,13 @@ struct LackOfFit {
   bool beyond_scatter = false;      // the residual is 1.3 times the scatter, or some cell is off beyond it
 };
 
+// A shape over wavelength: the scale of a parameter as a polynomial in x = 1000 nm / wavelength.
+struct SmoothCurve {
+  std::string parameter;  // alpha, terms[1].alpha
+  std::string scale;      // of what it is a polynomial: "ln", "ln1p", "square", "identity"
+  std::vector<double> coefficients, standard_errors;  // by powers of x
+};
+
 struct MinimumReport {
   double cost;
   int basin;
@@ -139,6 +146,7 @@ struct FormFit {
   double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
+  std::vector<SmoothCurve> smooth;  // of --shape smooth
   Correlations correlations;
   std::optional<ParameterCovariance> covariance;  // none where some direction has no effect at all
   std::optional<double> prediction_error;  // relative standard error of what the model gives at the samples

@@ -7,6 +7,7 @@
 #include "fit/assess/derived.h"
 #include "fit/assess/propagation.h"
 #include "fit/assess/reported.h"
+#include "fit/assess/smooth_curves.h"
 #include "fit/assess/student.h"
 #include "io/numbers.h"
 #include "io/text.h"
@@ -127,15 +128,24 @@ bool at_bound(const Reported& r, const Minimum& m) {
 bool no_information(const Reported& r, const Model& model, double error, double solver_error) {
   if (r.divided) return error > kFresnelError;
   if (r.weight) return error > kWeightError * std::max(std::abs(r.estimate.value), r.weight_scale);
-  const Slot& slot = model.slots()[r.slot];
+  const Slot& slot = model.slots()[r.scale != kNoSlot ? r.scale : r.slot];
   if (slot.kind == Slot::Kind::tangent) return error > 22.5;
   if (slot.scale == Scale::log || slot.scale == Scale::log1p) return solver_error > kLogError;
   return error > kRangeError * (r.max - r.min);
 }
 
+// A standard error on the solver's scale; that of the value where it has none.
+double error_on_scale(const Reported& r, const Model& model, const Covariance& c, double error) {
+  if (r.slot != kNoSlot)
+    return std::sqrt(std::max(c.matrix(Eigen::Index(r.slot), Eigen::Index(r.slot)), 0.0));
+  if (r.scale == kNoSlot) return error;
+  const Slot& slot = model.slots()[r.scale];
+  return error / slot.slope(slot.to_solver(r.estimate.value));
+}
+
 // A second width, or the direction of the first: what only a turn of the sample shows.
 bool asks_for_turn(const Reported& r, const Model& model) {
-  if (r.slot == kNoSlot || model.slots()[r.slot].members.size() > 1) return false;
+  if (r.scale != kNoSlot ? model.slots()[r.scale].members.size() > 1 : r.slot == kNoSlot) return false;
   return r.info == &kTangentInfo || r.info->role == Role::width_across ||
          r.info->role == Role::exponent_across;
 }
@@ -248,9 +258,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     const Eigen::VectorXd g = gradient_vector(r, n);
     const double variance = g.dot(c.matrix * g);
     const double error = std::sqrt(std::max(variance, 0.0));
-    const double solver_error =
-        r.slot == kNoSlot ? error
-                          : std::sqrt(std::max(c.matrix(Eigen::Index(r.slot), Eigen::Index(r.slot)), 0.0));
+    const double solver_error = error_on_scale(r, model, c, error);
     if (r.without_lobe) {
       e.status = Status::unidentified;
     } else if (r.gradient.empty()) {
@@ -271,14 +279,16 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
       e.standard_error = error;
       certain.push_back(k);
       if (lean) continue;
-      const bool shape = r.slot != kNoSlot && model.slots()[r.slot].kind == Slot::Kind::shape;
       const double t = t_quantile(std::min(freedom, own_freedom[k]));
-      const Extent interval = extent_of(r, model, m.p, t * (shape ? solver_error : error));
+      const Extent interval = extent_of(r, model, m.p, t * (r.scale != kNoSlot ? solver_error : error));
       e.low = interval.low;
       e.high = interval.high;
     }
   }
-  if (!lean) out.correlations = correlations_of(all, certain, c.matrix);
+  if (!lean) {
+    out.correlations = correlations_of(all, certain, c.matrix);
+    out.smooth = smooth_curves(model, m.p, c.matrix);
+  }
 
   if (!lean && c.null_space.cols() == 0 && !few)
     out.covariance = parameter_covariance(stream, m.p, all, {c.matrix, c.inverse}, freedom);

@@ -110,7 +110,7 @@ class Resolver {
       const auto [along, across] = info.axes();
       for (std::size_t k = 0; k < info.shape.size(); ++k)
         if (own == info.shape[k].name || (own == info.tied_name() && (int(k) == along || int(k) == across)))
-          found.push_back({&out_.terms[t].shape[k], &info.shape[k], options_.per_channel});
+          found.push_back({&out_.terms[t].shape[k], &info.shape[k], options_.shapes_differ()});
       for (std::size_t k = 0; k < info.weights.size(); ++k)
         if (own == info.weights[k].name) found.push_back({&out_.terms[t].weights[k], &info.weights[k], true});
     }

@@ -10,7 +10,8 @@ namespace brdf::fit {
 
 Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, const FitOptions& options)
     : name_(name_of_sum(forms)), channels_(std::move(channels)) {
-  groups_ = options.per_channel ? channels_.size() : 1;
+  groups_ = options.shapes_differ() ? channels_.size() : 1;
+  if (options.smooth > 0) smooth_ = smooth_basis(channels_, options.smooth);
   for (const Reflectance& form : forms) add_term(form);
   constraints_ = resolve(forms, channels_, options);
   normal_start_ = options.normal;
@@ -65,10 +66,33 @@ std::vector<double> Model::shape(std::span<const double> p, std::size_t term, st
   std::vector<double> shape = terms_[term].fixed_shape[group];
   for (std::size_t s = 0; s < shape_slots_; ++s) {
     const Slot& slot = slots_[s];
-    if (slot.kind == Slot::Kind::shape && slot.term == term && slot.in_group(group))
-      for (std::size_t m : slot.members) shape[m] = slot.to_natural(p[s]);
+    if (slot.kind == Slot::Kind::shape && slot.term == term && slot.node == 0 && slot.in_group(group))
+      for (std::size_t m : slot.members) shape[m] = slot.to_natural(scaled_value(p, s, group));
   }
   return shape;
+}
+
+double Model::scaled_value(std::span<const double> p, std::size_t s, std::size_t group) const {
+  if (slots_[s].nodes == 1) return p[s];
+  double u = 0;
+  for (std::size_t k = 0; k < slots_[s].nodes; ++k) u += slots_[s + k].share[group] * p[s + k];
+  return u;
+}
+
+Gradient Model::shape_slopes(std::span<const double> p, std::size_t s, std::size_t group) const {
+  const Slot& slot = slots_[s];
+  if (slot.nodes == 1) return {{s, slot.slope(p[s])}};
+  const double u = scaled_value(p, s, group);
+  // Between nodes a polynomial may leave the range, where the value stays at its end.
+  const double slope = u >= slot.low && u <= slot.high ? slot.slope(u) : 0;
+  Gradient out;
+  for (std::size_t k = 0; k < slot.nodes; ++k) out.push_back({s + k, slope * slots_[s + k].share[group]});
+  return out;
+}
+
+Gradient Model::slopes_of_partial(std::span<const double> p, std::size_t partial, std::size_t group) const {
+  const std::size_t slot = slot_of_partial(partial, group);
+  return slot == kNoSlot ? Gradient() : shape_slopes(p, slot, group);
 }
 
 Angle Model::tangent_phi(std::span<const double> p) const {
@@ -173,7 +197,12 @@ void Model::apply_start(std::vector<double>& p) const {
       continue;
     }
     const Constraint& c = constraints_.terms[slot.term].shape[slot.members[0]];
-    if (!c.start.empty()) p[s] = slot.to_solver(c.start_in(slot.group));
+    // Of a value for every channel a node takes that of the channel which it has the largest share of.
+    const std::size_t channel =
+        slot.nodes == 1
+            ? slot.group
+            : std::size_t(std::max_element(slot.share.begin(), slot.share.end()) - slot.share.begin());
+    if (!c.start.empty()) p[s] = slot.to_solver(c.start_in(channel));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "fit/model/lobe_columns.h"
 #include "fit/model/natural_weights.h"
 #include "fit/model/slot.h"
+#include "fit/model/smooth.h"
 
 namespace brdf::fit {
 
@@ -83,6 +84,11 @@ class Model {
   std::size_t slot_of_partial(std::size_t partial, std::size_t group) const {
     return partial_slot_[group * partials_ + partial];
   }
+  // What a derivative by a shape parameter is by the unknowns, in one group; none where no slot sets it.
+  Gradient slopes_of_partial(std::span<const double> p, std::size_t partial, std::size_t group) const;
+  // The same for the parameter that a slot sets, the first one of its nodes.
+  Gradient shape_slopes(std::span<const double> p, std::size_t slot, std::size_t group) const;
+  const std::optional<SmoothBasis>& smooth() const { return smooth_; }  // none: shapes are not
   // Natural shape of a term in a group.
   std::vector<double> shape(std::span<const double> p, std::size_t term, std::size_t group) const;
   Angle tangent_phi(std::span<const double> p) const;
@@ -118,6 +124,9 @@ class Model {
   void add_term(const Reflectance& form);
   void add_shape_slots(bool anisotropic);
   void add_shape_parameter(std::size_t term, const std::vector<std::size_t>& members);
+  void add_nodes(Slot slot);
+  // On the solver's scale, in a group, of the parameter that a slot sets.
+  double scaled_value(std::span<const double> p, std::size_t slot, std::size_t group) const;
   void add_tangent_slot();
   void add_normal_slots();
   void index_partials();
@@ -134,6 +143,7 @@ class Model {
   Angle fixed_tangent_{};
   std::optional<std::array<double, 2>> normal_start_;  // none: the normal is not fitted
   std::optional<NaturalWeights> natural_;
+  std::optional<SmoothBasis> smooth_;
 };
 
 }  // namespace brdf::fit

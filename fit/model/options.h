@@ -79,8 +79,11 @@ struct FitOptions {
   double max_theta = 80;                       // degrees; rows beyond are left out
   bool anisotropic = false;
   bool per_channel = false;     // shapes, too
+  int smooth = 0;               // shapes follow a polynomial of this degree in 1/wavelength; 0: none
   bool free_scale = false;      // the samples are uncalibrated: arranged() divides them
   io::Arrangement arrangement;  // what arranged() makes of polarisations and repeats
+  // Whether a shape may differ between channels.
+  bool shapes_differ() const { return per_channel || smooth > 0; }
   std::vector<NamedValues> fix, start;
   std::vector<NamedRange> bounds;
   std::vector<std::string>

@@ -31,7 +31,10 @@ struct Slot {
   double min = 0, max = 0;   // natural
   double low = 0, high = 0;  // on the solver's scale
   double grid_max = 0;       // natural: what a grid of starts covers
-  std::string name;          // as reported: alpha, alpha_x, terms[1].sigma
+  // Of a shape that is smooth over wavelength (smooth.h): which of its values this is, and its share in each channel.
+  std::size_t node = 0, nodes = 1;
+  std::vector<double> share;
+  std::string name;  // as reported: alpha, alpha_x, terms[1].sigma
 
   bool in_group(std::size_t g) const { return group == g || group == kEveryGroup; }
   // The same parameter, perhaps of other channels.

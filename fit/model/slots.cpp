@@ -207,14 +207,28 @@ void Model::add_shape_parameter(std::size_t t, const std::vector<std::size_t>& m
   slot.low = slot.to_solver(slot.min);
   slot.high = slot.to_solver(slot.max);
   const std::string name = prefixed(t, members.size() > 1 ? info.tied_name() : p.name);
+  for (std::size_t m : members) term.partial[m] = int(term.partials);
+  ++term.partials;
   const bool shared = groups_ > 1 && c.tied;
+  if (smooth_ && !shared) {
+    slot.name = name;
+    return add_nodes(std::move(slot));
+  }
   for (std::size_t g = 0; g < (shared ? 1 : groups_); ++g) {
     slot.group = shared ? kEveryGroup : g;
     slot.name = groups_ > 1 && !shared ? name + "[" + channels_[g] + "]" : name;
     slots_.push_back(slot);
   }
-  for (std::size_t m : members) term.partial[m] = int(term.partials);
-  ++term.partials;
+}
+
+// The values of a smooth shape at its nodes.
+void Model::add_nodes(Slot slot) {
+  slot.group = kEveryGroup;
+  slot.nodes = smooth_->nodes.size();
+  for (slot.node = 0; slot.node < slot.nodes; ++slot.node) {
+    slot.share = smooth_->share[slot.node];
+    slots_.push_back(slot);
+  }
 }
 
 void Model::add_tangent_slot() {
@@ -247,7 +261,8 @@ void Model::index_partials() {
   for (std::size_t s = 0; s < shape_slots_; ++s) {
     const Slot& slot = slots_[s];
     for (std::size_t g = 0; g < groups_ && slot.kind == Slot::Kind::shape; ++g)
-      if (slot.in_group(g)) set(g, terms_[slot.term], terms_[slot.term].partial[slot.members[0]], s);
+      if (slot.node == 0 && slot.in_group(g))
+        set(g, terms_[slot.term], terms_[slot.term].partial[slot.members[0]], s);
   }
   for (const TermModel& term : terms_)
     for (std::size_t g = 0; g < groups_; ++g) {

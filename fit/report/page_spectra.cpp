@@ -65,6 +65,7 @@ void add_spectra(io::HtmlReport& report, const FormFit& fit) {
       "Each band with its 95 % interval. The sphere shows them as they are seen under D65 (CIE 1931).");
   for (const Spectrum& spectrum : spectra_of(fit))
     report.plot(plot_of(spectrum, fit.lack_of_fit.beyond_scatter));
+  for (const SmoothCurve& curve : fit.smooth) report.paragraph(in_words(curve));
 }
 
 }  // namespace brdf::fit

@@ -126,6 +126,18 @@ std::string others_in_words(const LackOfFit& lack) {
   return text;
 }
 
+std::string in_words(const SmoothCurve& curve) {
+  std::string text =
+      curve.parameter + " over wavelength: " +
+      (curve.scale == "identity" ? curve.parameter : curve.scale + "(" + curve.parameter + ")") + " = ";
+  for (std::size_t k = 0; k < curve.coefficients.size(); ++k) {
+    text += (k ? " + (" : "(") + io::short_number(curve.coefficients[k]) + " +- " +
+            io::short_number(curve.standard_errors[k], 2) + ")";
+    if (k > 0) text += k > 1 ? " x^" + std::to_string(k) : " x";
+  }
+  return text + ", x = 1000 nm/wavelength";
+}
+
 std::string in_words(const Step& step) {
   const std::string start =
       step.added + ": " + step.model + ", left out " + io::short_number(step.left_out, 3);
@@ -186,6 +198,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
     if (const NamedParameter parameter = named(best, e); !parameter.repeats)
       out << "  " << estimate_text(e, label(parameter.symbol, e.channel), best.lack_of_fit.beyond_scatter)
           << '\n';
+  for (const SmoothCurve& curve : best.smooth) out << "  " << in_words(curve) << '\n';
   if (const std::string text = recommendation(result); !text.empty()) out << text << '\n';
 }
 

@@ -19,6 +19,9 @@ std::string in_words(const LackOfFit& lack);
 // "also off at theta_h 0 to 2, ... (31 rows, 12 % of what was minimised): 0.91 times; ..."; empty where nothing else is.
 std::string others_in_words(const LackOfFit& lack);
 
+// "alpha over wavelength: ln(alpha) = (-1.6 +- 0.02) + (0.1 +- 0.01) x, x = 1000 nm/wavelength".
+std::string in_words(const SmoothCurve& curve);
+
 // "a second lobe: ward+ward, left out 2.1e-05, lower by 1.3e-05 +- 2.1e-06 (p 0.0002, best of 2): kept".
 std::string in_words(const Step& step);
 

@@ -95,6 +95,18 @@ Json lack_of_fit_json(const LackOfFit& lack) {
   return j;
 }
 
+// By powers of 1000 nm / wavelength.
+Json smooth_json(const std::vector<SmoothCurve>& curves) {
+  Json j = Json::object();
+  for (const SmoothCurve& curve : curves) {
+    j[curve.parameter] = {{"scale", curve.scale}, {"coefficients", Json::array()}};
+    for (std::size_t k = 0; k < curve.coefficients.size(); ++k)
+      j[curve.parameter]["coefficients"].push_back(
+          {{"value", number(curve.coefficients[k])}, {"standard_error", number(curve.standard_errors[k])}});
+  }
+  return j;
+}
+
 Json statistics_json(const FormFit& fit) {
   Json j{{"form", fit.form},
          {"verdict", name_of(fit.verdict)},
@@ -116,6 +128,7 @@ Json statistics_json(const FormFit& fit) {
   j["parameters"] = fit.parameters;
   j["metrics"] = metrics_json(fit.metrics);
   j["intervals"] = intervals_json(fit);
+  if (!fit.smooth.empty()) j["smooth"] = smooth_json(fit.smooth);
   return j;
 }
 

@@ -39,7 +39,9 @@ std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& mode
       if (along == kNoSlot || across == kNoSlot || !model.slots()[along].same_range(model.slots()[across]) ||
           model.slots()[along].group != model.slots()[across].group)
         return {};
-      if (g == 0 || model.slots()[along].group == g) pairs.push_back({along, across});
+      if (g > 0 && model.slots()[along].group != g) continue;
+      for (std::size_t node = 0; node < model.slots()[along].nodes; ++node)
+        pairs.push_back({along + node, across + node});
     }
   }
   return pairs;

@@ -154,7 +154,7 @@ class Search {
     if (model_.terms().size() < 2) return m;
     for (std::size_t s = 0; s < model_.shape_slots(); ++s) {
       const Slot& slot = model_.slots()[s];
-      if (slot.kind != Slot::Kind::shape || !slot.in_group(0) || options_.stop()) continue;
+      if (slot.kind != Slot::Kind::shape || slot.node > 0 || !slot.in_group(0) || options_.stop()) continue;
       std::vector<double> best;
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < kReseats; ++k) {

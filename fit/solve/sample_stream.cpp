@@ -12,10 +12,9 @@ Contributions contributions(const Model& model, std::span<const double> p, std::
   Contributions out(model.lobes() + model.partials());
   const std::size_t group = model.group_of(channel);
   for (const WeightSlope& w : model.weight_slopes(p, channel)) out[w.lobe].push_back({w.slot, w.value});
-  for (std::size_t q = 0; q < model.partials(); ++q) {
-    const std::size_t slot = model.slot_of_partial(q, group);
-    if (slot != kNoSlot) out[model.lobes() + q].push_back({slot, model.slots()[slot].slope(p[slot])});
-  }
+  for (std::size_t q = 0; q < model.partials(); ++q)
+    for (const auto& [slot, slope] : model.slopes_of_partial(p, q, group))
+      out[model.lobes() + q].push_back({slot, slope});
   return out;
 }
 

@@ -81,6 +81,10 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
       p[s] = kPi * u;
       continue;
     }
+    if (slot.node > 0) {  // level over wavelength
+      p[s] = p[s - 1];
+      continue;
+    }
     const double low = grid_value(slot, 0, 1000000), high = slot.to_solver(slot.grid_max);
     p[s] = low + (high - low) * u;
   }

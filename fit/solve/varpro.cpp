@@ -55,11 +55,9 @@ std::vector<PartialColumns> partial_columns(const Model& model, std::span<const 
   std::vector<PartialColumns> out;
   std::size_t column = model.lobes();
   for (const TermModel& t : model.terms())
-    for (std::size_t q = t.first_partial; q < t.first_partial + t.partials; ++q, column += t.lobes) {
-      const std::size_t slot = model.slot_of_partial(q, group);
-      if (slot != kNoSlot)
-        out.push_back({slot, column, t.first_lobe, t.lobes, model.slots()[slot].slope(p[slot])});
-    }
+    for (std::size_t q = t.first_partial; q < t.first_partial + t.partials; ++q, column += t.lobes)
+      for (const auto& [slot, slope] : model.slopes_of_partial(p, q, group))
+        out.push_back({slot, column, t.first_lobe, t.lobes, slope});
   return out;
 }
 

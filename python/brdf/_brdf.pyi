@@ -77,7 +77,7 @@ class FitChoice:
     def __init__(self, form: str, metric: str, weights: str, robust: str, fix: list[str], start: list[str],
                  bounds: list[str], tie: list[str], physical: bool, anisotropic: bool, per_channel: bool,
                  free_scale: bool, polarisation: str, repeats: str, max_theta: float, aperture: float, starts: int,
-                 seed: int, /) -> None: ...
+                 seed: int, shape: str, /) -> None: ...
 
 class Fitted:
     @property

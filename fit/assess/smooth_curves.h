@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fit/assess/propagation.h"
+
+namespace brdf::fit {
+
+// The coefficients of every shape that is smooth over wavelength, with their standard errors.
+std::vector<SmoothCurve> smooth_curves(const Model& model, std::span<const double> p,
+                                       const RowMatrix& covariance);
+
+}  // namespace brdf::fit
