@@ -278,6 +278,13 @@ bool is_wavelength_name(std::string_view name) {
   return std::any_of(ways.begin(), ways.end(), [](const Parts& p) { return is_wavelength(p.name, p.unit); });
 }
 
+bool is_unit(std::string_view field) {
+  if (field.size() > 1 && (field.front() == '[' || field.front() == '('))
+    field = trimmed(field.substr(1, field.size() - 2));
+  return field.empty() || field == "-" || is_one_of(field, kDegrees) || is_one_of(field, kRadians) ||
+         is_one_of(field, kNanometres) || is_one_of(field, kMicrometres) || is_one_of(field, kPerSteradian);
+}
+
 bool is_polarisation_name(std::string_view name) {
   const std::string key = plain_spelling(name);
   return key == "polarisation" || key == "polarization";

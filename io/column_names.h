@@ -36,6 +36,9 @@ bool is_wavelength_name(std::string_view name);
 // Whether a column of this name holds words for polarisations: `polarisation`, `polarization`.
 bool is_polarisation_name(std::string_view name);
 
+// Whether a field is a unit that a column's name may have, in brackets or not: deg, [rad], 1/sr, nm. So is nothing at all.
+bool is_unit(std::string_view field);
+
 // Understands a header row: the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL; their usual aliases in any
 // case and with blanks, hyphens or underscores (thetai, incidence, theta_r, view zenith, azimuth, ...; docs/formats.md
 // has the list); units in brackets or as a suffix. theta_s is the scattered direction beside an incident one, the

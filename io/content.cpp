@@ -72,12 +72,27 @@ std::size_t line_of(const std::string& bytes, std::size_t place) {
 
 namespace {
 
-// UTF-16 as spreadsheets write it ("Unicode text"), with its byte order mark. Lone surrogates are no text.
+constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF";
+
+// Whether the first two characters are Latin ones in UTF-16 of this order.
+bool begins_as_utf16(const std::string& bytes, bool is_big) {
+  for (std::size_t k = 0; k < 4; ++k)
+    if (bytes.size() < 4 || (bytes[k] == '\0') != (k % 2 == (is_big ? 0 : 1))) return false;
+  return true;
+}
+
+bool is_utf16(const std::string& bytes) {
+  return bytes.starts_with(kLittleEndian) || bytes.starts_with(kBigEndian) || begins_as_utf16(bytes, false) ||
+         begins_as_utf16(bytes, true);
+}
+
+// UTF-16 as spreadsheets write it ("Unicode text"), with its byte order mark or without. Lone surrogates are no text.
 std::string from_utf16(Content& text) {
-  const bool is_big = text.bytes.starts_with("\xFE\xFF");
+  const bool is_big = text.bytes.starts_with(kBigEndian) || begins_as_utf16(text.bytes, true);
+  const bool is_marked = text.bytes.starts_with(kLittleEndian) || text.bytes.starts_with(kBigEndian);
   std::u16string units;
   units.reserve(text.bytes.size() / 2);
-  for (std::size_t k = 2; k + 1 < text.bytes.size(); k += 2) {
+  for (std::size_t k = is_marked ? 2 : 0; k + 1 < text.bytes.size(); k += 2) {
     const auto a = static_cast<unsigned char>(text.bytes[k]),
                b = static_cast<unsigned char>(text.bytes[k + 1]);
     units += static_cast<char16_t>(is_big ? a << 8 | b : b << 8 | a);
@@ -100,7 +115,11 @@ std::string make_utf8(Content& text) {
     throw InputError(text.name + ", line " + std::to_string(line_of(text.bytes, place)) + ": " + what);
   };
   std::string note;
-  if (text.bytes.starts_with("\xFF\xFE") || text.bytes.starts_with("\xFE\xFF")) note = from_utf16(text);
+  if (is_utf16(text.bytes)) note = from_utf16(text);
+  if (text.bytes.find('\n') == text.bytes.npos && text.bytes.find('\r') != text.bytes.npos) {
+    std::replace(text.bytes.begin(), text.bytes.end(), '\r', '\n');
+    note += std::string(note.empty() ? "" : "; ") + "lines end in CR alone";
+  }
   if (const std::size_t nul = text.bytes.find('\0'); nul != std::string::npos)
     refuse(nul, "holds a NUL byte: neither text nor a binary format that is read");
   const auto invalid = utf8::find_invalid(text.bytes.begin(), text.bytes.end());

@@ -10,6 +10,7 @@
 #include "io/dialect.h"
 #include "io/error.h"
 #include "io/long_format.h"
+#include "io/no_number.h"
 #include "io/output.h"
 #include "io/table_rules.h"
 #include "io/text.h"
@@ -17,7 +18,7 @@
 namespace brdf::io {
 namespace {
 
-constexpr const char* kBadQuotation = "a quotation mark is not closed, or text follows it";
+constexpr const char* kBadQuotation = "a quotation mark is not closed in its line, or text follows it";
 
 enum class Quantity { brdf, brdf_cos_i, brdf_cos_o };
 
@@ -36,7 +37,7 @@ class CsvReader {
         read_comment(line);
       else if (columns().empty() && dialect_.is_separator_line(line))
         continue;
-      else if (columns().empty())
+      else if (columns().empty() && !is_header_in_comment(line))
         read_header(line);
       else
         read_row(line);
@@ -61,11 +62,26 @@ class CsvReader {
   }
 
   void read_comment(std::string_view line) {
+    if (columns().empty()) last_comment_ = trimmed(line.substr(1));
     Comment comment = parse_comment(line.substr(1));
     if (comment.first == kQuantityKey)
       read_quantity(comment.second);  // and no comment: the table holds f_r whatever the file held
     else
       table_.metadata.push_back(std::move(comment));
+  }
+
+  // Where numbers begin without a header row it may be the comment above them, as numpy writes it: that is then read.
+  bool is_header_in_comment(std::string_view line) {
+    Dialect of_numbers, of_names;
+    std::vector<std::string_view> fields;
+    double number;
+    if (!of_numbers.split_header(line, fields) || fields.empty() || !of_numbers.parse(fields[0], number) ||
+        !of_names.split_header(last_comment_, fields) || !has_plain_angle_names(fields))
+      return false;
+    table_.metadata.pop_back();
+    read_header(last_comment_);
+    header_.notes.push_back("the header row is the comment above the numbers");
+    return true;
   }
 
   void read_quantity(const std::string& value) {
@@ -88,13 +104,21 @@ class CsvReader {
     std::unordered_set<std::string_view> seen;
     for (std::size_t k = 0; k < fields_.size(); ++k) {
       const std::string at = "column " + std::to_string(k + 1);
-      if (fields_[k].empty()) fail(at + " has no name");
+      if (fields_[k].empty()) fail(at + " has no name; leave out a column of row numbers");
       const bool is_band = has_names && with_band_unit(fields_[k]) != fields_[k];
       if (!is_band && dialect_.parse(fields_[k], number))
-        fail("the header row is missing: " + at + " is the number " + shown(fields_[k]) + ", not a name");
-      if (!seen.insert(fields_[k]).second) fail("column " + shown(fields_[k]) + " twice");
+        fail("the header row is missing: " + at + " is the number " + shown(fields_[k]) +
+             ", not a name; write one above the numbers: theta_i,phi_i,theta_o,phi_o,<channel>...");
+      if (!seen.insert(fields_[k]).second)
+        fail(
+            "column " + shown(fields_[k]) +
+            " twice; a reading that was repeated is a row of its own, another channel has a name of its own");
     }
-    header_ = understand_columns(fields_, reader_.where());
+    understand(fields_);
+  }
+
+  void understand(const std::vector<std::string_view>& names) {
+    header_ = understand_columns(names, reader_.where());
     is_long_ = header_.has(Column::Kind::wavelength) || header_.has(Column::Kind::polarisation);
     check_header();
     table_.channels = header_.channels;
@@ -105,6 +129,13 @@ class CsvReader {
     row_sigma_.resize(table_.channels.size());
   }
 
+  // Whether the header row is words between blanks, none of them an angle's.
+  bool is_a_title() const {
+    return dialect_.separates_by_blanks() &&
+           std::none_of(columns().begin(), columns().end(),
+                        [](const Column& c) { return c.kind == Column::Kind::angle; });
+  }
+
   void check_header() {
     std::string found;
     for (const Column& c : columns()) found += (found.empty() ? "" : ", ") + shown(c.name);
@@ -113,7 +144,8 @@ class CsvReader {
       if (!header_.has_angle(angle) && !is_replaced)
         fail("column '" + std::string(kAngleNames[angle]) +
              "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by " +
-             dialect_.separator_in_words() + ": " + found);
+             dialect_.separator_in_words() + ": " + found +
+             (is_a_title() ? "; lines above the header row begin with '#'" : ""));
     }
     if (need_values_ && header_.channels.empty()) fail("no value column beside the four angles");
     if (is_long_ && need_values_ && header_.channels.size() != 1)
@@ -140,11 +172,22 @@ class CsvReader {
     if (!dialect_.split_row(line, fields_)) fail(kBadQuotation);
   }
 
+  // Where the line is one of another separator.
+  std::string other_separator(std::string_view line) const {
+    for (const auto& [c, words] : {std::pair(',', "','"), std::pair(';', "';'"), std::pair('\t', "a tab")})
+      if (words != dialect_.separator_in_words() && fields_.size() == 1 &&
+          static_cast<std::size_t>(std::count(line.begin(), line.end(), c)) == columns().size() - 1)
+        return std::string("; this line is separated by ") + words;
+    return "";
+  }
+
   void read_row(std::string_view line) {
     split_row(line);
+    if (table_.rows() == 0 && table_.skipped == 0 && !has_units_ && is_row_of_units()) return;
     if (fields_.size() != columns().size())
       fail(std::to_string(fields_.size()) + " columns where the header has " +
-           std::to_string(columns().size()) + ", separated by " + dialect_.separator_in_words());
+           std::to_string(columns().size()) + ", separated by " + dialect_.separator_in_words() +
+           other_separator(line));
     for (std::size_t k = 0; k < columns().size(); ++k) {
       if (columns()[k].kind == Column::Kind::polarisation) {
         read_polarisation(k);
@@ -154,12 +197,31 @@ class CsvReader {
       if (!dialect_.parse(fields_[k], number))
         fail(k, fields_[k],
              dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
-                                        : "is not a number");
+                                        : "is not a number" + advice_on(fields_[k]));
       number = columns()[k].converted(number);
-      if (!std::isfinite(number)) fail(k, fields_[k], "is not finite");
+      if (!std::isfinite(number)) fail(k, fields_[k], "is not finite" + advice_on(fields_[k]));
       read_number(k, number);
     }
     store_row();
+  }
+
+  // Names and units may stand in two rows: as one they are "theta_i (deg)".
+  bool is_row_of_units() {
+    if (fields_.size() != columns().size() ||
+        std::none_of(fields_.begin(), fields_.end(), [](std::string_view f) { return !f.empty(); }))
+      return false;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < columns().size(); ++k) {
+      const std::string_view unit = fields_[k];
+      double number;
+      if (dialect_.parse(unit, number) || !is_unit(unit)) return false;
+      const bool has_brackets = !unit.empty() && (unit.front() == '[' || unit.front() == '(');
+      const std::string in_brackets = has_brackets ? std::string(unit) : "(" + std::string(unit) + ")";
+      names.push_back(columns()[k].name + (unit.empty() || unit == "-" ? "" : " " + in_brackets));
+    }
+    has_units_ = true;
+    understand({names.begin(), names.end()});
+    return true;
   }
 
   void read_number(std::size_t k, double number) {
@@ -264,8 +326,9 @@ class CsvReader {
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
   std::vector<double> row_values_, row_sigma_;
   Quantity quantity_ = Quantity::brdf;
-  bool has_sigma_ = false, is_long_ = false;
-  Band band_;  // of this row
+  bool has_sigma_ = false, is_long_ = false, has_units_ = false;
+  std::string last_comment_;  // above the header row
+  Band band_;                 // of this row
   std::vector<Band> bands_;
 };
 

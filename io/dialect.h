@@ -24,6 +24,7 @@ class Dialect {
   // A field as a number. False where it is none, or has the other decimal mark than those before.
   bool parse(std::string_view field, double& value);
 
+  bool separates_by_blanks() const { return separator_ == ' '; }
   // Whether a number of either mark has been read, and one of the other refused since.
   bool marks_are_mixed() const { return is_mixed_; }
   // What separates fields, in words: "','", "a tab".

@@ -10,6 +10,7 @@
 #include "io/merl.h"
 #include "io/rgl.h"
 #include "io/table_rules.h"
+#include "io/text.h"
 #include "io/zemax.h"
 
 namespace brdf::io {
@@ -54,10 +55,33 @@ namespace {
                    forms);
 }
 
+// Files of other kinds by their first bytes, and what to do with them.
+void refuse_other_kinds(const Content& content) {
+  using namespace std::string_view_literals;
+  constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+      {"\x89PNG"sv, "is a picture (PNG), not a table of samples"},
+      {"\xff\xd8\xff"sv, "is a picture (JPEG), not a table of samples"},
+      {"PK\x03\x04"sv, "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
+      {"\xd0\xcf\x11\xe0"sv, "is an Excel workbook: export the sheet as CSV"},
+      {"\x1f\x8b"sv, "is compressed: `zcat FILE | brdf fit /dev/stdin` reads what is in it"},
+      {"%PDF"sv, "is a PDF: copy the table out of it as text"},
+      {"\xff\xfe\0\0"sv, "is UTF-32 text: save it as UTF-8"},
+      {"\0\0\xfe\xff"sv, "is UTF-32 text: save it as UTF-8"}};
+  for (const auto& [magic, what] : kKinds)
+    if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
+  const std::size_t first = content.bytes.find_first_not_of(" \t\r\n");
+  if (first == content.bytes.npos) return;
+  if (content.bytes[first] == '<')
+    throw InputError(content.name + ": is a web page or XML, not a table of samples");
+  constexpr std::string_view kFred = "type bsdf_data";
+  if (lower_case(content.bytes.substr(first, kFred.size())) == kFred)
+    throw InputError(
+        content.name +
+        ": is FRED's tabulated BSDF ('type bsdf_data'), of which no published file tells where its azimuths "
+        "begin: export columns theta_i, phi_i, theta_o, phi_o and the value as CSV");
+}
+
 SampleTable read_text(Content text, bool need_values) {
-  for (const auto& [magic, kind] : {std::pair("\x89PNG", "PNG"), std::pair("\xff\xd8\xff", "JPEG")})
-    if (text.bytes.starts_with(magic))
-      throw InputError(text.name + ": is a picture (" + kind + "), not a table of samples");
   const std::size_t format = text.bytes.find("\"format\"");
   if (is_json(text) && format < 10 && text.bytes.substr(format, 30).find("brdf-view") != text.bytes.npos)
     refuse_view(text);
@@ -79,6 +103,7 @@ SampleTable read_text(Content text, bool need_values) {
 }  // namespace
 
 SampleTable read_samples(Content content) {
+  refuse_other_kinds(content);
   SampleTable table = rgl::recognises(content)    ? rgl::read(content)
                       : merl::recognises(content) ? merl::read(content)
                       : is_exr(content)           ? read_exr_table(content)
@@ -88,6 +113,7 @@ SampleTable read_samples(Content content) {
 }
 
 SampleTable read_directions(Content content) {
+  refuse_other_kinds(content);
   SampleTable table = read_text(std::move(content), false);
   check_table(table);
   return table;

@@ -1,4 +1,4 @@
-// Tables as laboratories write them: the same samples in 27 dialects read to the same table, bit for bit; what is not
+// Tables as laboratories write them: the same samples in 32 dialects read to the same table, bit for bit; what is not
 // understood is refused with what was found.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -102,6 +102,16 @@ const Dialect kDialects[] = {
     {"elevation", "elevation_i,phi_i,elevation_o,phi_o,fr\n60,0,49.5,180,1.25\n30,0,70,170,0.5\n",
      "90 - elevation"},
     {"empty_last_column", "theta_i;phi_i;theta_o;phi_o;fr;\n30;0;40,5;180;1,25;\n60;0;20;170;0,5;\n", "';'"},
+    {"lines_end_in_cr", "theta_i,phi_i,theta_o,phi_o,fr\r30,0,40.5,180,1.25\r60,0,20,170,0.5\r", "CR alone"},
+    {"units_in_a_second_row",
+     "theta_i;phi_i;theta_o;phi_o;fr\n[rad];deg;[deg];;(1/sr)\n0,5235987755982988;0;40,5;180;1,25\n"
+     "1,0471975511965976;0;20;170;0,5\n",
+     "'theta_i [rad]' theta_i in radians"},
+    {"header_in_the_last_comment",
+     "# made by hand\n# theta_i phi_i theta_o phi_o fr\n30 0 40.5 180 1.25\n60 0 20 170 .5\n",
+     "the header row is the comment above the numbers"},
+    {"utf16_without_its_mark", utf16(kPlain, false).substr(2), "UTF-16"},
+    {"utf16_big_endian_without_its_mark", utf16(kPlain, true).substr(2), "UTF-16"},
     {"a_sheet_of_everything",
      "\xFF\xFE" +
          utf16(
@@ -190,11 +200,11 @@ TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
       {names + "30,0,40,180,1.25\n", "line 2: 1 columns where the header has 5, separated by ';'"},
       {"theta_i,phi_i,theta_o,phi_o,fr\n30,0,40,5,180,1,25\n", "line 2: 7 columns where the header has 5"},
       {"theta_i,phi_i,theta_o,phi_o,fr\n30,0,\"40,180,1\n",
-       "line 2: a quotation mark is not closed, or text follows it"},
+       "line 2: a quotation mark is not closed in its line, or text follows it"},
       {"theta_i,phi_i,theta_o,phi_o,fr\n30,0,\"40\"5,180,1\n",
-       "line 2: a quotation mark is not closed, or text follows it"},
+       "line 2: a quotation mark is not closed in its line, or text follows it"},
       {"\"theta_i,phi_i,theta_o,phi_o,fr\n30,0,40,180,1\n",
-       "line 1: a quotation mark is not closed, or text follows it"},
+       "line 1: a quotation mark is not closed in its line, or text follows it"},
       {"theta_h,phi_h,theta_d,phi_d,fr\n1,2,3,4,5\n",
        "line 1: column 'theta_i' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by "
        "',': "
@@ -216,9 +226,53 @@ TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
       {"theta_i,phi_i,theta_o,phi_o,wavelength,r,g\n",
        "a column of wavelengths needs one column of values, not 2"},
       {std::string("\xFF\xFEt\0h\0\0\xD8", 8), "begins as UTF-16 text, but is not"},
-      {std::string("t\0h\0e\0", 6), "line 1: holds a NUL byte"},
+      {std::string("th\0e\0i", 6), "line 1: holds a NUL byte"},
   };
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+}
+
+// A message says what to write instead.
+TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
+  const std::string names = "theta_i,phi_i,theta_o,phi_o,fr\n", bars = "theta_i;phi_i;theta_o;phi_o;fr\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {names + "30,0,40,180,\n",
+       "line 2: column 5 (fr): '' is not a number; write no row where nothing was measured"},
+      {names + "30,0,40,180,#NUM!\n", "'#NUM!' is not a number; write no row"},
+      {names + "30,0,40,180,n/a\n", "'n/a' is not a number; write no row"},
+      {names + "30,0,40,180,NaN\n", "'NaN' is not finite; write no row"},
+      {names + "30,0,40,180,-inf\n", "'-inf' is not finite; write no row"},
+      {names + "30,0,40,180,1e400\n", "'1e400' is not a number; it is beyond the range of numbers"},
+      {names + "30,0,40,180,1.25D-01\n", "an exponent is written with e"},
+      {names + "30°,0,40,180,1\n", "'30°' is not a number; a unit stands in the column's name"},
+      {names + "30,0,40,180,25%\n", "'25%' is not a number; values are f_r in 1/sr, not percent"},
+      {names + "30,0,\u221240,180,1\n", "the minus sign of numbers is '-'"},
+      {names + "30,0,40,180,1 # outlier\n", "a comment is a line of its own"},
+      {bars + "30;0;40;180;1\u00a0250\n", "thousands are not grouped"},
+      {bars + "30;0;40;180;1'250.5\n", "thousands are not grouped"},
+      {bars + "30;0;40;180;1.250,5\n", "thousands are not grouped"},
+      {bars + "30,0,40,180,1\n",
+       "1 columns where the header has 5, separated by ';'; this line is separated by ','"},
+      {"My measurement of paper\n" + names + "30,0,40,180,1\n", "lines above the header row begin with '#'"},
+      {"30,0,40,180,1\n", "write one above the numbers: theta_i,phi_i,theta_o,phi_o"},
+      {",theta_i,phi_i,theta_o,phi_o,fr\n0,1,2,3,4,5\n",
+       "column 1 has no name; leave out a column of row numbers"},
+      {"theta_i,phi_i,theta_o,phi_o,fr,fr\n1,2,3,4,5,6\n", "a reading that was repeated is a row of its own"},
+      {"theta_i,phi_i,theta_o,phi_o,\"fr\n(1/sr)\"\n", "line 1: a quotation mark is not closed in its line"},
+      {std::string("\xff\xfe\0\0t\0\0\0", 8), "is UTF-32 text: save it as UTF-8"},
+      {std::string("\0\0\xfe\xff\0\0\0t", 8), "is UTF-32 text: save it as UTF-8"},
+      {"PK\x03\x04 ...", "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
+      {"\xd0\xcf\x11\xe0 ...", "is an Excel workbook: export the sheet as CSV"},
+      {"\x1f\x8b ...", "is compressed: `zcat FILE | brdf fit /dev/stdin`"},
+      {"%PDF-1.4", "is a PDF"},
+      {"<html>", "is a web page or XML"},
+      {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n30\t0\n0\t0\t0.1\n",
+       "is FRED's tabulated BSDF ('type bsdf_data'), of which no published file tells where its azimuths "
+       "begin: export "
+       "columns theta_i, phi_i, theta_o, phi_o and the value as CSV"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+  EXPECT_THAT(message("theta_i (gon),phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
+              testing::Not(HasSubstr("lines above")));
 }
 
 // What we write must be read back as it was, whatever other formats call their channels.
