@@ -233,6 +233,9 @@ TEST_F(Cli, ConvertSaysWhatIsLostAndReadsItsOwnFiles) {
   write("s.csv", "# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,fr\n30,180,30,0,7\n");
   EXPECT_EQ(run("convert s.csv t.csv").exit_code, 0);
   EXPECT_EQ(file_text(folder_.path() / "t.csv"), file_text(folder_.path() / "s.csv"));
+  EXPECT_EQ(run("convert s.csv s.exr").exit_code, 0);
+  EXPECT_EQ(run("convert s.exr u.csv").exit_code, 0);
+  EXPECT_EQ(file_text(folder_.path() / "u.csv"), file_text(folder_.path() / "s.csv"));
 }
 
 TEST_F(Cli, SynthIsReproducibleAndNamesItsCommand) {

@@ -179,14 +179,9 @@ TEST_F(RoundTrips, OpenExrHoldsNumbersOfSixDigits) {
   }
   const SampleTable table = read(text), back = again(table, ".exr");
   EXPECT_EQ(back.format, "exr");
-  EXPECT_EQ(back.channels, table.channels);
-  EXPECT_EQ(back.metadata, table.metadata);
-  EXPECT_EQ(back.theta_i, table.theta_i);
-  EXPECT_EQ(back.theta_o, table.theta_o);
-  EXPECT_EQ(back.phi_o, table.phi_o);
-  EXPECT_EQ(back.values, table.values);
-  EXPECT_EQ(back.sigma[2], table.sigma[2]);
-  EXPECT_FALSE(back.has_sigma(1));
+  SampleTable expected = table;
+  expected.sigma[0] = back.sigma[0];  // below what a float holds to six digits
+  expect_same(back, expected);
   EXPECT_NEAR(back.sigma[0][7], 1e-40, 1e-45);
   EXPECT_THAT(lost_, ElementsAre("digits beyond 32-bit float (7 significant ones)"));
   EXPECT_THAT(back.warnings, IsEmpty());
