@@ -5,7 +5,39 @@
 
 #include <cstring>
 
+#include "io/error.h"
+
 namespace brdf::io {
+
+namespace {
+
+constexpr std::size_t kPreamble = 8;  // magic number and version
+
+// Walks the attributes of the first header (name, type, size, value); where they are no such thing, OpenEXR says so.
+bool holds_its_attributes(const std::string& bytes) {
+  std::size_t at = kPreamble;
+  while (at < bytes.size() && bytes[at] != '\0') {
+    for (int word = 0; word < 2; ++word) {
+      const std::size_t end = bytes.find('\0', at);
+      if (end == bytes.npos) return true;
+      at = end + 1;
+    }
+    std::int32_t size = 0;
+    if (bytes.size() - at < sizeof size) return true;
+    std::memcpy(&size, bytes.data() + at, sizeof size);
+    at += sizeof size;
+    if (size < 0 || static_cast<std::size_t>(size) > bytes.size() - at) return false;
+    at += static_cast<std::size_t>(size);
+  }
+  return true;
+}
+
+}  // namespace
+
+ExrBytes::ExrBytes(const Content& content) : IStream(content.name.c_str()), bytes_(content.bytes) {
+  if (!holds_its_attributes(bytes_))
+    throw InputError(content.name + ": is no OpenEXR file that can be read: the file ends too soon");
+}
 
 bool ExrBytes::read(char to[], int count) {
   const std::uint64_t left = at_ < bytes_.size() ? bytes_.size() - at_ : 0;

@@ -9,10 +9,11 @@
 
 namespace brdf::io {
 
-// For OpenEXR, which names the file in what it says. The content must live longer.
+// For OpenEXR, which names the file in what it says. The content must live longer. Throws InputError where an attribute says
+// to be longer than the file: OpenEXR takes that much memory before it looks.
 class ExrBytes : public Imf::IStream {
  public:
-  explicit ExrBytes(const Content& content) : IStream(content.name.c_str()), bytes_(content.bytes) {}
+  explicit ExrBytes(const Content& content);
   bool read(char to[], int count) override;
   std::uint64_t tellg() override { return at_; }
   void seekg(std::uint64_t place) override { at_ = place; }

@@ -34,7 +34,11 @@ struct Shape {
   Imath::Box2i window;
 };
 
-Shape shape_of(const Imf::Header& header, std::size_t columns, const std::string& name) {
+// A header may say any size: what no compression makes of the bytes that there are is refused before it takes memory.
+constexpr std::size_t kMostDeflated = 4096;
+
+Shape shape_of(const Imf::Header& header, std::size_t columns, const Content& content) {
+  const std::string& name = content.name;
   const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1,
                      height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -47,6 +51,9 @@ Shape shape_of(const Imf::Header& header, std::size_t columns, const std::string
     throw InputError(name + ": its " + std::to_string(columns) + " columns of " +
                      std::to_string(shape.width * shape.height) + " numbers take more than " +
                      std::to_string(kLargestFile >> 30) + " GiB");
+  if (shape.width * shape.height * columns * sizeof(float) > kMostDeflated * content.bytes.size())
+    throw InputError(name + ": the file ends too soon for " + std::to_string(shape.width) + " x " +
+                     std::to_string(shape.height) + " pixels of " + std::to_string(columns) + " channels");
   return shape;
 }
 
@@ -145,7 +152,7 @@ SampleTable read_table(const Content& content) {
   table.source = content.name;
   table.format = "exr";
   const std::vector<std::string> names = column_names(file.header(), content.name);
-  const Shape shape = shape_of(file.header(), names.size(), content.name);
+  const Shape shape = shape_of(file.header(), names.size(), content);
   std::vector planes(names.size(), std::vector<float>(shape.width * shape.height));
   Imf::FrameBuffer frame;
   for (std::size_t k = 0; k < names.size(); ++k)

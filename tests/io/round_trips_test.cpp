@@ -211,6 +211,10 @@ TEST_F(RoundTrips, OpenExrThatIsNoTableIsRefused) {
   again(table, ".exr");
   std::string bytes = read_content(folder_.path() / "file.exr").bytes;
   EXPECT_THAT(message(bytes.substr(0, bytes.size() / 2)), HasSubstr("is no OpenEXR table that can be read"));
+  std::string long_one = bytes;
+  const std::size_t size = long_one.find(std::string("columns") + '\0' + "string" + '\0') + 15;
+  long_one.replace(size, 4, "\xff\xff\xff\x7f");
+  EXPECT_THAT(message(long_one), HasSubstr("the file ends too soon"));
   for (std::size_t at = bytes.find("phi_o"); at != bytes.npos; at = bytes.find("phi_o", at + 1))
     bytes[at] = 'q';
   EXPECT_THAT(message(bytes),
