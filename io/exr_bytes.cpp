@@ -13,20 +13,35 @@ namespace {
 
 constexpr std::size_t kPreamble = 8;  // magic number and version
 
-// Walks the attributes of the first header (name, type, size, value); where they are no such thing, OpenEXR says so.
+// Bytes of the list of channels that begins here: names with 16 bytes each, to an empty name. OpenEXR reads it to there, whatever
+// the attribute says of its size.
+std::size_t length_of_channels(const std::string& bytes, std::size_t first) {
+  std::size_t at = first;
+  while (at < bytes.size() && bytes[at] != '\0') {
+    const std::size_t end = bytes.find('\0', at);
+    if (end == bytes.npos) return bytes.size() - first;
+    at = end + 17;
+  }
+  return at + 1 - first;
+}
+
+// Walks the attributes of the first header: name, type, size, value.
 bool holds_its_attributes(const std::string& bytes) {
   std::size_t at = kPreamble;
   while (at < bytes.size() && bytes[at] != '\0') {
+    std::string type;
     for (int word = 0; word < 2; ++word) {
       const std::size_t end = bytes.find('\0', at);
-      if (end == bytes.npos) return true;
+      if (end == bytes.npos) return false;
+      type = bytes.substr(at, end - at);
       at = end + 1;
     }
     std::int32_t size = 0;
-    if (bytes.size() - at < sizeof size) return true;
+    if (bytes.size() - at < sizeof size) return false;
     std::memcpy(&size, bytes.data() + at, sizeof size);
     at += sizeof size;
     if (size < 0 || static_cast<std::size_t>(size) > bytes.size() - at) return false;
+    if (type == "chlist" && length_of_channels(bytes, at) != static_cast<std::size_t>(size)) return false;
     at += static_cast<std::size_t>(size);
   }
   return true;
@@ -36,7 +51,8 @@ bool holds_its_attributes(const std::string& bytes) {
 
 ExrBytes::ExrBytes(const Content& content) : IStream(content.name.c_str()), bytes_(content.bytes) {
   if (!holds_its_attributes(bytes_))
-    throw InputError(content.name + ": is no OpenEXR file that can be read: the file ends too soon");
+    throw InputError(content.name +
+                     ": is no OpenEXR picture that can be read: its header is damaged or cut off");
 }
 
 bool ExrBytes::read(char to[], int count) {
