@@ -129,8 +129,9 @@ std::string explorer(const Material& material, const std::string& functions, boo
 }  // namespace
 
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
-                        const std::string& name) {
-  const std::string glsl = glsl_source(material, {.material = with_material, .whole = false});
+                        const std::string& name, bool builtin_kernels) {
+  const std::string glsl = glsl_source(
+      material, {.material = with_material, .whole = false, .builtin_kernels = builtin_kernels});
   switch (language) {
     case ShaderLanguage::hlsl:
       return hlsl(glsl);

@@ -14,8 +14,9 @@ enum class ShaderLanguage {
 };
 
 // The forms' functions, and with `material` the function brdf_material(wi, wo) of these parameters; in the Explorer's file
-// without it the parameters are sliders. `name`: of the namespace in C++. Conventions and errors as of glsl_source (io/glsl.h).
+// without it the parameters are sliders. `name`: of the namespace in C++. Kernels, conventions and errors as of
+// glsl_source (io/glsl.h).
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
-                        const std::string& name);
+                        const std::string& name, bool builtin_kernels = false);
 
 }  // namespace brdf::io

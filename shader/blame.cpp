@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/numbers.h"
+#include "shader/program/operands.h"
 
 namespace brdf::shader {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glslang/SPIRV/spirv.hpp>
+#include <regex>
 #include <set>
 
 #include "io/error.h"
@@ -21,63 +22,35 @@ spirv::Id pointee(const Module& m, spirv::Id type) {
   return t.kind == Kind::pointer ? t.element : type;
 }
 
-std::string spelled(const Module& m, spirv::Id type) {
-  const spirv::Type& t = m.type(type);
-  switch (t.kind) {
-    case Kind::nothing:
-      return "void";
-    case Kind::boolean:
-      return "bool";
-    case Kind::integer:
-      return t.is_signed ? "int" : "uint";
-    case Kind::number:
-      return "float";
-    case Kind::vector:
-      return "vec" + std::to_string(t.count);
-    case Kind::matrix:
-      return "mat" + std::to_string(t.count);
-    case Kind::structure:
-      return m.name(type);
-    default:
-      return "...";
-  }
+// What main() calls is no part of something larger.
+bool is_main(const Function& f) {
+  return f.name == "main" || f.name == "brdf_own_main" || f.name == "brdf_main" || f.name == "mainImage";
 }
 
 // Functions of the file's own, by name, without what the program adds.
 std::vector<const Function*> own_functions(const Module& module) {
   std::vector<const Function*> out;
   for (const auto& [id, f] : module.functions)
-    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") && f.name != "main" &&
-        f.name != "brdf_own_main" && f.name != "brdf_main")
-      out.push_back(&f);
+    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") && !is_main(f)) out.push_back(&f);
   return out;
 }
 
 std::set<spirv::Id> called_by_others(const Module& module) {
   std::set<spirv::Id> called;
-  for (const auto& [id, f] : module.functions)
+  for (const auto& [id, f] : module.functions) {
+    if (is_main(f)) continue;
     for (const spirv::Block& b : f.blocks)
       for (const spirv::Instruction& i : b.code)
         if (i.code == spv::OpFunctionCall && !i.words.empty() && i.words[0] != id) called.insert(i.words[0]);
+  }
   return called;
 }
 
-// A float, a vec3 or a vec4; or nothing, with a last argument for it.
-bool returns_reflectance(const Module& m, const Function& f) {
-  const auto is = [&](spirv::Id type) {
-    const spirv::Type& t = m.type(type);
-    return t.kind == Kind::number ||
-           (t.kind == Kind::vector && t.count >= 3 && m.type(t.element).kind == Kind::number);
-  };
-  if (m.type(f.type).kind != Kind::nothing) return is(f.type);
-  return !f.parameter_types.empty() && m.type(f.parameter_types.back()).kind == Kind::pointer &&
-         is(pointee(m, f.parameter_types.back()));
-}
-
-// Takes a direction of light and one of view, or their products with the normal.
-bool takes_directions(const Module& m, const Function& f) {
+// Directions that arguments (and members of structs) or global variables are, by their names.
+struct Seen {
   bool light = false, view = false;
-  const auto look = [&](const std::string& name, spirv::Id type) {
+
+  void look(const Module& m, const std::string& name, spirv::Id type) {
     const spirv::Type& t = m.type(type);
     const auto meaning = meaning_of(name, t.kind == Kind::vector && t.count == 3);
     if (!meaning || meaning->kind == Meaning::Kind::white) return;
@@ -85,20 +58,34 @@ bool takes_directions(const Module& m, const Function& f) {
       light = light || axis == Axis::light;
       view = view || axis == Axis::view;
     }
-  };
+  }
+};
+
+// Takes a direction of light and one of view, or their products with the normal; one of them may be global.
+bool takes_directions(const Module& m, const Function& f, const std::vector<std::string>& free) {
+  Seen seen;
   for (std::size_t k = 0; k < f.parameters.size(); ++k) {
     const spirv::Id type = pointee(m, f.parameter_types[k]);
     const std::string name = m.name(f.parameters[k]);
     const auto members = m.member_names.find(type);
     if (members == m.member_names.end()) {
-      look(name, type);
+      seen.look(m, name, type);
       continue;
     }
     const spirv::Type& t = m.type(type);
     for (const auto& [place, member] : members->second)
-      if (place < t.members.size()) look(name + "." + member, t.members[place]);
+      if (place < t.members.size()) seen.look(m, name + "." + member, t.members[place]);
   }
-  return light && view;
+  if (!seen.light && !seen.view) return false;
+  for (const auto& [id, global] : m.globals) {
+    if (!global.variable) continue;
+    const auto storage = m.type(global.instruction.type).storage;
+    const std::string name = m.name(id);
+    if (storage == spv::StorageClassUniformConstant || storage == spv::StorageClassInput ||
+        std::find(free.begin(), free.end(), name) != free.end())
+      seen.look(m, name, pointee(m, global.instruction.type));
+  }
+  return seen.light && seen.view;
 }
 
 std::string listed(const Module& module, const std::vector<const Function*>& functions) {
@@ -129,59 +116,89 @@ constexpr const char* kHelp =
 std::string signature(const Module& module, const Function& f) {
   std::vector<std::string> words;
   for (std::size_t k = 0; k < f.parameters.size(); ++k)
-    words.push_back(spelled(module, pointee(module, f.parameter_types[k])) + " " +
+    words.push_back(module.spelled(pointee(module, f.parameter_types[k])) + " " +
                     module.name(f.parameters[k]));
-  return spelled(module, f.type) + " " + f.name + "(" + io::joined(words) + ")";
+  return module.spelled(f.type) + " " + f.name + "(" + io::joined(words) + ")";
+}
+
+std::vector<std::string> free_directions(const Module& module, const Source& source) {
+  const std::string text = without_comments(source.text);
+  std::vector<std::string> out;
+  for (const auto& [id, global] : module.globals) {
+    if (!global.variable || module.type(global.instruction.type).storage != spv::StorageClassPrivate) continue;
+    const std::string name = module.name(id);
+    const spirv::Type& t = module.type(pointee(module, global.instruction.type));
+    const auto meaning = meaning_of(name, t.kind == Kind::vector && t.count == 3);
+    if (!meaning || meaning->kind == Meaning::Kind::white) continue;
+    if (!std::regex_search(text, std::regex("\\w\\s+" + name + "\\s*="))) out.push_back(name);
+  }
+  return out;
 }
 
 Chosen choose_entry(const Module& module, const Source& source) {
   const std::vector<const Function*> all = own_functions(module);
   const std::set<spirv::Id> called = called_by_others(module);
+  const std::vector<std::string> free = free_directions(module, source);
   const auto named = [&](auto&& is) {
     std::vector<const Function*> out;
     std::copy_if(all.begin(), all.end(), std::back_inserter(out), is);
     return out;
+  };
+  const auto with_results = [&](const Function* f, const std::string& note = "") {
+    Results results = results_of(module, *f, source);
+    if (!results.several.empty())
+      throw InputError(source.name + ": " + signature(module, *f) + " gives several values (" + results.several +
+                       "): put one that calls it and returns the reflectance at the end of the file, and name that with "
+                       "--entry NAME");
+    if (results.parts.empty())
+      throw InputError(source.name + ": " + signature(module, *f) + " returns " + module.spelled(f->type) +
+                       "; a reflectance is a float or a vec3, returned, a member of what is returned, or an argument that "
+                       "is `out`");
+    return Chosen{f, std::move(results), note};
   };
   if (source.entry) {
     const auto same = named([&](const Function* f) { return f->name == source.entry->name; });
     if (same.empty())
       throw InputError(source.name + ": has no function " + source.entry->name +
                        (all.empty() ? "" : " (it has " + listed(module, all) + ")"));
-    return {outermost(same, called)};
+    return with_results(outermost(same, called));
   }
+  const auto gives = [&](const Function* f) {
+    const Results results = results_of(module, *f, source);
+    const auto returned = module.type(f->type).kind;
+    return !results.parts.empty() && (returned == Kind::number || returned == Kind::vector || results.named);
+  };
   const auto exact = named([&](const Function* f) {
-    return io::lower_case(f->name) == "brdf" && returns_reflectance(module, *f);
+    return io::lower_case(f->name) == "brdf" && !results_of(module, *f, source).parts.empty();
   });
-  if (!exact.empty()) return {outermost(exact, called)};
+  if (!exact.empty()) return with_results(outermost(exact, called));
   const auto is_called_brdf = [](const Function* f) {
     const std::string name = io::lower_case(f->name);
-    return name.find("brdf") != name.npos || name.find("bsdf") != name.npos;
+    return name.find("brdf") != name.npos || name.find("bsdf") != name.npos || name.find("bxdf") != name.npos;
   };
   // A factor of one is none, whatever it takes.
   const auto is_factor = [&](const Function* f) {
     const std::string name = io::lower_case(f->name);
     const auto has = [&](const char* word) { return name.find(word) != name.npos; };
     return !is_called_brdf(f) &&
-           (has("geometry") || has("smith") || has("visib") || has("fresnel") || has("distribution") ||
-            has("mask") || has("shadow") || name.starts_with("g_") || name.starts_with("v_") ||
-            name.starts_with("d_") || name.starts_with("f_"));
+           (has("geometry") || has("smith") || has("visib") || has("fresnel") || has("distribution") || has("mask") ||
+            has("shadow") || has("normal") || name.starts_with("g_") || name.starts_with("v_") ||
+            name.starts_with("d_") || name.starts_with("f_") || name.starts_with("vis_"));
   };
-  auto likely = named([&](const Function* f) {
-    return returns_reflectance(module, *f) && takes_directions(module, *f) && !called.contains(f->id) &&
-           !is_factor(f);
-  });
-  if (likely.empty())  // main() may call it
-    likely = named([&](const Function* f) {
-      return returns_reflectance(module, *f) && takes_directions(module, *f) && is_called_brdf(f);
-    });
+  const auto could_be = [&](const Function* f) {
+    return gives(f) && takes_directions(module, *f, free);
+  };
+  auto likely = named([&](const Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
+  if (likely.empty())  // one of the file's others may call it
+    likely = named([&](const Function* f) { return could_be(f) && is_called_brdf(f); });
   if (likely.size() > 1) {
     auto by_name = likely;
     std::erase_if(by_name, [&](const Function* f) { return !is_called_brdf(f); });
     if (by_name.size() == 1) likely = by_name;
   }
   if (likely.size() == 1)
-    return {likely[0], "the reflectance is " + signature(module, *likely[0]) +
-                           ", by its name and arguments; --entry NAME takes another"};
+    return with_results(likely[0], "the reflectance is " + signature(module, *likely[0]) +
+                                       ", by its name and arguments; --entry NAME takes another");
   if (likely.size() > 1)
     throw InputError(source.name +
                      ": has several functions that could be the reflectance; say which with --entry NAME or "

@@ -13,6 +13,7 @@
 #include "shader/entry.h"
 #include "shader/front/compile.h"
 #include "shader/program/lower.h"
+#include "shader/program/operands.h"
 
 namespace brdf::shader {
 namespace {
@@ -58,11 +59,10 @@ class Binder {
     std::stable_sort(inputs.begin(), inputs.end(),
                      [&](const Input& a, const Input& b) { return place(a) < place(b); });
     for (const Input& input : inputs) {
-      const bool integer = input.type != "float" && !input.type.starts_with("vec");
       const bool used = std::any_of(input.slots.begin(), input.slots.end(), [&](std::uint32_t slot) {
-        return read.contains({integer, slot});
+        return read.contains({input.integer, slot});
       });
-      add(input, integer, used, out);
+      add(input, input.integer, used, out);
     }
     return out;
   }
@@ -114,13 +114,18 @@ class Binder {
       for (const std::uint32_t slot : input.slots) out.push_back({Binding::From::zero, slot, integer});
       return;
     }
-    if (input.type == "vec4" || input.type.starts_with("ivec") || input.type.starts_with("bvec") ||
-        input.type.starts_with("uvec"))
+    if (input.type.ends_with("]") || input.type.starts_with("mat") || (integer && input.slots.size() > 1))
       throw InputError(f_.source.name + ": " + name + " of " + f_.entry + " is a " + input.type +
-                       "; parameters are floats, bools, ints, colours (vec3) and pairs (vec2)");
+                       "; parameters are floats, bools, ints, colours (vec3, vec4) and pairs (vec2)");
+    if (input.type == "vec4") {  // a colour and what covers it
+      Input colour = input;
+      out.push_back({Binding::From::one, colour.slots[3]});
+      colour.slots.pop_back();
+      return add_parameter(colour, name, declared, false, out);
+    }
     if (input.type == "vec2") {
       for (int k = 0; k < 2; ++k)
-        add_parameter({input.name, "float", {input.slots[std::size_t(k)]}, input.argument},
+        add_parameter({input.name, "float", {input.slots[std::size_t(k)]}, false, input.argument},
                       name + (k ? "_y" : "_x"), declared, false, out);
       return;
     }
@@ -255,6 +260,9 @@ Function make_function(Source source, const ShaderChoice& choice) {
   const Chosen chosen = choose_entry(module, source);
   LowerOptions options;
   for (const Declared& d : source.parameters) options.parameters.insert(d.name);
+  for (const std::string& name : free_directions(module, source)) options.parameters.insert(name);
+  options.results = chosen.results.parts;
+  options.written = chosen.results.written;
   f.as_written = lowered(module, *chosen.function, options, source.name);
   f.as_meant = f.as_written;
   if (holds_kernels(module)) {
@@ -276,7 +284,7 @@ Function make_function(Source source, const ShaderChoice& choice) {
           (axis == Axis::tangent || axis == Axis::bitangent))
         f.oriented = f.oriented || read.contains({b.integer, b.slot});
   f.notes = compiled.notes;
-  for (const std::string& note : {chosen.note, undeclared(f)})
+  for (const std::string& note : {chosen.note, chosen.results.note, undeclared(f)})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
     f.notes.push_back(

@@ -23,6 +23,27 @@ Runner<T, W>& runner_of(const Function& function) {
   return *kept;
 }
 
+// What was asked of which function.
+template <class T>
+struct Question {
+  std::uint64_t number = 0;
+  std::vector<T> numbers = {};  // parameters and directions
+  bool times_cosine = false;
+
+  Question() = default;
+  Question(std::uint64_t function, const std::vector<T>& values, const Directions<T>& d, bool cosine)
+      : number(function), numbers(values), times_cosine(cosine) {
+    for (const T* const row : {d.wi_x, d.wi_y, d.wi_z, d.wo_x, d.wo_y, d.wo_z})
+      numbers.insert(numbers.end(), row, row + d.count);
+  }
+  friend bool operator==(const Question&, const Question&) = default;
+};
+template <class T>
+struct Kept {
+  Question<T> question;
+  std::array<std::vector<T>, 3> results;
+};
+
 // An identifier that says where it comes from.
 std::string identifier(const std::string& file) {
   std::string out = std::filesystem::path(file).stem().string();
@@ -86,6 +107,9 @@ void ShaderReflectance::find_tables() {
     if (linear->f0 >= 0) weight_table_[std::size_t(linear->f0)].role = Role::f0;
   }
   if (!same_in_all_channels(function_)) channels_ = {"r", "g", "b"};
+  for (const KnownViolation& v : function_.source.violations)
+    violations_.push_back({v.check, v.statement, "", v.theta, 0});
+  info_.violations = violations_;
   info_.name = name_;
   info_.family = "shader";
   info_.weights = weight_table_;
@@ -118,8 +142,8 @@ void ShaderReflectance::endless(const EndlessLoop& loop) const {
 }
 
 template <class T, int W>
-void ShaderReflectance::evaluate_block(const std::vector<T>& values, std::size_t component,
-                                       const Directions<T>& d, bool times_cosine, T* out) const {
+void ShaderReflectance::evaluate_block(const std::vector<T>& values, const Directions<T>& d, bool times_cosine,
+                                       const Components<T>& out) const {
   Runner<T, W>& runner = runner_of<T, W>(function_);
   runner.set_values(function_, values);
   for (std::size_t first = 0; first < d.count; first += W) {
@@ -139,9 +163,11 @@ void ShaderReflectance::evaluate_block(const std::vector<T>& values, std::size_t
     for (int l = 0; l < lanes; ++l) {
       const std::size_t k = first + std::size_t(l);
       const bool below = smaller(d.wi_z[k], d.wo_z[k]) < T(0);
-      out[k] = below ? T(0)
-                     : reflectance_of_returned<T>(function_.returns, runner.result(l, component), d.wi_z[k],
-                                                  d.wo_z[k], times_cosine);
+      for (std::size_t c = 0; c < out.size(); ++c)
+        if (out[c])
+          out[c][k] = below ? T(0)
+                            : reflectance_of_returned<T>(function_.returns, runner.result(l, c), d.wi_z[k],
+                                                         d.wo_z[k], times_cosine);
     }
   }
 }
@@ -151,9 +177,27 @@ void ShaderReflectance::evaluate_all(const ParameterValues<T>& p, const Directio
                                      T* out) const {
   const std::vector<T> values = values_of(p);
   const std::size_t component = std::min<std::size_t>(p.channel, 2);
+  const auto run = [&](const Components<T>& to) {
+    d.count < kLanes / 2 ? evaluate_block<T, 1>(values, d, times_cosine, to)
+                         : evaluate_block<T, kLanes>(values, d, times_cosine, to);
+  };
   try {
-    if (d.count < kLanes / 2) return evaluate_block<T, 1>(values, component, d, times_cosine, out);
-    evaluate_block<T, kLanes>(values, component, d, times_cosine, out);
+    // One run gives all channels: whoever asks for the first asks for the others next.
+    constexpr std::size_t kMostKept = 4096;
+    if (channels_.empty() || d.count > kMostKept) {
+      Components<T> to{};
+      to[component] = out;
+      return run(to);
+    }
+    thread_local Kept<T> kept;
+    Question<T> question(function_.number, values, d, times_cosine);
+    if (component == 0 || !(question == kept.question)) {
+      for (std::vector<T>& of : kept.results) of.resize(d.count);
+      kept.question = {};
+      run({kept.results[0].data(), kept.results[1].data(), kept.results[2].data()});
+      kept.question = std::move(question);
+    }
+    std::copy(kept.results[component].begin(), kept.results[component].end(), out);
   } catch (const EndlessLoop& loop) {
     endless(loop);
   }

@@ -45,9 +45,12 @@ class ShaderReflectance final : public ReflectanceModel {
  private:
   template <class T>
   void evaluate_all(const ParameterValues<T>& p, const Directions<T>& d, bool times_cosine, T* out) const;
+  // Where each component of the value is written; null: nowhere.
+  template <class T>
+  using Components = std::array<T*, 3>;
   template <class T, int W>
-  void evaluate_block(const std::vector<T>& values, std::size_t component, const Directions<T>& d,
-                      bool times_cosine, T* out) const;
+  void evaluate_block(const std::vector<T>& values, const Directions<T>& d, bool times_cosine,
+                      const Components<T>& out) const;
   template <class T>
   void lobes_of(std::span<const T> shape, const Directions<T>& d, const LobeRows<T>& out) const;
   // Rows 1 on: derivatives by values and, last, by the tangent's azimuth, in the order of `by`.
@@ -63,6 +66,7 @@ class ShaderReflectance final : public ReflectanceModel {
   std::vector<ParameterInfo> weight_table_, shape_table_;
   std::vector<LobeWeight> lobes_;
   std::vector<std::string> channels_;
+  std::vector<Violation> violations_;
   ReflectanceInfo info_;
 };
 

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "io/error.h"
+#include "io/numbers.h"
 #include "io/shell.h"
 #include "io/text.h"
+#include "validate/checks.h"
 
 namespace brdf::validate {
 
@@ -41,6 +43,10 @@ Subject Subject::form(const Reflectance& form) {
 Subject Subject::outside(std::string name, const Material& material, OutsideFacts facts) {
   Subject s = form(material.terms.front().form);
   s.name_ = std::move(name);
+  const std::vector<std::string> known = check_names();
+  for (const Violation& v : s.declared())
+    if (std::find(known.begin(), known.end(), v.check) == known.end())
+      throw InputError(s.name_ + ": //: violates " + std::string(v.check) + ": must be one of " + io::joined(known));
   s.anisotropic_ = s.anisotropic_ || facts.oriented;
   s.outside_ = std::move(facts);
   return s;

@@ -145,12 +145,17 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
   const std::string word = dot == whole.npos ? whole : whole.substr(dot + 1),
                     before = dot == whole.npos ? "" : whole.substr(0, dot);
   if (word == "lightcolor" || word == "lightcolour" || word == "radiance" || word == "lightintensity" ||
-      word == "lightradiance" || word == "attenuation" ||
-      (before.find("light") != before.npos && (word == "color" || word == "intensity")))
+      word == "lightradiance" || word == "attenuation" || word == "lightattenuation" || word == "occlusion" ||
+      word == "ao" || word == "falloff" || word == "shadow" || word == "shadowattenuation" ||
+      word == "shadowfactor" || word == "distanceattenuation" ||
+      (before.find("light") != before.npos &&
+       (word == "color" || word == "colour" || word == "intensity" || word == "colorintensity")))
     return Meaning{Meaning::Kind::white};
   if (!vector) {
-    if (const auto product = product_of(word))
-      return Meaning{Meaning::Kind::product, product->first, product->second};
+    for (const std::string_view begin : {"", "shading", "clamped", "saturated", "abs"})
+      if (word.starts_with(begin))
+        if (const auto product = product_of(word.substr(begin.size())))
+          return Meaning{Meaning::Kind::product, product->first, product->second};
     return std::nullopt;
   }
   if (word == "direction" || word == "dir") {
@@ -158,10 +163,16 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
     if (before.find("view") != before.npos) return Meaning{Meaning::Kind::vector, Axis::view};
   }
   if (const auto axis = axis_of(word)) return Meaning{Meaning::Kind::vector, *axis};
-  // Where a variable comes from, before its name: vNormal, uLightDir, in_normal.
-  for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world"})
+  // Where a variable comes from, before its name (vNormal, uLightDir, in_normal, geometryViewDir), or its space behind it
+  // (normalWS).
+  for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world", "geometry", "shading", "surface",
+                                       "local", "pixel"})
     if (word.size() > begin.size() + 2 && word.starts_with(begin))
       if (const auto axis = axis_of(word.substr(begin.size()))) return Meaning{Meaning::Kind::vector, *axis};
+  for (const std::string_view end : {"ws", "vs", "es", "ts", "os", "cs"})
+    if (word.size() > end.size() + 3 && word.ends_with(end))
+      if (const auto axis = axis_of(word.substr(0, word.size() - end.size())))
+        return Meaning{Meaning::Kind::vector, *axis};
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/content.h"
 #include "io/error.h"
@@ -105,6 +106,19 @@ Declared read_declared(std::string_view kind, std::span<const std::string_view> 
   return p;
 }
 
+// "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
+KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line, const std::string& where) {
+  if (words.empty()) throw InputError(where + "violates what? The name of a check, as energy or reciprocity");
+  KnownViolation v{std::string(words[0]), "", 0, line};
+  words = words.subspan(1);
+  if (words.size() > 1 && words[0] == "at") {
+    v.theta = number_of(words[1], where);
+    words = words.subspan(2);
+  }
+  for (const std::string_view word : words) v.statement += (v.statement.empty() ? "" : " ") + std::string(word);
+  return v;
+}
+
 // A line that begins with //: says something to this program.
 void read_note(Source& source, std::string_view line, std::uint32_t number) {
   const std::string where = source.name + ":" + std::to_string(number) + ": ";
@@ -119,14 +133,19 @@ void read_note(Source& source, std::string_view line, std::uint32_t number) {
     source.entry = parse_entry(rest);
   else if (words[0] == "returns")
     source.returns = parse_returns(rest);
+  else if (words[0] == "violates")
+    source.violations.push_back(
+        read_violation(std::span<const std::string_view>(words).subspan(1), number, where));
   else
     throw InputError(where + "//: " + std::string(words[0]) +
-                     ": must be param, bool, color, entry or returns");
+                     ": must be param, bool, color, entry, returns or violates");
 }
 
-// BRDF Explorer's file becomes GLSL: its parameters are globals, in the lines where they stood; other lines are empty.
+// BRDF Explorer's file becomes GLSL: its parameters are globals, in the lines where they stood; other lines are empty. What its
+// `//:` lines say besides comes last, and wins.
 void read_explorer(Source& source) {
   source.explorer = true;
+  const std::vector<Declared> noted = std::exchange(source.parameters, {});
   std::string glsl, block;
   bool has_shader = false;
   std::uint32_t number = 0;
@@ -166,12 +185,35 @@ void read_explorer(Source& source) {
   if (!has_shader)
     throw InputError(source.name +
                      ": has no ::begin shader; a .brdf file has its function BRDF(L, V, N, X, Y) there");
+  source.parameters.insert(source.parameters.end(), noted.begin(), noted.end());
   source.text = std::move(glsl);
   if (!source.entry) source.entry = EntryLine{"BRDF"};
 }
 
 bool begins_a_block(std::string_view text) {
   return text.starts_with("::begin") || text.find("\n::begin") != std::string_view::npos;
+}
+
+// Whether the word stands there alone.
+bool has_word(const std::string& text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    if ((at == 0 || !is_letter(text[at - 1])) &&
+        (at + word.size() == text.size() || !is_letter(text[at + word.size()])))
+      return true;
+  return false;
+}
+
+// By the words of one language alone, else by the file's suffix: engines call both kinds .fx, .shader or .txt.
+Language language_of(const std::string& text, const std::string& suffix) {
+  const auto any = [&](std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return has_word(text, w); });
+  };
+  const bool glsl = any({"vec2", "vec3", "vec4"}),
+             hlsl = any({"float2", "float3", "float4", "half3", "half4", "cbuffer", "min16float3"});
+  if (glsl != hlsl) return hlsl ? Language::hlsl : Language::glsl;
+  const bool by_suffix = suffix == ".hlsl" || suffix == ".hlsli" || suffix == ".fx" || suffix == ".fxh" ||
+                         suffix == ".usf" || suffix == ".ush" || suffix == ".cginc";
+  return by_suffix ? Language::hlsl : Language::glsl;
 }
 
 }  // namespace
@@ -254,9 +296,7 @@ Source parse_source(std::string name, std::string text, std::filesystem::path fo
   if (source.text.find('\0') != source.text.npos) throw InputError(source.name + ": is no text");
   std::erase(source.text, '\r');
   const std::string kind = io::lower_case(std::filesystem::path(source.name).extension().string());
-  if (kind == ".hlsl" || kind == ".hlsli" || kind == ".fx" || kind == ".fxh" || kind == ".usf" ||
-      kind == ".ush")
-    source.language = Language::hlsl;
+  source.language = language_of(without_comments(source.text), kind);
   std::uint32_t number = 0;
   for (std::size_t at = 0; at < source.text.size();) {
     const std::size_t stop = std::min(source.text.find('\n', at), source.text.size());

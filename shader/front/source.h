@@ -27,6 +27,13 @@ struct Declared {
   std::uint32_t line = 0;  // 0: the command line
 };
 
+// What the author knows that the function violates, for one of the checks of `brdf validate`.
+struct KnownViolation {
+  std::string check, statement;
+  double theta = 0;  // degrees: where it shows at the latest
+  std::uint32_t line = 0;
+};
+
 struct EntryLine {
   std::string name;
   std::optional<std::vector<std::string>> arguments = {};  // the names that their roles are read from
@@ -40,6 +47,7 @@ struct Source {
   std::vector<Declared> parameters = {};
   std::vector<std::string> globals =
       {};  // parameters that the text declares as globals: those of a .brdf file
+  std::vector<KnownViolation> violations = {};
   std::optional<EntryLine> entry = {};
   std::optional<Returns> returns = {};
   bool explorer = false;  // a .brdf file
@@ -49,7 +57,8 @@ constexpr std::size_t kLargestShader = 1u << 18;
 
 // Throws InputError where the file cannot be read, is too large or nested too deeply, or a `//:` line or a block is not understood.
 Source read_source(const std::filesystem::path& path);
-// The same of a text under that name; a name that ends in .hlsl, .hlsli, .fx or .usf is HLSL, a text with ::begin is a .brdf file.
+// The same of a text under that name; HLSL is told by its words (float3, cbuffer), else by the name's
+// end (.hlsl, .hlsli, .fx, .usf); a text with ::begin is a .brdf file.
 Source parse_source(std::string name, std::string text, std::filesystem::path folder = {});
 
 // "NAME=MIN:MAX" or "NAME=MIN:MAX:DEFAULT", with ":log" after it; as the command line has it.

@@ -269,6 +269,35 @@ Slots Lowering::call(const spirv::Function& function,
   return frame.result;
 }
 
+// The sum of the parts that are the reflectance.
+Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
+                          const std::map<int, Pointer>& written) {
+  std::vector<ResultPart> parts = options_.results;
+  if (parts.empty() && module_.type(entry.type).kind != spirv::Kind::nothing)
+    parts = {{-1, 0, returned.size() == 4 ? 3 : returned.size()}};
+  if (parts.empty()) refuse("the function returns nothing; a reflectance is a float or a vec3");
+  Slots sum;
+  for (const ResultPart& part : parts) {
+    const auto to = written.find(part.argument);
+    const bool is_returned = part.argument < 0;
+    if (!is_returned && to == written.end()) refuse("an argument that it writes is not there");
+    const Id type = is_returned ? entry.type : to->second.type;
+    const Slots all = is_returned ? returned : load(to->second);
+    const std::vector<bool> integer = kinds(type);
+    if ((part.count != 1 && part.count != 3) || part.first + part.count > all.size() || integer[part.first])
+      refuse("the function returns " + module_.spelled(type) + "; a reflectance is a float or a vec3");
+    Slots one(all.begin() + long(part.first), all.begin() + long(part.first + part.count));
+    if (sum.empty()) {
+      sum = std::move(one);
+      continue;
+    }
+    if (one.size() == 1) one.assign(sum.size(), one[0]);
+    if (sum.size() == 1) sum.assign(one.size(), sum[0]);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = emit(Op::add, sum[k], one[k]);
+  }
+  return sum;
+}
+
 Program Lowering::run(const spirv::Function& entry) {
   program_.stretches.emplace_back();
   // Globals get their initial values where the driver's entry begins.
@@ -278,8 +307,7 @@ Program Lowering::run(const spirv::Function& entry) {
     if (global.variable && options_.parameters.contains(module_.name(id)))
       make_input(global_variable(id), module_.type(global.instruction.type).element, module_.name(id), -1);
   std::vector<std::pair<std::optional<Pointer>, Slots>> arguments;
-  std::optional<Pointer> out;
-  const bool returns = module_.type(entry.type).kind != spirv::Kind::nothing;
+  std::map<int, Pointer> written;
   for (std::size_t k = 0; k < entry.parameters.size(); ++k) {
     const Id given = entry.parameter_types[k];
     const spirv::Type& type = module_.type(given);
@@ -291,8 +319,8 @@ Program Lowering::run(const spirv::Function& entry) {
         refuse("the argument " + name + " is a texture; give its value as a parameter");
       Variable& variable = new_variable(type.element);
       arguments.push_back({Pointer{&variable, type.element}, {}});
-      if (!returns && k + 1 == entry.parameters.size())  // void f(..., out vec3 result)
-        out = arguments.back().first;
+      if (options_.written.contains(int(k)))
+        written[int(k)] = *arguments.back().first;
       else
         make_input(variable, type.element, name, int(k));
     } else {
@@ -301,21 +329,11 @@ Program Lowering::run(const spirv::Function& entry) {
       arguments.push_back({std::nullopt, load({&variable, given})});
     }
   }
-  Slots result = call(entry, arguments);
-  Id type = entry.type;
+  const Slots returned = call(entry, arguments);
   line_ = entry.line;
-  if (out) {
-    type = out->type;
-    result = load(*out);
-  } else if (!returns) {
-    refuse("the function returns nothing; a reflectance is a float or a vec3");
-  }
-  const std::vector<bool> integer = kinds(type);
-  if (result.size() == 4) result.pop_back();
-  if ((result.size() != 1 && result.size() != 3) || integer[0])
-    refuse("the function returns " + spelled(type) + "; a reflectance is a float or a vec3");
+  for (const Slot slot : result_of(entry, returned, written)) program_.results.push_back(slot);
   // In slots of their own, so that they are there whatever way was taken.
-  for (const Slot slot : result) program_.results.push_back(emit(Op::copy, slot));
+  for (Slot& slot : program_.results) slot = emit(Op::copy, slot);
   end_stretch(End::stop);
   return std::move(program_);
 }

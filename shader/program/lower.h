@@ -4,11 +4,18 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "shader/program/program.h"
 #include "shader/spirv/module.h"
 
 namespace brdf::shader {
+
+// Scalars `first` to `first + count - 1` of what the function returns (argument -1) or of an argument that it writes; count is 1 or 3.
+struct ResultPart {
+  int argument = -1;
+  std::size_t first = 0, count = 0;
+};
 
 struct LowerOptions {
   // Global variables that are parameters (others keep their initial value).
@@ -16,6 +23,8 @@ struct LowerOptions {
   // The library's kernels, where an exported shader holds them, by their meaning and not by their bits: for scalars that are no float.
   bool kernels_by_meaning = false;
   std::size_t most_steps = 200'000;  // of the program
+  std::vector<ResultPart> results = {};  // their sum is the value; empty: what is returned
+  std::set<int> written = {};            // arguments that are no inputs: 0 before
 };
 
 // Throws InputError, with the line, for what a reflectance cannot have (textures, derivatives of the screen, discard), and where

@@ -45,32 +45,6 @@ const std::vector<bool>& Lowering::kinds(Id type) {
   return kinds_[type] = std::move(out);
 }
 
-std::string Lowering::spelled(Id type) {
-  const spirv::Type& t = module_.type(type);
-  switch (t.kind) {
-    case Kind::nothing:
-      return "void";
-    case Kind::boolean:
-      return "bool";
-    case Kind::integer:
-      return t.is_signed ? "int" : "uint";
-    case Kind::number:
-      return "float";
-    case Kind::vector: {
-      const std::string element = spelled(t.element);
-      return (element == "float" ? "" : element.substr(0, 1)) + "vec" + std::to_string(t.count);
-    }
-    case Kind::matrix:
-      return "mat" + std::to_string(t.count);
-    case Kind::array:
-      return spelled(t.element) + "[" + std::to_string(t.count) + "]";
-    case Kind::structure:
-      return "the struct " + module_.name(type);
-    default:
-      return "something that is no number";
-  }
-}
-
 Lowering::Variable& Lowering::new_variable(Id type) {
   Variable& v = *variables_.emplace_back(std::make_unique<Variable>());
   v.integer = kinds(type);
@@ -100,10 +74,12 @@ void Lowering::make_input(Variable& variable, Id type, const std::string& name, 
     }
     return;
   }
-  if (t.kind == Kind::array || t.kind == Kind::matrix)
-    refuse(name + " is " + spelled(type) + ": parameters are numbers and vectors");
-  Input input{name, spelled(type), {}, argument};
-  for (std::size_t k = 0; k < module_.scalars(type); ++k) {
+  const std::size_t count = module_.scalars(type);
+  for (std::size_t k = 1; k < count; ++k)
+    if (variable.integer[offset + k] != variable.integer[offset])
+      refuse(name + " is " + module_.spelled(type) + ": parameters are numbers and vectors");
+  Input input{name, module_.spelled(type), {}, variable.integer[offset], argument};
+  for (std::size_t k = 0; k < count; ++k) {
     const Slot slot = variable.integer[offset + k] ? program_.integers++ : program_.numbers++;
     input.slots.push_back(slot);
     remember(variable, offset + k, slot, false);

@@ -58,6 +58,7 @@ class Lowering {
   // lower.cpp: control
   Slots call(const spirv::Function& function,
              const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
+  Slots result_of(const spirv::Function& entry, const Slots& returned, const std::map<int, Pointer>& written);
   void block(Frame& frame, const spirv::Block& block, bool last);
   void end(Frame& frame, const spirv::Block& block, const spirv::Instruction& i, bool last);
   void leave(Frame& frame, Slots value, bool last);
@@ -76,7 +77,6 @@ class Lowering {
   Variable& new_variable(Id type);
   Variable& global_variable(Id id);
   void make_input(Variable& variable, Id type, const std::string& name, int argument, std::size_t offset = 0);
-  std::string spelled(Id type);
   Slots value(Frame& frame, Id id);
   Slot scalar(Frame& frame, Id id) { return value(frame, id).at(0); }
   Id type_of(Frame& frame, Id id);

@@ -131,9 +131,10 @@ struct Stretch {
 // A slot of the function's arguments and globals, to be filled before each run.
 struct Input {
   std::string name;  // of the argument or global; members as in the source: "material.roughness"
-  std::string type;  // float, vec2, vec3, vec4, int, bool
+  std::string type;  // float, vec2, vec3, vec4, int, bool, or float[4], mat3
   std::vector<std::uint32_t> slots = {};
-  int argument = -1;  // its place among the arguments; -1: a uniform, an input or a global variable
+  bool integer = false;  // slots of integers
+  int argument = -1;     // its place among the arguments; -1: a uniform, an input or a global variable
 };
 
 struct Program {

@@ -255,6 +255,32 @@ std::string Module::name(Id id) const {
   return found == names.end() ? "" : found->second;
 }
 
+std::string Module::spelled(Id id) const {
+  const Type& t = type(id);
+  switch (t.kind) {
+    case Kind::nothing:
+      return "void";
+    case Kind::boolean:
+      return "bool";
+    case Kind::integer:
+      return t.is_signed ? "int" : "uint";
+    case Kind::number:
+      return "float";
+    case Kind::vector: {
+      const std::string element = spelled(t.element);
+      return (element == "float" ? "" : element.substr(0, 1)) + "vec" + std::to_string(t.count);
+    }
+    case Kind::matrix:
+      return "mat" + std::to_string(t.count);
+    case Kind::array:
+      return spelled(t.element) + "[" + std::to_string(t.count) + "]";
+    case Kind::structure:
+      return name(id);
+    default:
+      return "something that is no number";
+  }
+}
+
 Module parse(std::span<const std::uint32_t> words) {
   return Parser(words).run();
 }

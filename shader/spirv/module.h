@@ -73,6 +73,8 @@ struct Module {
   // How many scalars a value of that type has. Throws InputError on types that have none, and on huge ones.
   std::size_t scalars(Id type) const;
   std::string name(Id id) const;
+  // A type in GLSL's words, for messages: "vec3", "uvec2", "float[4]", a struct's own name, "void".
+  std::string spelled(Id type) const;
 };
 
 // Throws InputError where it is no module, or one of which something is left open.

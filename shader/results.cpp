@@ -1,0 +1,149 @@
+#include "shader/results.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/numbers.h"
+#include "io/text.h"
+
+namespace brdf::shader {
+namespace {
+
+using spirv::Kind;
+using spirv::Module;
+
+// One number or colour among what a function gives.
+struct Leaf {
+  std::string name;
+  ResultPart part;
+};
+
+bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
+}
+
+void add_leaves(const Module& m, spirv::Id type, const std::string& name, int argument, std::size_t first,
+                std::vector<Leaf>& out) {
+  const spirv::Type& t = m.type(type);
+  if (t.kind == Kind::number) out.push_back({name, {argument, first, 1}});
+  if (t.kind == Kind::vector && t.count >= 3 && m.type(t.element).kind == Kind::number)
+    out.push_back({name, {argument, first, 3}});
+  if (t.kind != Kind::structure) return;
+  const auto names = m.member_names.find(type);
+  for (std::size_t k = 0; k < t.members.size(); ++k) {
+    if (m.type(t.members[k]).kind == Kind::opaque) return;
+    std::string member = std::to_string(k);
+    if (names != m.member_names.end())
+      if (const auto found = names->second.find(std::uint32_t(k)); found != names->second.end())
+        member = found->second;
+    add_leaves(m, t.members[k], name.empty() ? member : name + "." + member, argument, first, out);
+    first += m.scalars(t.members[k]);
+  }
+}
+
+// What stands between the brackets after `name`, of each place where a body follows.
+std::vector<std::vector<std::string>> definitions(const std::string& text, const std::string& name) {
+  std::vector<std::vector<std::string>> out;
+  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+    std::size_t open = at + name.size();
+    if ((at > 0 && is_word(text[at - 1])) || (open < text.size() && is_word(text[open]))) continue;
+    open = text.find_first_not_of(" \t\n", open);
+    if (open == text.npos || text[open] != '(') continue;
+    const std::size_t close = text.find(')', open);
+    if (close == text.npos) break;
+    const std::size_t body = text.find_first_not_of(" \t\n", close + 1);
+    if (body == text.npos || text[body] != '{') continue;
+    std::vector<std::string_view> fields;
+    const std::string inner = text.substr(open + 1, close - open - 1);
+    io::split(inner, ',', fields);
+    out.emplace_back(fields.begin(), fields.end());
+  }
+  return out;
+}
+
+// Arguments that the text declares as out or inout.
+std::set<int> declared_out(const Module& m, const spirv::Function& f, const std::string& text) {
+  for (const std::vector<std::string>& fields : definitions(text, f.name)) {
+    if (fields.size() != f.parameters.size()) continue;
+    std::set<int> out;
+    bool same = true;
+    for (std::size_t k = 0; k < fields.size() && same; ++k) {
+      std::string spaced = fields[k];
+      std::replace(spaced.begin(), spaced.end(), '\n', ' ');
+      std::vector<std::string_view> words;
+      io::split_blanks(spaced, words);
+      same = std::find(words.begin(), words.end(), m.name(f.parameters[k])) != words.end();
+      for (const std::string_view word : words)
+        if (word == "out" || word == "inout") out.insert(int(k));
+    }
+    if (same) return out;
+  }
+  return {};
+}
+
+template <std::size_t N>
+bool has_any(const std::string& name, const std::array<std::string_view, N>& words) {
+  return std::any_of(words.begin(), words.end(), [&](auto word) { return name.find(word) != name.npos; });
+}
+
+std::string last_of(const std::string& name) {
+  return io::lower_case(name.substr(name.rfind('.') + 1));
+}
+
+constexpr std::array<std::string_view, 11> kOther{"indirect", "ambient", "transmi",  "throughput", "pdf", "emissi",
+                                                  "normal",   "weight",  "halfway", "albedo",     "dir_"};
+constexpr std::array<std::string_view, 4> kLobes{"diffuse", "specular", "clearcoat", "sheen"};
+constexpr std::array<std::string_view, 14> kValues{"f",      "fr",     "brdf",   "bsdf",  "bxdf",        "result", "value",
+                                                   "response", "color", "colour", "radiance", "reflectance", "eval",   "rgb"};
+
+}  // namespace
+
+Results results_of(const Module& m, const spirv::Function& f, const Source& source) {
+  Results out;
+  std::vector<Leaf> leaves;
+  const spirv::Type& returned = m.type(f.type);
+  if (returned.kind != Kind::nothing) {
+    add_leaves(m, f.type, "", -1, 0, leaves);
+    if (returned.kind != Kind::structure && !leaves.empty()) {
+      out.written = declared_out(m, f, without_comments(source.text));
+      out.parts = {leaves[0].part};
+      return out;
+    }
+  }
+  out.written = declared_out(m, f, without_comments(source.text));
+  if (returned.kind == Kind::nothing && out.written.empty() && !f.parameters.empty())
+    out.written.insert(int(f.parameters.size()) - 1);
+  std::erase_if(out.written, [&](int k) { return m.type(f.parameter_types[std::size_t(k)]).kind != Kind::pointer; });
+  if (returned.kind == Kind::nothing)
+    for (const int k : out.written)
+      add_leaves(m, m.type(f.parameter_types[std::size_t(k)]).element, m.name(f.parameters[std::size_t(k)]), k, 0,
+                 leaves);
+  const auto keep = [&](auto&& is) {
+    std::vector<Leaf> kept;
+    std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(kept), is);
+    if (!kept.empty()) leaves = std::move(kept);
+  };
+  keep([](const Leaf& l) { return l.part.count == 3; });
+  const std::size_t all = leaves.size();
+  keep([](const Leaf& l) { return !has_any(io::lower_case(l.name), kOther); });
+  const auto is_lobe = [](const Leaf& l) { return has_any(io::lower_case(l.name), kLobes); };
+  const auto is_value = [](const Leaf& l) {
+    return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
+  };
+  out.named = std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& l) { return is_lobe(l) || is_value(l); });
+  if (leaves.size() > 1 && std::any_of(leaves.begin(), leaves.end(), is_lobe))
+    keep(is_lobe);
+  else if (leaves.size() > 1)
+    keep(is_value);
+  std::vector<std::string> names;
+  for (const Leaf& l : leaves) names.push_back(l.name);
+  if (leaves.size() > 1 && !std::all_of(leaves.begin(), leaves.end(), is_lobe)) {
+    out.several = io::joined(names);
+    return out;
+  }
+  for (const Leaf& l : leaves) out.parts.push_back(l.part);
+  if (all > 1 && !names.empty()) out.note = "the reflectance is " + io::joined(names, " + ") + " of what " + f.name + " gives";
+  return out;
+}
+
+}  // namespace brdf::shader
