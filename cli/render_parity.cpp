@@ -10,11 +10,12 @@
 
 namespace brdf::cli {
 
-Exit run_parity(const std::vector<std::string>& names, bool all, bool json) {
+Exit run_parity(const std::vector<std::string>& names, bool all, const std::vector<Reflectance>& others, bool json) {
   std::vector<Reflectance> forms;
   for (const std::string& name : names) forms.push_back(io::require_form(name));
   if (all) forms.assign(catalogue().begin(), catalogue().end());
-  if (forms.empty()) throw InputError("--parity needs --all or --form");
+  forms.insert(forms.end(), others.begin(), others.end());
+  if (forms.empty()) throw InputError("--parity needs --all, --form or --shader");
   render::Device device;
   const auto print_row = [&](const render::ParityRow& row) {
     if (json) return;

@@ -3,11 +3,14 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/shader_options.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "io/settings.h"
 #include "trade/recommend/recommend.h"
 
 namespace brdf::cli {
@@ -16,6 +19,8 @@ namespace {
 struct RecommendArguments {
   trade::RecommendOptions options;
   std::string metric = "image", output;
+  ShaderOptions shader;
+  std::vector<std::string> set;
   std::string compare;  // the folder with scenes and materials
   bool json = false;
 };
@@ -47,6 +52,18 @@ Exit run_comparison(const RecommendArguments& a) {
   return Exit::good;
 }
 
+// A shader's material is what the others are to look like.
+void choose_shader(RecommendArguments& a) {
+  const auto shader = load(a.shader, "recommend");
+  if (!shader && !a.set.empty()) throw InputError("--set " + a.set.front() + ": goes with --shader FILE");
+  if (!shader) return;
+  if (!a.options.reference.empty()) throw InputError("give one of --reference and --shader");
+  io::MaterialChoice choice;
+  choice.made = shader->material;
+  choice.set = a.set;
+  a.options.made = io::choose_material(choice);
+}
+
 Exit run_recommendation(const RecommendArguments& a) {
   const trade::Recommendation r = trade::recommend(a.options);
   if (!a.output.empty()) trade::write_recommendation(a.output, r);
@@ -64,6 +81,8 @@ void add_recommend(CLI::App& app) {
   CLI::App* verb = add_verb(app, Purpose::judge, "recommend", "Find the cheapest model that a scene needs");
   verb->add_option("--scene", a->options.scene, "scene file");
   verb->add_option("--reference", a->options.reference, "material file, or samples (interpolated)");
+  add_shader_options(*verb, a->shader);
+  add_repeated_option(*verb, "--set", a->set, "a parameter of --shader, name=value");
   verb->add_option("--tolerance", a->options.tolerance, "largest error allowed")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
@@ -87,6 +106,7 @@ void add_recommend(CLI::App& app) {
       "data/materials/ivory_plastic.json --tolerance 0.05 -o out\n"
       "          brdf recommend --scene scene.json --reference paint.json --metric brdf --ledger ledger.json "
       "--max-cost 2 --json\n"
+      "          brdf recommend --scene scene.json --shader disney.brdf --set roughness=0.3 --tolerance 0.02\n"
       "          brdf recommend --compare-weightings data\n"
       "Exit code 1: no model meets the "
       "tolerance.");
@@ -96,11 +116,12 @@ void add_recommend(CLI::App& app) {
     if (!a->compare.empty() && !a->output.empty())
       throw InputError("-o " + a->output + ": --compare-weightings writes to stdout");
     if (!a->compare.empty()) return run_comparison(*a);
-    if (a->options.scene.empty() || a->options.reference.empty())
-      throw InputError("recommend needs --scene and --reference (see brdf recommend --help)");
+    choose_shader(*a);
+    if (a->options.scene.empty() || (a->options.reference.empty() && !a->options.made))
+      throw InputError("recommend needs --scene and --reference or --shader (see brdf recommend --help)");
     if (!a->output.empty())
       io::check_folder_target({"-o", a->output}, trade::recommendation_files(),
-                              {a->options.scene, a->options.reference, a->options.ledger});
+                              {a->options.scene, a->options.reference, a->options.ledger, a->shader.file});
     return run_recommendation(*a);
   });
 }

@@ -8,6 +8,7 @@
 #include "cli/parameter_row.h"
 #include "cli/progress.h"
 #include "cli/render_parity.h"
+#include "cli/shown_shader.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/json.h"
@@ -105,6 +106,7 @@ struct Options {
   render::Job job;
   std::string maps;
   std::vector<std::string> forms;
+  ShownShader shader;
   std::vector<int> probe;
   bool json = false, times = false, split = false, no_labels = false;
   bool parity = false, all = false, lookup_pictures = false, lobes = false, lobe_body = false;
@@ -247,7 +249,12 @@ void make_row(Options& o) {
 
 Exit run(Options& o) {
   render::Job& job = o.job;
-  if (o.parity) return run_parity(o.forms, o.all, o.json);
+  if (o.parity) {
+    std::vector<Reflectance> others;
+    if (const auto material = shown_material(o.shader, "render")) others.push_back(material->terms.front().form);
+    return run_parity(o.forms, o.all, others, o.json);
+  }
+  show_shader(o.shader, "render", job);
   if (o.split && !job.show) job.show = "split";
   job.labels = !o.no_labels;
   if (!o.probe.empty()) job.probe = glm::ivec2(o.probe[0], o.probe[1]);
@@ -279,6 +286,7 @@ void add_render(CLI::App& app) {
       add_verb(app, Purpose::look, "render", "Render materials or a scene with the deferred renderer");
   add_scene_options(*verb, options->job);
   add_show_options(*verb, *options);
+  add_shown_shader(*verb, options->shader);
   add_comparison_options(*verb, *options);
   add_other_modes(*verb, *options);
   verb->footer(
@@ -294,6 +302,8 @@ void add_render(CLI::App& app) {
       "looked_up.exr\n"
       "         brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
       "         brdf render a.json --compare b.json --lobes --solo \"A r\" -o curve.png\n"
+      "         brdf render --shader ggx.glsl --set roughness=0.3 -o ggx.png\n"
+      "         brdf render --parity --shader ggx.glsl --param roughness=0.05:1\n"
       "         brdf render --parity --form ward --validation\n"
       "         brdf render --parity --all --json\n"
       "         brdf render --scene scene.json --shading phong --per-vertex --width 640 --height 480 -o "

@@ -158,6 +158,10 @@ Exit run(const Options& o) {
         o.json, std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
     return good ? Exit::good : Exit::failed;
   }
+  if (o.gpu && !o.shader.file.empty()) {
+    if (!o.forms.empty() || o.all) throw InputError("--shader and --gpu: without --form and --all");
+    return validate_gpu(std::vector{with_room(load(o.shader, "validate", o.json)->material)}, o.seed, o.json, true);
+  }
   if (o.gpu) return validate_gpu(forms_of(o.forms, o.all), o.seed, o.json);
   validate::check_max_theta(o.max_theta);
   check_output(o);
@@ -213,7 +217,8 @@ void add_validate(CLI::App& app) {
       "search for the largest errors of the forms (--form or --all) in float and double against 50 "
       "digits, and for NaN, infinite and negative values; exit 1 where one is larger than stated "
       "(--all: half a minute; --effort full, a million evaluations each: half an hour)");
-  verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit");
+  verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit; with --shader: the driver's values of that "
+                 "function with correctly rounded ones");
   verb->footer(
       "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
       "          brdf validate samples.csv --max-theta 80 --picture photograph.png -o sheet.html\n"
@@ -226,7 +231,8 @@ void add_validate(CLI::App& app) {
       "          brdf validate --all --numerics\n"
       "          brdf validate --integrators\n"
       "          brdf validate --microsurface\n"
-      "          brdf validate --form ward --gpu");
+      "          brdf validate --form ward --gpu\n"
+      "          brdf validate --shader ggx.glsl --gpu");
   on_run(*verb, [o] { return run(*o); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/environment_options.h"
 #include "cli/options.h"
+#include "cli/shown_shader.h"
 #include "cli/solver_beside.h"
 #include "cli/verbs.h"
 #include "io/error.h"
@@ -30,7 +31,7 @@ render::ViewState initial_state(const render::Job& given, int width, int height)
     job.materials.pop_back();
   }
   if (two || !job.measured.empty()) job.show = "split";
-  if (job.scene.empty() && job.materials.empty() && job.state.empty()) {
+  if (job.scene.empty() && job.materials.empty() && job.row.empty() && job.state.empty()) {
     render::ViewState state;
     state.scene = render::material_scene({render::any_material()});
     render::apply_environment(job, state.scene);
@@ -47,7 +48,7 @@ std::filesystem::path file_of(const render::Job& job) {
   if (!job.state.empty()) return job.state;
   if (!job.scene.empty()) return job.scene;
   if (!job.materials.empty()) return job.materials[0];
-  return job.measured;
+  return job.row.empty() ? job.measured : job.row_source;
 }
 
 }  // namespace
@@ -56,6 +57,7 @@ void add_view(CLI::App& app) {
   struct Options {
     render::Job job;
     render::ViewerOptions viewer;
+    ShownShader shader;
     bool commands = false;
   };
   auto options = std::make_shared<Options>();
@@ -66,6 +68,7 @@ void add_view(CLI::App& app) {
   verb->add_option("--scene", options->job.scene, "A scene's JSON file");
   verb->add_option("--shape", options->job.shape,
                    "What a MATERIAL is shown on instead of a sphere: as in render");
+  add_shown_shader(*verb, options->shader);
   verb->add_option("--measured", options->job.measured, "A sample table to compare with");
   verb->add_option("--state", options->job.state, "A saved state to start from");
   verb->add_option("--save-as", viewer.state_file, "Where Ctrl-S saves the state")->capture_default_str();
@@ -94,6 +97,7 @@ void add_view(CLI::App& app) {
       "Keys and mouse:\n" + render::command_help(100) +
       "Examples: brdf view fitted.json --measured samples.csv\n"
       "          brdf view fitted.json --hard-light\n"
+      "          brdf view --shader ggx.glsl --param roughness=0.05:1 --set roughness=0.3\n"
       "          brdf view --scene scenes/vase.json\n"
       "          brdf view fitted.json --environment studio --rotate 30 --samples 256 --shape shader_ball\n"
       "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
@@ -102,6 +106,7 @@ void add_view(CLI::App& app) {
       "          brdf view fitted.json --hard-light --orbit --frames 100 --scale 2\n"
       "          brdf view --commands");
   on_run(*verb, [options, verb] {
+    if (!options->commands) show_shader(options->shader, "view", options->job);
     const render::Job& job = options->job;
     if (options->commands) {
       std::cout << render::command_json();

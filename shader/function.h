@@ -134,6 +134,9 @@ class Runner {
           for (std::size_t l = 0; l < W; ++l)
             out[l] = x[0][l] * y[0][l] + x[1][l] * y[1][l] + x[2][l] * y[2][l];
         }
+        // Unit vectors: what rounding adds to 1 is not the shader's.
+        for (std::size_t l = 0; l < W; ++l)
+          out[l] = detail::pick(one < out[l], one, detail::pick(out[l] < -one, -one, out[l]));
       } else {
         const bool is_one = b.from == Binding::From::one ||
                             (b.from == Binding::From::coordinate && frame(b.a) == b.component) ||

@@ -52,6 +52,10 @@ class Probe {
   double value(std::size_t component = 0) {
     return evaluate<double>(f_, runner_, values_, wi_, wo_, component);
   }
+  // With light and viewer exchanged.
+  double exchanged() { return evaluate<double>(f_, runner_, values_, wo_, wi_, 0); }
+  double cos_i() const { return wi_.z; }
+  double cos_o() const { return wo_.z; }
   double uniform() { return random_.uniform(); }
 
  private:
@@ -209,6 +213,21 @@ bool keeps_channels(const Function& f) {
     if (other != value && !(std::isnan(other) && std::isnan(value))) return false;
   }
   return true;
+}
+
+bool holds_cosine(const Function& f) {
+  constexpr double kReciprocal = 1e-6, kSeen = 1e-2;
+  Probe probe(f);
+  bool seen = false;
+  for (int k = 0; k < kProbes; ++k) {
+    probe.move();
+    const double here = probe.value(), there = probe.exchanged(), i = probe.cos_i(), o = probe.cos_o();
+    if (!std::isfinite(here) || !std::isfinite(there)) return false;
+    const double size = std::max(std::abs(here / i), std::abs(there / o));
+    if (std::abs(here / i - there / o) > kReciprocal * size) return false;
+    seen = seen || std::abs(here - there) > kSeen * std::max(std::abs(here), std::abs(there));
+  }
+  return seen;
 }
 
 bool same_in_all_channels(const Function& f) {

@@ -22,6 +22,9 @@ std::optional<Linear> linear_parameters(const Function& function);
 // Whether a channel's value depends on its own component of every colour only.
 bool keeps_channels(const Function& function);
 
+// Whether the value is not reciprocal as it is, and is where the cosine to the light is taken out: then it holds that cosine.
+bool holds_cosine(const Function& function);
+
 // Whether equal components of all colours give equal components of the value.
 bool same_in_all_channels(const Function& function);
 

@@ -7,6 +7,7 @@
 #include "io/numbers.h"
 #include "io/shell.h"
 #include "io/text.h"
+#include "shader/glsl.h"
 #include "shader/linear.h"
 
 namespace brdf::shader {
@@ -106,6 +107,10 @@ void ShaderReflectance::find_tables() {
     lobes_ = linear->lobes;
     if (linear->f0 >= 0) weight_table_[std::size_t(linear->f0)].role = Role::f0;
   }
+  if (function_.returns == Returns::f && !function_.source.returns && holds_cosine(function_))
+    function_.notes.push_back(
+        "its value is reciprocal once it is divided by the cosine to the light: if it returns f times that cosine, say "
+        "--returns 'f*cos_i' or `//: returns f*cos_i`");
   if (!same_in_all_channels(function_)) channels_ = {"r", "g", "b"};
   for (const KnownViolation& v : function_.source.violations)
     violations_.push_back({v.check, v.statement, "", v.theta, 0});
@@ -118,6 +123,7 @@ void ShaderReflectance::find_tables() {
   info_.lobes = lobes_;
   info_.mixes_channels = lobes_.empty() && !weights_.empty();
   info_.differentiable = true;
+  info_.has_glsl = glsl_obstacle(function_).empty();
 }
 
 template <class T>
@@ -343,6 +349,10 @@ std::vector<ReflectanceModel::TableWeight> ShaderReflectance::weights_of(
     out.push_back(std::move(weight));
   }
   return out;
+}
+
+std::string ShaderReflectance::glsl(const GlslOptions& options) const {
+  return glsl_of(function_, name_, weights_, shape_, options);
 }
 
 Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> self) const {

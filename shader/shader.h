@@ -34,6 +34,7 @@ class ShaderReflectance final : public ReflectanceModel {
   void gradient(const ParameterValues<double>& p, const Directions<double>& d,
                 const LobeRows<double>& out) const override;
   std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override;
+  std::string glsl(const GlslOptions& options) const override;
 
   // The function's values of a channel's parameters, in its order.
   template <class T>

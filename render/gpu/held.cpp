@@ -1,0 +1,87 @@
+#include "render/gpu/held.h"
+
+#include <algorithm>
+
+#include "io/text.h"
+#include "render/gpu/gpu_layout.h"
+
+namespace brdf::render {
+namespace {
+
+std::string constant(double value) {
+  const std::string text = io::to_text(float(value));
+  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
+}
+
+class Held final : public ReflectanceModel {
+ public:
+  explicit Held(const Term& term) : inner_(term.form), shape_(term.shape.front()), weights_(term.weights) {
+    const ReflectanceInfo& all = inner_.info();
+    info_.name = all.name;
+    info_.family = all.family;
+    info_.weights = all.weights.first(std::min(all.weights.size(), kMostWeights));
+    info_.shape = all.shape.first(std::min(all.shape.size(), kMostShape));
+    info_.channels = all.channels;
+    info_.mixes_channels = all.mixes_channels;
+    info_.has_glsl = all.has_glsl;
+    info_.kink = all.kink;
+  }
+  const ReflectanceInfo& info() const override { return info_; }
+  using ReflectanceModel::eval;
+  void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
+    const auto filled = [](std::span<const double> given, std::vector<double> all) {
+      std::copy(given.begin(), given.end(), all.begin());
+      return all;
+    };
+    const std::vector<double> weights = filled(p.weights, weights_[std::min(p.channel, weights_.size() - 1)]),
+                              first = filled(p.first, weights_.front()), shape = filled(p.shape, shape_);
+    inner_->eval({weights, first, shape, p.channel}, d, out);
+  }
+  std::string glsl(const GlslOptions& options) const override {
+    // The formula under another name, and functions of its own name that call it.
+    const std::string name(info_.name), inner = "held_" + name;
+    std::string text = inner_->glsl(options);
+    std::string arguments = "vec3 wi, vec3 wo", given = "wi, wo";
+    const ReflectanceInfo& all = inner_.info();
+    for (std::size_t k = 0; k < all.shape.size(); ++k) {
+      const std::string word = "s" + std::to_string(k);
+      if (k < info_.shape.size()) arguments += ", float " + word;
+      given += ", " + (k < info_.shape.size() ? word : constant(shape_[k]));
+    }
+    for (std::size_t k = 0; k < all.weights.size(); ++k) {
+      const std::string word = "w" + std::to_string(k);
+      if (k < info_.weights.size()) arguments += ", vec3 " + word;
+      const auto value = [&](std::size_t c) { return constant(weights_[std::min(c, weights_.size() - 1)][k]); };
+      given += ", " + (k < info_.weights.size() ? word : "vec3(" + value(0) + ", " + value(1) + ", " + value(2) + ")");
+    }
+    for (const std::string function : {"brdf_eval_cos_", "brdf_eval_"}) {
+      for (std::size_t at = 0; (at = text.find(function + name + "(", at)) != text.npos; at += inner.size())
+        text.replace(at + function.size(), name.size(), inner);
+    }
+    for (const std::string function : {"brdf_eval_", "brdf_eval_cos_"})
+      text += "vec3 " + function + name + "(" + arguments + ") {\n  return " + function + inner + "(" + given + ");\n}\n";
+    return text;
+  }
+
+ private:
+  Reflectance inner_;
+  std::vector<double> shape_;
+  std::vector<std::vector<double>> weights_;
+  ReflectanceInfo info_;
+};
+
+}  // namespace
+
+Material with_room(Material material) {
+  for (Term& term : material.terms) {
+    const ReflectanceInfo& all = info(term.form);
+    if (all.weights.size() <= kMostWeights && all.shape.size() <= kMostShape) continue;
+    const Reflectance held(std::make_shared<const Held>(term));
+    for (std::vector<double>& set : term.weights) set.resize(std::min(set.size(), kMostWeights));
+    for (std::vector<double>& set : term.shape) set.resize(std::min(set.size(), kMostShape));
+    term.form = held;
+  }
+  return material;
+}
+
+}  // namespace brdf::render

@@ -1,0 +1,84 @@
+// The forms as their exported shaders, through the verbs: the same verdicts and worst cases as by name, and fitted back. BRDF_ALL_FORMS
+// in the environment takes every form of the catalogue instead of a few.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "brdf/reflectance.h"
+#include "tests/cli/run_brdf.h"
+
+namespace brdf {
+namespace {
+
+// Forms that pass, that violate what they declare, and that have two widths; or all.
+std::vector<Reflectance> forms(std::size_t few) {
+  std::vector<Reflectance> out;
+  const bool all = std::getenv("BRDF_ALL_FORMS") != nullptr;
+  std::size_t sound = 0, violating = 0;
+  for (const Reflectance& form : catalogue()) {
+    std::size_t& count = form.info().violations.empty() ? sound : violating;
+    if (all || (!form.info().anisotropic() && count++ < few)) out.push_back(form);
+  }
+  return out;
+}
+
+std::map<std::string, nlohmann::json> findings(const std::string& words, const TemporaryFolder& folder) {
+  const Outcome o = run_brdf("validate " + words + " --json", folder.path());
+  std::map<std::string, nlohmann::json> out;
+  const nlohmann::json parsed = nlohmann::json::parse(o.out, nullptr, false);
+  EXPECT_FALSE(parsed.is_discarded()) << words << o.err;
+  if (!parsed.is_discarded())
+    for (const auto& f : parsed["findings"]) out[f["check"]] = f;
+  return out;
+}
+
+TEST(ExportedForm, HasTheFormsVerdictsAndWorstCases) {
+  TemporaryFolder folder;
+  for (const Reflectance& form : forms(1)) {
+    const std::string name(form.info().name);
+    for (const auto& [to, file] : {std::pair("glsl", name + ".glsl"), std::pair("explorer", name + ".brdf")}) {
+      ASSERT_EQ(run_brdf("export --form " + name + " --to " + to + " -o " + file, folder.path()).exit_code, 0);
+      const auto by_name = findings("--form " + name, folder), by_shader = findings("--shader " + file, folder);
+      for (const auto& [check, theirs] : by_shader) {
+        if (theirs["verdict"] == "not_applicable" || check == "float") continue;
+        const nlohmann::json& ours = by_name.at(check);
+        EXPECT_EQ(theirs["verdict"], ours["verdict"]) << file << ' ' << check << ' ' << theirs["statement"];
+        if (check != "energy" && ours["verdict"] == "pass") continue;
+        const double value = ours["value"];
+        EXPECT_NEAR(theirs["value"].get<double>(), value, 1e-3 * std::abs(value) + 1e-6) << file << ' ' << check;
+      }
+    }
+  }
+}
+
+TEST(ExportedForm, IsFittedBack) {
+  TemporaryFolder folder;
+  for (const Reflectance& form : forms(2)) {
+    if (!form.info().fittable()) continue;
+    const std::string name(form.info().name);
+    ASSERT_EQ(run_brdf("synth --form " + name + " --grid in_plane --noise 0 -o s.csv", folder.path()).exit_code, 0);
+    const Outcome truth = run_brdf("fit s.csv --form " + name + " --json", folder.path());
+    ASSERT_EQ(truth.exit_code, 0) << truth.err;
+    const auto ours = nlohmann::json::parse(truth.out)["ranking"][0]["material"];
+    for (const auto& [to, file] : {std::pair("glsl", name + ".glsl"), std::pair("explorer", name + ".brdf")}) {
+      ASSERT_EQ(run_brdf("export --form " + name + " --to " + to + " --kernels builtin -o " + file, folder.path())
+                    .exit_code,
+                0);
+      const Outcome o = run_brdf("fit s.csv --shader " + file + " --json", folder.path());
+      ASSERT_EQ(o.exit_code, 0) << file << o.err;
+      const auto theirs = nlohmann::json::parse(o.out)["ranking"][0]["material"];
+      for (const char* table : {"weights", "shape"})
+        for (const auto& [parameter, value] : ours[table].items()) {
+          const auto number = [](const nlohmann::json& x) { return x.is_array() ? x[0].get<double>() : x.get<double>(); };
+          EXPECT_NEAR(number(theirs[table][parameter]), number(value), 1e-6 * std::max(1.0, std::abs(number(value))))
+              << file << ' ' << parameter;
+        }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brdf
