@@ -10,7 +10,8 @@
 
 namespace brdf::cli {
 
-Exit run_parity(const std::vector<std::string>& names, bool all, const std::vector<Reflectance>& others, bool json) {
+Exit run_parity(const std::vector<std::string>& names, bool all, const std::vector<Reflectance>& others,
+                bool json) {
   std::vector<Reflectance> forms;
   for (const std::string& name : names) forms.push_back(io::require_form(name));
   if (all) forms.assign(catalogue().begin(), catalogue().end());

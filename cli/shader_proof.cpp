@@ -40,7 +40,8 @@ void print_json(const std::vector<render::ProofRow>& rows, const std::string& de
 
 void print_table(const std::vector<render::ProofRow>& rows, const std::string& device, bool software,
                  bool of_shader) {
-  const char* rule = of_shader  ? ": beside correctly rounded float; what differs is the driver's own functions"
+  const char* rule = of_shader
+                         ? ": beside correctly rounded float; what differs is the driver's own functions"
                      : software ? ": every bit must agree"
                                 : ": within the tolerance";
   std::cout << device << rule << '\n'
@@ -50,7 +51,8 @@ void print_table(const std::vector<render::ProofRow>& rows, const std::string& d
   for (const render::ProofRow& row : rows)
     std::cout << std::left << std::setw(28) << row.form << std::right << std::setw(14) << row.count
               << std::setw(18) << row.differing << std::setw(12) << row.max_ulp << std::setw(18)
-              << row.beyond_tolerance << (of_shader || render::passes(row, software) ? "" : "  FAILS") << '\n';
+              << row.beyond_tolerance << (of_shader || render::passes(row, software) ? "" : "  FAILS")
+              << '\n';
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace brdf::cli {
 
 void add_shown_shader(CLI::App& verb, ShownShader& shown) {
   add_shader_options(verb, shown.shader);
-  add_repeated_option(verb, "--set", shown.set, "A parameter of --shader: name=value, or one value per channel");
+  add_repeated_option(verb, "--set", shown.set,
+                      "A parameter of --shader: name=value, or one value per channel");
 }
 
 std::optional<Material> shown_material(const ShownShader& shown, const std::string& verb) {

@@ -111,7 +111,8 @@ Exit export_formula(const Options& o) {
   const bool with_material = !o.material.material.empty() || !o.material.set.empty();
   if (const auto language = language_of(o.to)) {
     if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
-    write(o, io::shader_text(file.material, *language, with_material, name_of(o, file), o.kernels == "builtin"));
+    write(o,
+          io::shader_text(file.material, *language, with_material, name_of(o, file), o.kernels == "builtin"));
     return Exit::good;
   }
   write(o,

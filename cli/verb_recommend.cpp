@@ -106,7 +106,8 @@ void add_recommend(CLI::App& app) {
       "data/materials/ivory_plastic.json --tolerance 0.05 -o out\n"
       "          brdf recommend --scene scene.json --reference paint.json --metric brdf --ledger ledger.json "
       "--max-cost 2 --json\n"
-      "          brdf recommend --scene scene.json --shader disney.brdf --set roughness=0.3 --tolerance 0.02\n"
+      "          brdf recommend --scene scene.json --shader disney.brdf --set roughness=0.3 --tolerance "
+      "0.02\n"
       "          brdf recommend --compare-weightings data\n"
       "Exit code 1: no model meets the "
       "tolerance.");

@@ -251,7 +251,8 @@ Exit run(Options& o) {
   render::Job& job = o.job;
   if (o.parity) {
     std::vector<Reflectance> others;
-    if (const auto material = shown_material(o.shader, "render")) others.push_back(material->terms.front().form);
+    if (const auto material = shown_material(o.shader, "render"))
+      others.push_back(material->terms.front().form);
     return run_parity(o.forms, o.all, others, o.json);
   }
   show_shader(o.shader, "render", job);

@@ -160,7 +160,8 @@ Exit run(const Options& o) {
   }
   if (o.gpu && !o.shader.file.empty()) {
     if (!o.forms.empty() || o.all) throw InputError("--shader and --gpu: without --form and --all");
-    return validate_gpu(std::vector{with_room(load(o.shader, "validate", o.json)->material)}, o.seed, o.json, true);
+    return validate_gpu(std::vector{with_room(load(o.shader, "validate", o.json)->material)}, o.seed, o.json,
+                        true);
   }
   if (o.gpu) return validate_gpu(forms_of(o.forms, o.all), o.seed, o.json);
   validate::check_max_theta(o.max_theta);
@@ -217,8 +218,10 @@ void add_validate(CLI::App& app) {
       "search for the largest errors of the forms (--form or --all) in float and double against 50 "
       "digits, and for NaN, infinite and negative values; exit 1 where one is larger than stated "
       "(--all: half a minute; --effort full, a million evaluations each: half an hour)");
-  verb->add_flag("--gpu", o->gpu, "compare the forms' shaders with the library bit for bit; with --shader: the driver's values of that "
-                 "function with correctly rounded ones");
+  verb->add_flag(
+      "--gpu", o->gpu,
+      "compare the forms' shaders with the library bit for bit; with --shader: the driver's values of that "
+      "function with correctly rounded ones");
   verb->footer(
       "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
       "          brdf validate samples.csv --max-theta 80 --picture photograph.png -o sheet.html\n"

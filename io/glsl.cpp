@@ -96,6 +96,9 @@ std::string annotations(const Material& material, bool whole_material) {
       text += "//: param " + std::string(p.name) + " " + to_text(p.min) + " " + to_text(p.max) + " " +
               to_text(p.initial) + (p.log_scale ? " log" : "") + " role " + std::string(name_of(p.role)) +
               "\n";
+  for (const Violation& v : form.violations)
+    text += "//: violates " + std::string(v.check) + " at " + to_text(v.theta) + " " +
+            std::string(v.statement) + "\n";
   return text;
 }
 

@@ -130,8 +130,8 @@ std::string explorer(const Material& material, const std::string& functions, boo
 
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
                         const std::string& name, bool builtin_kernels) {
-  const std::string glsl = glsl_source(
-      material, {.material = with_material, .whole = false, .builtin_kernels = builtin_kernels});
+  const std::string glsl =
+      glsl_source(material, {.material = with_material, .whole = false, .builtin_kernels = builtin_kernels});
   switch (language) {
     case ShaderLanguage::hlsl:
       return hlsl(glsl);

@@ -125,7 +125,8 @@ std::vector<std::string> free_directions(const Module& module, const Source& sou
   const std::string text = without_comments(source.text);
   std::vector<std::string> out;
   for (const auto& [id, global] : module.globals) {
-    if (!global.variable || module.type(global.instruction.type).storage != spv::StorageClassPrivate) continue;
+    if (!global.variable || module.type(global.instruction.type).storage != spv::StorageClassPrivate)
+      continue;
     const std::string name = module.name(id);
     const spirv::Type& t = module.type(pointee(module, global.instruction.type));
     const auto meaning = meaning_of(name, t.kind == Kind::vector && t.count == 3);
@@ -147,13 +148,15 @@ Chosen choose_entry(const Module& module, const Source& source) {
   const auto with_results = [&](const Function* f, const std::string& note = "") {
     Results results = results_of(module, *f, source);
     if (!results.several.empty())
-      throw InputError(source.name + ": " + signature(module, *f) + " gives several values (" + results.several +
-                       "): put one that calls it and returns the reflectance at the end of the file, and name that with "
-                       "--entry NAME");
+      throw InputError(
+          source.name + ": " + signature(module, *f) + " gives several values (" + results.several +
+          "): put one that calls it and returns the reflectance at the end of the file, and name that with "
+          "--entry NAME");
     if (results.parts.empty())
-      throw InputError(source.name + ": " + signature(module, *f) + " returns " + module.spelled(f->type) +
-                       "; a reflectance is a float or a vec3, returned, a member of what is returned, or an argument that "
-                       "is `out`");
+      throw InputError(
+          source.name + ": " + signature(module, *f) + " returns " + module.spelled(f->type) +
+          "; a reflectance is a float or a vec3, returned, a member of what is returned, or an argument that "
+          "is `out`");
     return Chosen{f, std::move(results), note};
   };
   if (source.entry) {
@@ -181,16 +184,18 @@ Chosen choose_entry(const Module& module, const Source& source) {
     const std::string name = io::lower_case(f->name);
     const auto has = [&](const char* word) { return name.find(word) != name.npos; };
     return !is_called_brdf(f) &&
-           (has("geometry") || has("smith") || has("visib") || has("fresnel") || has("distribution") || has("mask") ||
-            has("shadow") || has("normal") || name.starts_with("g_") || name.starts_with("v_") ||
-            name.starts_with("d_") || name.starts_with("f_") || name.starts_with("vis_"));
+           (has("geometry") || has("smith") || has("visib") || has("fresnel") || has("distribution") ||
+            has("mask") || has("shadow") || has("normal") || name.starts_with("g_") ||
+            name.starts_with("v_") || name.starts_with("d_") || name.starts_with("f_") ||
+            name.starts_with("vis_"));
   };
-  const auto could_be = [&](const Function* f) {
-    return gives(f) && takes_directions(module, *f, free);
-  };
-  auto likely = named([&](const Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
+  const auto could_be = [&](const Function* f) { return gives(f) && takes_directions(module, *f, free); };
+  auto likely =
+      named([&](const Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
   if (likely.empty())  // one of the file's others may call it
     likely = named([&](const Function* f) { return could_be(f) && is_called_brdf(f); });
+  if (likely.empty())  // a shading function of the file's calls it
+    likely = named([&](const Function* f) { return could_be(f) && !is_factor(f); });
   if (likely.size() > 1) {
     auto by_name = likely;
     std::erase_if(by_name, [&](const Function* f) { return !is_called_brdf(f); });

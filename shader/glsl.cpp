@@ -283,7 +283,8 @@ std::string declarations(const Program& p, bool precise) {
     for (const Step& step : s.steps) {
       const Operands o = operands_of(step.op);
       const std::uint32_t slots[] = {step.a, step.b, step.c};
-      for (std::uint32_t k = 0; k < o.writes(step); ++k) (o.result_integer ? integers : numbers).insert(step.r + k);
+      for (std::uint32_t k = 0; k < o.writes(step); ++k)
+        (o.result_integer ? integers : numbers).insert(step.r + k);
       for (int j = 0; j < o.count; ++j)
         for (std::uint32_t k = 0; k < (j == 0 && o.indexed_load ? step.c : 1); ++k)
           (o.integer[j] ? integers : numbers).insert(slots[j] + k);
@@ -326,7 +327,8 @@ std::string inputs(const Function& f) {
   for (const Binding& b : f.bindings) {
     std::string value = b.from == Binding::From::one ? "1.0" : "0.0";
     if (b.from == Binding::From::coordinate) value = axis(b.a) + "." + "xyz"[b.component];
-    if (b.from == Binding::From::product) value = "clamp(dot(" + axis(b.a) + ", " + axis(b.b) + "), -1.0, 1.0)";
+    if (b.from == Binding::From::product)
+      value = "clamp(dot(" + axis(b.a) + ", " + axis(b.b) + "), -1.0, 1.0)";
     if (b.from == Binding::From::value) value = "v" + std::to_string(b.value);
     if (!b.integer)
       out += "  " + n(b.slot) + " = " + value + ";\n";
@@ -375,11 +377,13 @@ std::string glsl_of(const Function& f, const std::string& name, const std::vecto
   // A number that is a weight may differ from channel to channel: then each has a run of its own.
   const auto call = [&](const std::string& component) {
     std::vector<std::string> values(f.values, "0.0");
-    for (std::size_t k = 0; k < shape.size(); ++k) values[f.parameters[shape[k]].first] = "s" + std::to_string(k);
+    for (std::size_t k = 0; k < shape.size(); ++k)
+      values[f.parameters[shape[k]].first] = "s" + std::to_string(k);
     for (std::size_t k = 0; k < weights.size(); ++k) {
       const Parameter& p = f.parameters[weights[k]];
       for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c)
-        values[p.first + c] = "w" + std::to_string(k) + (component.empty() ? std::string(".") + "rgb"[c] : component);
+        values[p.first + c] =
+            "w" + std::to_string(k) + (component.empty() ? std::string(".") + "rgb"[c] : component);
     }
     std::string words = "brdf_run_" + name + "(wi, wo";
     for (const std::string& v : values) words += ", " + v;

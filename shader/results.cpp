@@ -90,11 +90,13 @@ std::string last_of(const std::string& name) {
   return io::lower_case(name.substr(name.rfind('.') + 1));
 }
 
-constexpr std::array<std::string_view, 11> kOther{"indirect", "ambient", "transmi",  "throughput", "pdf", "emissi",
-                                                  "normal",   "weight",  "halfway", "albedo",     "dir_"};
+constexpr std::array<std::string_view, 11> kOther{"indirect", "ambient", "transmi", "throughput",
+                                                  "pdf",      "emissi",  "normal",  "weight",
+                                                  "halfway",  "albedo",  "dir_"};
 constexpr std::array<std::string_view, 4> kLobes{"diffuse", "specular", "clearcoat", "sheen"};
-constexpr std::array<std::string_view, 14> kValues{"f",      "fr",     "brdf",   "bsdf",  "bxdf",        "result", "value",
-                                                   "response", "color", "colour", "radiance", "reflectance", "eval",   "rgb"};
+constexpr std::array<std::string_view, 14> kValues{"f",        "fr",          "brdf",     "bsdf",  "bxdf",
+                                                   "result",   "value",       "response", "color", "colour",
+                                                   "radiance", "reflectance", "eval",     "rgb"};
 
 }  // namespace
 
@@ -113,11 +115,12 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
   out.written = declared_out(m, f, without_comments(source.text));
   if (returned.kind == Kind::nothing && out.written.empty() && !f.parameters.empty())
     out.written.insert(int(f.parameters.size()) - 1);
-  std::erase_if(out.written, [&](int k) { return m.type(f.parameter_types[std::size_t(k)]).kind != Kind::pointer; });
+  std::erase_if(out.written,
+                [&](int k) { return m.type(f.parameter_types[std::size_t(k)]).kind != Kind::pointer; });
   if (returned.kind == Kind::nothing)
     for (const int k : out.written)
-      add_leaves(m, m.type(f.parameter_types[std::size_t(k)]).element, m.name(f.parameters[std::size_t(k)]), k, 0,
-                 leaves);
+      add_leaves(m, m.type(f.parameter_types[std::size_t(k)]).element, m.name(f.parameters[std::size_t(k)]),
+                 k, 0, leaves);
   const auto keep = [&](auto&& is) {
     std::vector<Leaf> kept;
     std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(kept), is);
@@ -130,7 +133,8 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
   const auto is_value = [](const Leaf& l) {
     return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
   };
-  out.named = std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& l) { return is_lobe(l) || is_value(l); });
+  out.named =
+      std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& l) { return is_lobe(l) || is_value(l); });
   if (leaves.size() > 1 && std::any_of(leaves.begin(), leaves.end(), is_lobe))
     keep(is_lobe);
   else if (leaves.size() > 1)
@@ -142,7 +146,8 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
     return out;
   }
   for (const Leaf& l : leaves) out.parts.push_back(l.part);
-  if (all > 1 && !names.empty()) out.note = "the reflectance is " + io::joined(names, " + ") + " of what " + f.name + " gives";
+  if (all > 1 && !names.empty())
+    out.note = "the reflectance is " + io::joined(names, " + ") + " of what " + f.name + " gives";
   return out;
 }
 

@@ -109,7 +109,8 @@ void ShaderReflectance::find_tables() {
   }
   if (function_.returns == Returns::f && !function_.source.returns && holds_cosine(function_))
     function_.notes.push_back(
-        "its value is reciprocal once it is divided by the cosine to the light: if it returns f times that cosine, say "
+        "its value is reciprocal once it is divided by the cosine to the light: if it returns f times that "
+        "cosine, say "
         "--returns 'f*cos_i' or `//: returns f*cos_i`");
   if (!same_in_all_channels(function_)) channels_ = {"r", "g", "b"};
   for (const KnownViolation& v : function_.source.violations)
@@ -148,8 +149,8 @@ void ShaderReflectance::endless(const EndlessLoop& loop) const {
 }
 
 template <class T, int W>
-void ShaderReflectance::evaluate_block(const std::vector<T>& values, const Directions<T>& d, bool times_cosine,
-                                       const Components<T>& out) const {
+void ShaderReflectance::evaluate_block(const std::vector<T>& values, const Directions<T>& d,
+                                       bool times_cosine, const Components<T>& out) const {
   Runner<T, W>& runner = runner_of<T, W>(function_);
   runner.set_values(function_, values);
   for (std::size_t first = 0; first < d.count; first += W) {

@@ -46,7 +46,8 @@ Subject Subject::outside(std::string name, const Material& material, OutsideFact
   const std::vector<std::string> known = check_names();
   for (const Violation& v : s.declared())
     if (std::find(known.begin(), known.end(), v.check) == known.end())
-      throw InputError(s.name_ + ": //: violates " + std::string(v.check) + ": must be one of " + io::joined(known));
+      throw InputError(s.name_ + ": //: violates " + std::string(v.check) + ": must be one of " +
+                       io::joined(known));
   s.anisotropic_ = s.anisotropic_ || facts.oriented;
   s.outside_ = std::move(facts);
   return s;

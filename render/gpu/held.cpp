@@ -51,15 +51,20 @@ class Held final : public ReflectanceModel {
     for (std::size_t k = 0; k < all.weights.size(); ++k) {
       const std::string word = "w" + std::to_string(k);
       if (k < info_.weights.size()) arguments += ", vec3 " + word;
-      const auto value = [&](std::size_t c) { return constant(weights_[std::min(c, weights_.size() - 1)][k]); };
-      given += ", " + (k < info_.weights.size() ? word : "vec3(" + value(0) + ", " + value(1) + ", " + value(2) + ")");
+      const auto value = [&](std::size_t c) {
+        return constant(weights_[std::min(c, weights_.size() - 1)][k]);
+      };
+      given +=
+          ", " +
+          (k < info_.weights.size() ? word : "vec3(" + value(0) + ", " + value(1) + ", " + value(2) + ")");
     }
     for (const std::string function : {"brdf_eval_cos_", "brdf_eval_"}) {
       for (std::size_t at = 0; (at = text.find(function + name + "(", at)) != text.npos; at += inner.size())
         text.replace(at + function.size(), name.size(), inner);
     }
     for (const std::string function : {"brdf_eval_", "brdf_eval_cos_"})
-      text += "vec3 " + function + name + "(" + arguments + ") {\n  return " + function + inner + "(" + given + ");\n}\n";
+      text += "vec3 " + function + name + "(" + arguments + ") {\n  return " + function + inner + "(" +
+              given + ");\n}\n";
     return text;
   }
 

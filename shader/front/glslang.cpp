@@ -48,7 +48,9 @@ class FolderIncluder final : public glslang::TShader::Includer {
     };
     if (source_.folder.empty() || error || !inside() || !fs::is_regular_file(file, error)) {
       if (refused_.empty())
-        refused_ = source_.name + ": #include " + io::shown(name) + ": is no file of the shader's own folder; put it there, or delete the line if the function needs nothing of it";
+        refused_ = source_.name + ": #include " + io::shown(name) +
+                   ": is no file of the shader's own folder; put it there, or delete the line if the "
+                   "function needs nothing of it";
       return nullptr;
     }
     if (depth > kDeepestInclude || ++count_ > kMostIncludes) {

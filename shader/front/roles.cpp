@@ -165,8 +165,8 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
   if (const auto axis = axis_of(word)) return Meaning{Meaning::Kind::vector, *axis};
   // Where a variable comes from, before its name (vNormal, uLightDir, in_normal, geometryViewDir), or its space behind it
   // (normalWS).
-  for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world", "geometry", "shading", "surface",
-                                       "local", "pixel"})
+  for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world", "geometry",
+                                       "shading", "surface", "local", "pixel"})
     if (word.size() > begin.size() + 2 && word.starts_with(begin))
       if (const auto axis = axis_of(word.substr(begin.size()))) return Meaning{Meaning::Kind::vector, *axis};
   for (const std::string_view end : {"ws", "vs", "es", "ts", "os", "cs"})

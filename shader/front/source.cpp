@@ -107,7 +107,8 @@ Declared read_declared(std::string_view kind, std::span<const std::string_view> 
 }
 
 // "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
-KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line, const std::string& where) {
+KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line,
+                              const std::string& where) {
   if (words.empty()) throw InputError(where + "violates what? The name of a check, as energy or reciprocity");
   KnownViolation v{std::string(words[0]), "", 0, line};
   words = words.subspan(1);
@@ -115,7 +116,8 @@ KnownViolation read_violation(std::span<const std::string_view> words, std::uint
     v.theta = number_of(words[1], where);
     words = words.subspan(2);
   }
-  for (const std::string_view word : words) v.statement += (v.statement.empty() ? "" : " ") + std::string(word);
+  for (const std::string_view word : words)
+    v.statement += (v.statement.empty() ? "" : " ") + std::string(word);
   return v;
 }
 

@@ -52,8 +52,9 @@ std::string usual_functions(const std::string& text) {
   if (!std::regex_search(text, std::regex(R"((float|vec3|define)\s+pow2\b)")))
     kept += "#define pow2(x) ((x) * (x))\n";
   // What a page of Shadertoy gives every shader.
-  for (const auto& [name, type] : {std::pair("iTime", "float"), std::pair("iResolution", "vec3"), std::pair("iMouse", "vec4"),
-                                   std::pair("iFrame", "int"), std::pair("iTimeDelta", "float")})
+  for (const auto& [name, type] :
+       {std::pair("iTime", "float"), std::pair("iResolution", "vec3"), std::pair("iMouse", "vec4"),
+        std::pair("iFrame", "int"), std::pair("iTimeDelta", "float")})
     if (std::regex_search(text, std::regex(std::string("\\b") + name + "\\b")) &&
         !std::regex_search(text, std::regex(std::string("uniform\\s+\\w+\\s+") + name)))
       kept += std::string(type) + " " + name + ";\n";

@@ -300,6 +300,13 @@ Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
 
 Program Lowering::run(const spirv::Function& entry) {
   program_.stretches.emplace_back();
+  for (const auto& [id, global] : module_.globals) {
+    if (!global.variable || global.instruction.words.size() > 1) continue;
+    const spirv::Type& pointer = module_.type(global.instruction.type);
+    if (pointer.kind == spirv::Kind::pointer && pointer.storage == spv::StorageClassPrivate &&
+        module_.type(pointer.element).kind != spirv::Kind::opaque)
+      clear(global_variable(id));
+  }
   // Globals get their initial values where the driver's entry begins.
   const auto main = module_.functions.find(module_.entry);
   if (main != module_.functions.end()) call(main->second, {});
@@ -319,10 +326,12 @@ Program Lowering::run(const spirv::Function& entry) {
         refuse("the argument " + name + " is a texture; give its value as a parameter");
       Variable& variable = new_variable(type.element);
       arguments.push_back({Pointer{&variable, type.element}, {}});
-      if (options_.written.contains(int(k)))
+      if (options_.written.contains(int(k))) {
         written[int(k)] = *arguments.back().first;
-      else
+        clear(variable);
+      } else {
         make_input(variable, type.element, name, int(k));
+      }
     } else {
       Variable& variable = new_variable(given);
       make_input(variable, given, name, int(k));

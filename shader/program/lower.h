@@ -22,7 +22,7 @@ struct LowerOptions {
   std::set<std::string> parameters = {};
   // The library's kernels, where an exported shader holds them, by their meaning and not by their bits: for scalars that are no float.
   bool kernels_by_meaning = false;
-  std::size_t most_steps = 200'000;  // of the program
+  std::size_t most_steps = 200'000;      // of the program
   std::vector<ResultPart> results = {};  // their sum is the value; empty: what is returned
   std::set<int> written = {};            // arguments that are no inputs: 0 before
 };

@@ -100,7 +100,10 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
       const Id type = module_.type(i.type).element;
       Variable& variable = new_variable(type);
       frame.pointers[i.result] = {&variable, type};
-      if (!i.words.empty() && i.words.size() > 1) store(frame.pointers[i.result], value(frame, i.words[1]));
+      if (i.words.size() > 1)
+        store(frame.pointers[i.result], value(frame, i.words[1]));
+      else
+        clear(variable);
       return;
     }
     case spv::OpAccessChain:

@@ -285,6 +285,14 @@ void Lowering::store(const Pointer& to, const Slots& value) {
   }
 }
 
+// What is read before it is written is undefined; here it is 0, and not what an earlier run left. Nothing remains of this where it is
+// written first.
+void Lowering::clear(Variable& v) {
+  constexpr std::size_t kMost = 1024;
+  for (std::size_t k = 0; k < v.integer.size() && v.integer.size() <= kMost; ++k)
+    remember(v, k, v.integer[k] ? integer_constant(0) : number_constant(0), false);
+}
+
 // Instructions that only rename scalars.
 std::optional<Slots> Lowering::composite(Frame& frame, const spirv::Instruction& i) {
   const std::span<const std::uint32_t> words(i.words);

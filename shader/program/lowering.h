@@ -87,6 +87,7 @@ class Lowering {
   Pointer chain(Frame& frame, const spirv::Instruction& i);
   Slots load(const Pointer& from);
   void store(const Pointer& to, const Slots& value);
+  void clear(Variable& variable);
   void write_back(Variable& variable);
   void remember(Variable& variable, std::size_t k, Slot slot, bool written);
   // The first scalar of a part of a composite, and the part's type.

@@ -87,6 +87,38 @@ TEST(OwnShader, IsRefusedWithOneSentence) {
   EXPECT_EQ(run_brdf("albedo --form ward --param a=0:1 --theta 0", folder.path()).exit_code, 2);
 }
 
+TEST(OwnShader, ThatTurnsWithItsTangentIsJudged) {
+  TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl") << "//: violates energy\nfloat brdf(vec3 L, vec3 V, vec3 N, vec3 "
+                                             "X) { return 0.3 * (1.0 + dot(L, X) * dot(V, X)); }\n";
+  const Outcome o = run_brdf("validate --shader s.glsl --json", folder.path());
+  EXPECT_EQ(o.exit_code, 1) << o.err;
+  EXPECT_EQ(finding(o.out, "reciprocity")["verdict"], "pass");
+  // Declared and not there: 0.3 pi.
+  EXPECT_EQ(finding(o.out, "energy")["verdict"], "fail");
+  EXPECT_NEAR(finding(o.out, "energy")["value"].get<double>(), 0.3 * 3.14159265, 1e-3);
+}
+
+TEST(OwnShader, IsDrawnAsItIsEvaluated) {
+  TemporaryFolder folder;
+  std::ofstream(folder.path() / "many.glsl")
+      << "float brdf(vec3 L, vec3 V, vec3 N, float a, float b, float c, float d, int n) {\n  float t[3] = "
+         "float[3](0.1, 0.2, 0.3), s = 0.0;\n  for (int k = 0; k < n + 2; ++k) { if (k == 1 && d > 0.2) "
+         "continue; s "
+         "+= t[k % 3] * a * b; }\n  return s * (1.0 + pow(c, 2.0) * d * L.z * V.z);\n}\n";
+  {
+    const Outcome o = run_brdf("render --parity --shader many.glsl", folder.path());
+    if (o.exit_code == 3) GTEST_SKIP() << o.err;
+    EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+    EXPECT_EQ(o.out.find("FAILS"), std::string::npos) << o.out;
+    EXPECT_THAT(o.out, HasSubstr("32 bits: relative MSE"));
+  }
+  const Outcome picture = run_brdf(
+      "render --shader " + kShaders + "sound.glsl' --set roughness=0.3 --width 64 --height 64 -o s.png",
+      folder.path());
+  EXPECT_EQ(picture.exit_code, 0) << picture.err;
+}
+
 TEST(OwnShader, IsComparedWithAForm) {
   TemporaryFolder folder;
   const Outcome o =

@@ -141,6 +141,77 @@ TEST(Style, NeighboursOfASnippetAreKnown) {
   EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.5 / kPi, 1e-7);
 }
 
+TEST(Style, TheValueMayBeAMemberOrAnArgument) {
+  // A closure that is filled, as material libraries' generated code has it; its response holds the cosine.
+  const auto closure = shader_of(R"(
+struct Closure { int kind; vec3 L; vec3 V; vec3 N; float occlusion; };
+struct BSDF { vec3 response; vec3 throughput; };
+void sheet_bsdf(Closure c, float weight, vec3 color, inout BSDF bsdf) {
+  bsdf.throughput = vec3(0.0);
+  bsdf.response = color * weight * c.occlusion * dot(c.N, c.L);
+}
+)");
+  EXPECT_NEAR(value_at(closure, 60, 0, 10, 0), 0.5 * 0.5 * 0.5, 1e-12);
+  EXPECT_THAT(closure->function().notes, testing::Contains(HasSubstr("bsdf.response")));
+  EXPECT_THAT(closure->function().notes, testing::Contains(HasSubstr("--returns 'f*cos_i'")));
+  // Diffuse and specular apart, and a density beside them.
+  const auto parts = shader_of(
+      "void EvaluateBRDF(in float3 lightDir, in float3 viewDir, float k, out float3 diffuse, out float3 "
+      "specular, out "
+      "float pdf)\n{ diffuse = k; specular = 0.25; pdf = 1 / k; }",
+      {}, "a.hlsl");
+  EXPECT_NEAR(value_at(parts, 60, 0, 10, 0), 0.75, 1e-12);
+  EXPECT_EQ(parts->info().shape.size() + parts->info().weights.size(), 1u);
+  // A struct that is returned.
+  const auto lighting = shader_of(
+      "struct Lit { vec3 Diffuse; vec3 Specular; vec3 Transmission; };\n"
+      "Lit DefaultBxDF(vec3 N, vec3 V, vec3 L) { return Lit(vec3(0.1), vec3(0.2), vec3(4.0)); }");
+  EXPECT_NEAR(value_at(lighting, 60, 0, 10, 0), 0.3, 1e-7);
+  EXPECT_THAT(refusal("struct Two { vec3 a; vec3 b; };\nTwo brdf(vec3 L, vec3 V) { return Two(L, V); }",
+                      {.file = "", .entry = "brdf"}),
+              HasSubstr("gives several values (a, b)"));
+}
+
+TEST(Style, DirectionsMayBeGlobalAndSpellTheirSpace) {
+  const auto shader = shader_of(R"(
+struct Light { vec4 colorIntensity; vec3 l; float NoL; mat4 shadow; };
+vec3 shading_view; vec3 shading_normal;
+vec4 tint;
+vec3 surfaceShading(const Light light, vec3 normalWS, vec4 base) {
+  return base.rgb * light.colorIntensity.w * light.NoL * dot(shading_view, shading_normal) * normalWS.z;
+}
+)");
+  EXPECT_NEAR(value_at(shader, 60, 0, 60, 0), 0.5 * 0.5 * 0.5, 1e-12);
+}
+
+TEST(Style, OneOfAnEnginesSuffixesMayBeEitherLanguage) {
+  EXPECT_NEAR(
+      value_at(shader_of("vec3 brdf(vec3 L, vec3 V) { return vec3(0.5); }", {}, "a.fx"), 10, 0, 10, 0), 0.5,
+      1e-12);
+  EXPECT_NEAR(
+      value_at(shader_of("float3 brdf(float3 L, float3 V) { return 0.5; }", {}, "a.txt"), 10, 0, 10, 0), 0.5,
+      1e-12);
+}
+
+TEST(Style, WhatMainCallsIsFound) {
+  const auto shader = shader_of(
+      "varying vec3 vNormal;\nuniform vec3 uDiffuse;\nvec3 shade(vec3 n, vec3 l, vec3 v) { return uDiffuse; "
+      "}\n"
+      "void main() { gl_FragColor = vec4(shade(vNormal, vNormal, vNormal), 1.0); }");
+  EXPECT_NEAR(value_at(shader, 10, 0, 10, 0), 0.5, 1e-12);
+}
+
+TEST(Style, KnownViolationsAreDeclared) {
+  const auto shader =
+      shader_of("//: violates energy at 80 twice what arrives\nfloat brdf(vec3 L, vec3 V) { return 0.7; }");
+  ASSERT_EQ(shader->info().violations.size(), 1u);
+  EXPECT_EQ(shader->info().violations[0].check, "energy");
+  EXPECT_EQ(shader->info().violations[0].theta, 80);
+  EXPECT_EQ(shader->info().violations[0].statement, "twice what arrives");
+  EXPECT_THAT(refusal("//: violates\nfloat brdf(vec3 L, vec3 V) { return 0.7; }"),
+              HasSubstr("violates what?"));
+}
+
 TEST(Refused, WithTheSentenceThatHelps) {
   const std::string only_main = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
   EXPECT_THAT(refusal(only_main), HasSubstr("test.glsl: has main() and no function brdf"));

@@ -131,7 +131,8 @@ Recommendation recommend(const RecommendOptions& options) {
   r.tolerance = options.tolerance;
   r.metric = options.judge == Judge::image ? "image" : "brdf";
   options.progress(0, "reference and scene");
-  const RgbFunction reference = options.made ? rgb_function(*options.made) : read_reference(options.reference);
+  const RgbFunction reference =
+      options.made ? rgb_function(*options.made) : read_reference(options.reference);
   const SceneView view = view_of(render::load_scene(options.scene));
   if (view.points.empty()) throw InputError(options.scene.string() + ": no pixel shows a lit surface");
   r.coverage = coverage_of(view);

@@ -13,8 +13,8 @@ enum class Judge { image, brdf };  // which error the tolerance is about
 
 struct RecommendOptions {
   std::filesystem::path scene;
-  std::filesystem::path reference;   // a material, or samples
-  std::optional<Material> made;      // instead: one that is ready, as a shader's
+  std::filesystem::path reference;  // a material, or samples
+  std::optional<Material> made;     // instead: one that is ready, as a shader's
   std::filesystem::path ledger;     // empty: costs are measured now, as are those that it lacks
   // What is compared, in the catalogue or not; empty: recommendable_models().
   std::vector<Reflectance> models;
