@@ -101,7 +101,7 @@ void five(const DirectionArrays<float>& d) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  five(directions(1 << 14));
+  five(directions(1 << 12));
   const DirectionArrays<float> d = directions(4096);
   std::printf("all forms:\n");
   for (const Reflectance& form : catalogue()) {

@@ -14,11 +14,6 @@
 namespace brdf::io {
 namespace {
 
-std::string glsl_number(double value) {
-  std::string text = to_text(static_cast<double>(static_cast<float>(value)));
-  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
-}
-
 // One parameter of the channels that are red, green and blue as a vec3.
 std::string glsl_vector(const Term& term, const ChannelColours& colours, std::size_t parameter) {
   const auto value = [&](std::size_t colour) {
@@ -103,6 +98,11 @@ std::string annotations(const Material& material, bool whole_material) {
 }
 
 }  // namespace
+
+std::string glsl_number(double value) {
+  std::string text = to_text(static_cast<double>(static_cast<float>(value)));
+  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
+}
 
 std::string glsl_source(const Material& material, const GlslContent& content) {
   const GlslOptions options{.dialect = content.dialect};

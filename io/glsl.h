@@ -21,4 +21,7 @@ struct GlslContent {
 // (io/channel_colours.h).
 std::string glsl_source(const Material& material, const GlslContent& content = {});
 
+// A finite number rounded to float, as GLSL spells it: "0.5", "2.0".
+std::string glsl_number(double value);
+
 }  // namespace brdf::io

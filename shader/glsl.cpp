@@ -5,7 +5,7 @@
 #include <set>
 
 #include "brdf/geometry.h"
-#include "io/text.h"
+#include "io/glsl.h"
 #include "shader/program/operands.h"
 
 namespace brdf::shader {
@@ -22,10 +22,9 @@ std::string i(std::uint32_t slot) {
 }
 
 std::string number(double value) {
-  const float x = float(value);
-  if (!std::isfinite(x)) return "uintBitsToFloat(" + std::to_string(std::bit_cast<std::uint32_t>(x)) + "u)";
-  const std::string text = io::to_text(x);
-  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
+  if (const float x = float(value); !std::isfinite(x))
+    return "uintBitsToFloat(" + std::to_string(std::bit_cast<std::uint32_t>(x)) + "u)";
+  return io::glsl_number(value);
 }
 
 std::string integer(std::uint32_t value) {

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
-#include "io/text.h"
+#include "io/glsl.h"
 #include "render/gpu/gpu_layout.h"
 
 namespace brdf::render {
 namespace {
-
-std::string constant(double value) {
-  const std::string text = io::to_text(float(value));
-  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
-}
 
 class Held final : public ReflectanceModel {
  public:
@@ -46,13 +41,13 @@ class Held final : public ReflectanceModel {
     for (std::size_t k = 0; k < all.shape.size(); ++k) {
       const std::string word = "s" + std::to_string(k);
       if (k < info_.shape.size()) arguments += ", float " + word;
-      given += ", " + (k < info_.shape.size() ? word : constant(shape_[k]));
+      given += ", " + (k < info_.shape.size() ? word : io::glsl_number(shape_[k]));
     }
     for (std::size_t k = 0; k < all.weights.size(); ++k) {
       const std::string word = "w" + std::to_string(k);
       if (k < info_.weights.size()) arguments += ", vec3 " + word;
       const auto value = [&](std::size_t c) {
-        return constant(weights_[std::min(c, weights_.size() - 1)][k]);
+        return io::glsl_number(weights_[std::min(c, weights_.size() - 1)][k]);
       };
       given +=
           ", " +
