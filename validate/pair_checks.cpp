@@ -149,16 +149,24 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
   // f cos_i with the light at the horizon, over its largest value on the way there. Masking fades over the narrower
   // width times the viewer's cosine: over 1e-4 1e-6, of which the horizon's cosine is a hundredth.
   constexpr double kBound = 0.02;
+  const bool outside = subject.is_outside();
   const Best best = worst_pair(
       subject,
-      [](const Material& m, const Pair& p) {
-        std::vector<double> f(m.channels.size()), largest(f.size(), kTiny);
+      [outside](const Material& m, const Pair& p) {
+        std::vector<double> f(m.channels.size()), largest(f.size(), kTiny), before(f.size()), level(f.size());
         const double phi = in_radians(p.phi_i);
         for (double z = 0.9; z > 1e-12; z *= 0.1) {
           eval_cos(m, at_cosine(z, phi), p.wo, f);
-          for (std::size_t c = 0; c < f.size(); ++c) largest[c] = std::max(largest[c], std::abs(f[c]));
+          for (std::size_t c = 0; c < f.size(); ++c) {
+            largest[c] = std::max(largest[c], std::abs(f[c]));
+            // Code in float keeps its divisors from 0 by 1e-6 or so, which hides what is divided: it is seen above that.
+            const bool flat = std::abs(f[c] - before[c]) < kBound * std::abs(f[c]);
+            if (outside && p.wo.z > 0.1 && z < 1e-3 && z > 5e-6) level[c] = flat ? std::abs(f[c]) : 0;
+            before[c] = f[c];
+          }
         }
         eval_cos(m, {std::cos(phi), std::sin(phi), 1e-12}, p.wo, f);
+        for (std::size_t c = 0; c < f.size(); ++c) f[c] = std::max(std::abs(f[c]), level[c]);
         // What is left of a lobe's far tail is no edge that anyone could see.
         return worst_channel(
             m, [&](std::size_t c) { return largest[c] < 1e-9 ? 0 : std::abs(f[c]) / largest[c]; });
