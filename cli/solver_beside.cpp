@@ -79,13 +79,15 @@ void add_interval(const fit::Estimate& found, const Material& material, std::vec
   };
   for (std::size_t t = 0; t < material.terms.size(); ++t) {
     const ReflectanceInfo& form = info(material.terms[t].form);
-    const auto is_it = [&](const ParameterInfo& p) {
-      return fit::name_in_sum(material.terms.size(), t, p.name) == found.name;
+    const auto is_it = [&](std::string_view name) {
+      return fit::name_in_sum(material.terms.size(), t, name) == found.name;
     };
+    const auto [along, across] = form.axes();
     for (std::size_t k = 0; k < form.shape.size(); ++k)
-      if (is_it(form.shape[k])) add(t, false, k, material.terms[t].shape.size());
+      if (is_it(form.shape[k].name) || ((int(k) == along || int(k) == across) && is_it(form.tied_name())))
+        add(t, false, k, material.terms[t].shape.size());
     for (std::size_t k = 0; k < form.weights.size(); ++k)
-      if (is_it(form.weights[k])) add(t, true, k, material.terms[t].weights.size());
+      if (is_it(form.weights[k].name)) add(t, true, k, material.terms[t].weights.size());
   }
 }
 

@@ -3,12 +3,14 @@
 #include "layout.glsl"
 #include "rules.glsl"
 // What the window shows: A, B, both, their difference, or the seven targets. Encodes for a UNORM swapchain.
+// One pipeline per way to show and tone map: a uniform branch would evaluate all of them.
+layout(constant_id = 0) const int kDisplay = 0;      // enum Display
+layout(constant_id = 1) const int kToneMap = 0;      // enum ToneMap
+layout(constant_id = 2) const int kDitherTile = 32;  // thresholds across: as a constant it divides fast
 layout(push_constant) uniform Push {
   ivec2 size;      // of the pictures
   ivec2 origin;    // in the window, of what is shown
   ivec2 place;     // its size there
-  int display;     // enum Display
-  int tone_map;    // enum ToneMap
   float gain;      // 2^exposure
   float split;
   float extent;    // of the largest object: scales the position target
@@ -20,11 +22,11 @@ layout(set = 0, binding = 1) uniform sampler2D targets[kTargetCount];
 layout(set = 0, binding = 2) uniform sampler2D dither;  // thresholds, as picture/dither.h has them
 layout(location = 0) out vec4 color;
 
-vec3 shown(vec3 linear) { return tone_curve(push.tone_map, linear * push.gain); }
+vec3 shown(vec3 linear) { return tone_curve(kToneMap, linear * push.gain); }
 
 // To a whole byte, as the picture's file has it.
 vec3 dithered(vec3 value) {
-  const float threshold = texelFetch(dither, (ivec2(gl_FragCoord.xy) - push.origin) % textureSize(dither, 0), 0).r;
+  const float threshold = texelFetch(dither, (ivec2(gl_FragCoord.xy) - push.origin) % kDitherTile, 0).r;
   precise const vec3 scaled = clamp(value, 0.0, 1.0) * 255.0 + 1.0 - threshold;
   return floor(scaled) / 255.0;
 }
@@ -51,7 +53,7 @@ vec3 gbuffer(vec2 uv) {
 void main() {
   const vec2 at = gl_FragCoord.xy - vec2(push.origin);  // in what is shown
   const ivec2 pixel = push.size == push.place ? ivec2(at) : ivec2(at * vec2(push.size) / vec2(push.place));
-  if (push.display == display_gbuffer) {
+  if (kDisplay == display_gbuffer) {
     color = vec4(gbuffer(at / vec2(push.place)), 1.0);
     return;
   }
@@ -59,8 +61,8 @@ void main() {
   const bool dark = (pixel.x + pixel.y) % kHatchPeriod < kHatchPeriod / 2;
   const vec3 hatching = vec3(float(dark ? kHatchDark : kHatchBright) / 255.0);
   const vec4 a = texelFetch(pictures[0], pixel, 0);
-  const vec4 b = push.display == display_picture ? a : texelFetch(pictures[1], pixel, 0);
-  if (push.display == display_difference) {
+  const vec4 b = kDisplay == display_picture ? a : texelFetch(pictures[1], pixel, 0);
+  if (kDisplay == display_difference) {
     const vec3 relative = (a.rgb - b.rgb) / max(abs(b.rgb), 1e-6), size = abs(relative);
     const float most = max(max(size.r, size.g), size.b);
     const float worst = size.r == most ? relative.r : size.g == most ? relative.g : relative.b;
@@ -71,8 +73,8 @@ void main() {
     return;
   }
   const int border = int(push.split * float(push.size.x));
-  const bool show_b = push.display == display_flip || (push.display == display_split && pixel.x > border);
+  const bool show_b = kDisplay == display_flip || (kDisplay == display_split && pixel.x > border);
   color = vec4(dithered(shown(show_b ? b.rgb : a.rgb)), 1.0);
   if (show_b && b.a > 0.5 && b.a < 0.9) color = vec4(hatching, 1.0);
-  if (push.display == display_split && pixel.x == border) color = vec4(1.0);
+  if (kDisplay == display_split && pixel.x == border) color = vec4(1.0);
 }

@@ -15,7 +15,6 @@ constexpr std::array kBindings{
 
 struct Push {  // of shaders/display.frag
   glm::ivec2 size, origin, place;
-  int display, tone_map;
   float gain, split, extent;
   int bits, plus_minus;
 };
@@ -34,7 +33,7 @@ Image dither_tile(Device& device) {
 }  // namespace
 
 DisplayPass::DisplayPass(Device& device, VkRenderPass render_pass)
-    : device_(&device), dither_(dither_tile(device)) {
+    : device_(&device), render_pass_(render_pass), dither_(dither_tile(device)) {
   sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   set_layout_ = make_set_layout(device, kBindings);
   pool_ = make_descriptor_pool(device, kBindings, 1);
@@ -42,11 +41,19 @@ DisplayPass::DisplayPass(Device& device, VkRenderPass render_pass)
   write_image(device, set_, 2, dither_.view(), sampler_.get());
   const std::array sets{set_layout_.get()};
   layout_ = make_pipeline_layout(device, sets, sizeof(Push));
-  pipeline_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
-                                     .fragment = shader_code::display,
-                                     .colors = {VK_FORMAT_UNDEFINED},
-                                     .layout = layout_.get(),
-                                     .render_pass = render_pass});
+}
+
+VkPipeline DisplayPass::pipeline(Display display, ToneMap tone_map) {
+  Owned<VkPipeline>& pipeline = pipelines_[{display, tone_map}];
+  if (!pipeline.get())
+    pipeline = make_pipeline(
+        *device_, {.vertex = shader_code::screen_vertex,
+                   .fragment = shader_code::display,
+                   .constants = {std::uint32_t(display), std::uint32_t(tone_map), std::uint32_t(kDitherTile)},
+                   .colors = {VK_FORMAT_UNDEFINED},
+                   .layout = layout_.get(),
+                   .render_pass = render_pass_});
+  return pipeline.get();
 }
 
 void DisplayPass::show(const Image& a, const Image& b, Renderer* targets) {
@@ -67,13 +74,11 @@ void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, const
                             1};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &place);
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline(state.display, state.scene.tone_map));
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set_, 0, nullptr);
   const Push push{{int(pictures.width), int(pictures.height)},
                   {place.offset.x, place.offset.y},
                   {int(place.extent.width), int(place.extent.height)},
-                  int(state.display),
-                  int(state.scene.tone_map),
                   std::exp2(state.scene.exposure),
                   state.split,
                   object_extent,

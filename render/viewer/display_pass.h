@@ -1,6 +1,8 @@
 // Draws pictures into the window: tone map, comparisons, the seven targets.
 #pragma once
 
+#include <map>
+
 #include "render/compare/state.h"
 #include "render/gpu/renderer.h"
 
@@ -17,14 +19,17 @@ class DisplayPass {
               float object_extent, int bits);
 
  private:
+  VkPipeline pipeline(Display display, ToneMap tone_map);
+
   Device* device_;
+  VkRenderPass render_pass_;
   Image dither_;
   Owned<VkSampler> sampler_;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
   Owned<VkPipelineLayout> layout_;
-  Owned<VkPipeline> pipeline_;
+  std::map<std::pair<Display, ToneMap>, Owned<VkPipeline>> pipelines_;  // made when they are first shown
 };
 
 }  // namespace brdf::render

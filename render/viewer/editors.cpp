@@ -48,13 +48,13 @@ void form_panel(Session& session, std::size_t place) {
     session.switch_form(place, groups[family][form]);
 }
 
-// "diffuse reflectance  kd"
-void name_line(const ReflectanceInfo& form, const ParameterInfo& p) {
-  const std::string plain = io::plain_name(form, p);
-  ImGui::TextUnformatted(plain.empty() ? std::string(p.name).c_str() : plain.c_str());
+// "diffuse reflectance  kd"; `together`: of both axes, "roughness  alpha".
+void name_line(const ReflectanceInfo& form, const ParameterInfo& p, bool together = false) {
+  const std::string plain = io::plain_name(form, p, together), name(together ? form.tied_name() : p.name);
+  ImGui::TextUnformatted(plain.empty() ? name.c_str() : plain.c_str());
   if (plain.empty()) return;
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", std::string(p.name).c_str());
+  ImGui::TextDisabled("%s", name.c_str());
 }
 
 // One swatch for a weight of three channels that are colours, as light of sRGB's primaries.
@@ -85,8 +85,11 @@ class TermSliders {
   void draw() {
     const ReflectanceInfo& form = info(term_.form);
     for (std::size_t k = 0; k < form.weights.size(); ++k) weight(form, k);
-    for (std::size_t k = 0; k < form.shape.size(); ++k) shape(form, k);
-    if (form.anisotropic()) tangent();
+    const bool apart = form.anisotropic() && axes_apart(form);
+    for (std::size_t k = 0; k < form.shape.size(); ++k)
+      if (apart || int(k) != form.axes().across) shape(form, k, apart);
+    if (form.anisotropic()) apart_box(form, apart);
+    if (apart) tangent();
   }
 
  private:
@@ -104,16 +107,40 @@ class TermSliders {
     }
   }
 
-  void shape(const ReflectanceInfo& form, std::size_t k) {
+  // Along and across are one slider while they are equal, or a hand that moves one makes an isotropic material, and the
+  // fit that goes on from it, anisotropic without being asked.
+  bool axes_apart(const ReflectanceInfo& form) const {
+    const auto [along, across] = form.axes();
+    for (const std::vector<double>& set : term_.shape)
+      if (set[std::size_t(along)] != set[std::size_t(across)]) return true;
+    return ImGui::GetStateStorage()->GetBool(ImGui::GetID("apart"));
+  }
+
+  void apart_box(const ReflectanceInfo& form, bool apart) {
+    if (!ImGui::Checkbox("along and across apart", &apart)) return;
+    ImGui::GetStateStorage()->SetBool(ImGui::GetID("apart"), apart);
+    if (!apart) join_axes(form);
+  }
+
+  void join_axes(const ReflectanceInfo& form) {
+    const auto [along, across] = form.axes();
+    for (std::vector<double>& set : term_.shape) set[std::size_t(across)] = set[std::size_t(along)];
+  }
+
+  void shape(const ReflectanceInfo& form, std::size_t k, bool apart) {
     const ParameterInfo& p = form.shape[k];
-    name_line(form, p);
+    const bool together = !apart && int(k) == form.axes().along;
+    name_line(form, p, together);
     for (std::size_t set = 0; set < term_.shape.size(); ++set) {
       ImGui::PushID(int(set));
       ImGui::SetNextItemWidth(-2.5f * ImGui::GetFontSize());
       SliderMarks marks = marks_of(false, k, set);
       if (in_file_) marks.in_file = in_file_->shape[set][k];
       const std::string label = term_.shape.size() > 1 ? material_.channels[set] : "";
-      parameter_slider(label + "##" + std::string(p.name), p, term_.shape[set][k], marks);
+      if (parameter_slider(label + "##" + std::string(p.name), p, term_.shape[set][k], marks) && together)
+        join_axes(form);
+      // A slider that is held stays, also where it passes the other's value.
+      if (apart && ImGui::IsItemActive()) ImGui::GetStateStorage()->SetBool(ImGui::GetID("apart"), true);
       ImGui::PopID();
     }
   }

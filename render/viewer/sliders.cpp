@@ -28,11 +28,15 @@ float along(double value, double low, double high, bool logarithmic) {
   return float(std::clamp(t, 0.0, 1.0));
 }
 
-void draw_interval(const std::pair<double, double>& known, double low, double high, bool logarithmic) {
+// Below the last item, a slider of this width, where its knob's middle would stand.
+void draw_interval(const std::pair<double, double>& known, double low, double high, bool logarithmic,
+                   float width) {
+  constexpr float kFrame = 2;  // Dear ImGui's, between a slider's end and its knob
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-  const float width = ImGui::CalcItemWidth();
-  const float left = a.x + width * along(known.first, low, high, logarithmic);
-  const float right = std::max(a.x + width * along(known.second, low, high, logarithmic), left + 2);
+  const float knob = ImGui::GetStyle().GrabMinSize;
+  const float first = a.x + kFrame + knob / 2, way = width - 2 * kFrame - knob;
+  const float left = first + way * along(known.first, low, high, logarithmic);
+  const float right = std::max(first + way * along(known.second, low, high, logarithmic), left + 2);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImU32 color = IM_COL32(120, 220, 140, 255);
   list->AddRectFilled(ImVec2(left, b.y - 3), ImVec2(right, b.y), color);
@@ -47,11 +51,12 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
   const double low = p.min, high = upper_end(p, value, marks, storage.GetFloat(place, 0));
   const bool logarithmic = p.log_scale && low > 0;
   double shown = value;
+  const float width = ImGui::CalcItemWidth();  // before the slider takes it
   const bool moved = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &low, &high, "%.4g",
                                          logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   storage.SetFloat(place, ImGui::IsItemActive() ? float(high) : 0);
   if (moved) value = std::clamp(shown, p.min, p.max);
-  if (marks.known) draw_interval(*marks.known, low, high, logarithmic);
+  if (marks.known) draw_interval(*marks.known, low, high, logarithmic, width);
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     std::string words = std::string(p.name) + ": " + std::string(p.doc);
     if (marks.known)

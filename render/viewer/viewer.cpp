@@ -7,15 +7,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
 #include <utility>
 
-#include "io/error.h"
 #include "render/viewer/beside.h"
 #include "render/viewer/display_pass.h"
 #include "render/viewer/file_names.h"
+#include "render/viewer/frame_times.h"
 #include "render/viewer/hand.h"
 #include "render/viewer/interface.h"
+#include "render/viewer/late_keys.h"
+#include "render/viewer/messages.h"
 #include "render/viewer/panels.h"
 #include "render/viewer/prompts.h"
 #include "render/viewer/shown.h"
@@ -26,7 +27,6 @@ namespace {
 
 constexpr int kFramesAfterInput = 3;  // Dear ImGui settles within three
 constexpr double kLook = 0.05;        // seconds between looks at what goes on by itself
-constexpr std::size_t kWarming = 5;   // frames that are not counted
 constexpr float kOrbit = 0.03f;       // radians per frame
 
 float display_scale(const Window& window, float asked) {
@@ -36,7 +36,7 @@ float display_scale(const Window& window, float asked) {
   return std::clamp(x, 0.5f, 4.0f);
 }
 
-class Viewer {
+class Viewer : private Listener {
  public:
   explicit Viewer(const ViewerOptions& options)
       : options_(options),
@@ -50,8 +50,9 @@ class Viewer {
                  .validation = options.validation}),
         swapchain_(device_, window_),
         shown_(device_, swapchain_.render_pass(), options.gbuffer_bits, options.samples),
-        beside_(options.solver) {
-    listen();
+        beside_(options.solver),
+        times_(options.frames > 0) {
+    window_.listen(*this);
     interface_.emplace(device_, window_, swapchain_, scale_);
     if (!options.file.empty()) remember_file(options.file);
   }
@@ -72,46 +73,13 @@ class Viewer {
       step();
       frame();
     }
-    return {device_.validation_messages(), median_ms(), drawn};
+    return {device_.validation_messages(), times_.median_ms(), drawn};
   }
 
  private:
-  static Viewer& of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
   void wake() { awake_ = kFramesAfterInput; }
   ViewState& state() { return session_.state(); }
   Camera& camera() { return state().scene.camera; }
-
-  // Dear ImGui hears of everything first: what is meant for it, it says.
-  void listen() {
-    GLFWwindow* window = window_.get();
-    glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int code, int action, int mods) {
-      of(w).interface_->key(key, code, action, mods);
-      if (action != GLFW_RELEASE) of(w).key(key, mods);
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned letter) { of(w).letter(letter); });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-      of(w).interface_->scroll(x, y);
-      of(w).scroll(y);
-    });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).cursor(x, y); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-      of(w).interface_->button(button, action, mods);
-      of(w).button(button, action, mods);
-    });
-    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
-      of(w).open({files, files + count});
-    });
-    glfwSetCursorEnterCallback(window,
-                               [](GLFWwindow* w, int entered) { of(w).interface_->entered(entered); });
-    glfwSetWindowFocusCallback(window,
-                               [](GLFWwindow* w, int focused) { of(w).interface_->focused(focused); });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).wake(); });
-    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-      glfwSetWindowShouldClose(w, GLFW_FALSE);
-      of(w).request(Request::leave);
-    });
-  }
 
   void step() {
     const auto now = std::chrono::steady_clock::now();
@@ -137,9 +105,9 @@ class Viewer {
   }
 
   void frame() {
-    const auto begun = std::chrono::steady_clock::now();
     const VkExtent2D size = window_.framebuffer_size();
     if (size.width == 0 || size.height == 0) return;
+    times_.begin();
     layout_ = layout_of(size, scale_, state().show_ui, state().show_plot);
     draw_pictures();
     interface_->keep_letters(prompts_.asking() && !prompts_.takes_letters());
@@ -147,7 +115,7 @@ class Viewer {
     const std::vector<Request> requests = panels_.draw(session_, layout_, info(), whereabouts());
     const bool asking = prompts_.asking();
     const Answers answers = prompts_.draw(scale_);
-    if (asking && !prompts_.asking()) text_closing_ = 3;
+    if (asking && !prompts_.asking()) late_keys_.wait(3);
     ImGui::Render();
     swapchain_.frame([&](VkCommandBuffer commands) { shown_.prepare(commands); },
                      [&](VkCommandBuffer commands) {
@@ -157,13 +125,11 @@ class Viewer {
                          shown_.record(commands, state(), pixels_of(layout_.picture));
                        interface_->record(commands);
                      });
-    frame_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-    if (options_.frames > 0) all_ms_.push_back(frame_ms_);
+    times_.end();
     for (const Request asked : requests) request(asked);
     obey(answers);
     opened_by_letter_ = false;
-    if (text_closing_ > 0 && --text_closing_ == 0)
-      for (const auto& [key, mods] : std::exchange(late_keys_, {})) this->key(key, mods);
+    for (const LateKey& late : late_keys_.after_frame()) pressed(late.key, late.mods);
     if (!held()) session_.record();
     if (ImGui::IsAnyItemActive()) wake();
     if (const std::string title = session_.title(); title != title_)
@@ -174,11 +140,11 @@ class Viewer {
 
   PanelInfo info() {
     beside_.look(session_, held());
-    PanelInfo info{.pictures = shown_.drawn(), .samples = beside_.samples(), .frame_ms = frame_ms_};
+    PanelInfo info{.pictures = shown_.drawn(), .samples = beside_.samples(), .frame_ms = times_.last_ms()};
     info.moving = shown_.moving();
     info.device = device_.name();
-    info.message = message_;
-    info.is_error = is_error_;
+    info.message = messages_.last();
+    info.is_error = messages_.is_error();
     info.probe = probe_;
     info.probe_at = probe_at_;
     info.intervals = &beside_.intervals(session_);
@@ -199,11 +165,21 @@ class Viewer {
       good_ = state();
     } catch (const InputError& error) {
       if (!good_) throw;
-      complain(error);
+      messages_.complain(error);
       state() = *good_;
       camera_ = camera();
       shown_.update(state(), size, false);
     }
+  }
+
+  // Ends an edit before the next begins. What cannot be drawn is no step of the history: it is tried first.
+  void settle() {
+    if (good_) {
+      ViewState seen = *good_;
+      seen.scene.camera = camera();
+      if (seen != state()) draw_pictures();
+    }
+    session_.record();
   }
 
   void request(Request asked) {
@@ -224,9 +200,9 @@ class Viewer {
         prompts_.ask_for_file();
         break;
       case Request::screenshot:
-        attempt([&] {
+        messages_.attempt([&] {
           write_png(options_.screenshot, shown_.capture(state()));
-          say("wrote " + options_.screenshot.string());
+          messages_.say("wrote " + options_.screenshot.string());
         });
         break;
       case Request::undo:
@@ -246,9 +222,9 @@ class Viewer {
         if (!panels_.dismiss()) probe_.reset();
         break;
       case Request::fit_here:
-        attempt([&] {
+        messages_.attempt([&] {
           beside_.fit(session_);
-          say("fitting; ctrl+x stops, the best so far stays");
+          messages_.say("fitting; ctrl+x stops, the best so far stays");
         });
         break;
       case Request::stop_fit:
@@ -262,17 +238,17 @@ class Viewer {
 
   // What a step of the history has changed.
   void went(const std::string& what, const std::string& words, const std::string& nothing) {
-    say(what.empty() ? nothing : words + what);
+    messages_.say(what.empty() ? nothing : words + what);
     camera_ = camera();
   }
 
   void obey(const Answers& answers) {
     if (!answers.open.empty()) open({answers.open});
     if (!answers.save_material.empty())
-      attempt([&] {
+      messages_.attempt([&] {
         session_.save_material(answers.save_material);
         remember_file(answers.save_material);
-        say("saved the material as " + answers.save_material);
+        messages_.say("saved the material as " + answers.save_material);
       });
     if (answers.leave || (answers.save_and_leave && save_state())) leave();
   }
@@ -280,34 +256,10 @@ class Viewer {
   void leave() { glfwSetWindowShouldClose(window_.get(), GLFW_TRUE); }
 
   void fitted() {
-    attempt([&] {
+    messages_.attempt([&] {
       const std::string words = beside_.take(session_);
-      if (!words.empty()) say(words);
+      if (!words.empty()) messages_.say(words);
     });
-  }
-
-  void say(const std::string& message) {
-    message_ = message;
-    is_error_ = false;
-    wake();
-  }
-  void complain(const std::exception& error) {
-    say(error.what());
-    is_error_ = true;
-    std::cerr << "brdf: " << error.what() << std::endl;
-  }
-  // Runs what may fail for want of a good file and says so in the window and on the terminal.
-  template <class Action>
-  bool attempt(Action action) {
-    try {
-      action();
-      return true;
-    } catch (const InputError& error) {
-      complain(error);
-    } catch (const EnvironmentError& error) {
-      complain(error);
-    }
-    return false;
   }
 
   // Each file in turn; one that cannot be shown leaves everything as it was, and its message stays.
@@ -316,7 +268,7 @@ class Viewer {
     for (const std::filesystem::path& file : files) {
       const ViewState before = state();
       const VkExtent2D size = pixels_of(layout_.picture).extent;
-      const bool good = attempt([&] {
+      const bool good = messages_.attempt([&] {
         session_.open(file, [&] {
           camera().width = int(size.width);
           camera().height = int(size.height);
@@ -325,13 +277,11 @@ class Viewer {
         });
         remember_file(file);
         const std::string note = left_out_note(state());
-        say("opened " + file.string() + (note.empty() ? "" : "; " + note));
+        messages_.say("opened " + file.string() + (note.empty() ? "" : "; " + note));
       });
-      if (!good && failed.empty()) failed = message_;
+      if (!good && failed.empty()) failed = messages_.last();
     }
-    if (failed.empty()) return;
-    message_ = failed;
-    is_error_ = true;
+    if (!failed.empty()) messages_.keep(failed);
   }
   // A file's own camera is the new home; a model is looked at as a whole.
   void arrive(const ViewState& before) {
@@ -345,51 +295,59 @@ class Viewer {
   }
   // The picture's size is the one that is shown: `brdf render --state` makes the same picture.
   bool save_state() {
-    return attempt([&] {
+    return messages_.attempt([&] {
       const VkExtent2D size = pixels_of(layout_.picture).extent;
       session_.save_state(options_.state_file, int(size.width), int(size.height));
-      say("saved " + options_.state_file.string());
+      messages_.say("saved " + options_.state_file.string());
     });
   }
 
-  void key(int key, int mods) {
+  // Dear ImGui hears of everything first: what is meant for it, it says.
+  void key(int key, int scancode, int action, int mods) override {
+    interface_->key(key, scancode, action, mods);
+    if (action != GLFW_RELEASE) pressed(key, mods);
+  }
+
+  void pressed(int key, int mods) {
     wake();
     // A question was answered, or closed, but Dear ImGui still wants text: what comes now is not for that.
-    if (text_closing_ > 0 || prompts_.answered()) {
-      late_keys_.emplace_back(key, mods);
+    if (late_keys_.waiting() || prompts_.answered()) {
+      late_keys_.add({key, mods});
       return;
     }
     if (prompts_.asking()) {
       prompts_.key(key);
-      if (!prompts_.asking()) text_closing_ = 2;
+      if (!prompts_.asking()) late_keys_.wait(2);
       return;
     }
     if (ImGui::GetIO().WantTextInput) {
-      if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_ESCAPE) text_closing_ = 3;
+      if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_ESCAPE) late_keys_.wait(3);
       return;
     }
     const Command* asked = command_of(key, mods);
     if (!asked) return;
-    session_.record();
+    settle();
     if (asked->edit) asked->edit(session_, whereabouts());
     follow();
     if (asked->request != Request::none) request(asked->request);
     opened_by_letter_ = prompts_.asking() && !(mods & GLFW_MOD_CONTROL);
   }
   // The letter of the key that opened a question is not part of the answer.
-  void letter(unsigned code) {
+  void letter(unsigned code) override {
     wake();
     if (!std::exchange(opened_by_letter_, false)) interface_->letter(code);
   }
 
-  void scroll(double y) {
+  void scroll(double x, double y) override {
+    interface_->scroll(x, y);
     wake();
     if (ImGui::GetIO().WantCaptureMouse || !hand_.on(layout_.picture)) return;
     zoom(camera(), float(std::pow(0.9, y)));
     shown_.touch();
   }
 
-  void button(int button, int action, int mods) {
+  void button(int button, int action, int mods) override {
+    interface_->button(button, action, mods);
     wake();
     double x = 0, y = 0;
     glfwGetCursorPos(window_.get(), &x, &y);
@@ -405,7 +363,7 @@ class Viewer {
       probe_at_ = hand_.place();
       return;
     }
-    session_.record();
+    settle();
     hand_.press(state(), layout_.picture, button, mods);
   }
   // On an object: it is selected.
@@ -413,21 +371,19 @@ class Viewer {
     const PixelProbe probe = shown_.probe(layout_.picture, hand_.place());
     if (!probe.hit || probe.object == state().selected) return;
     state().selected = probe.object;
-    say("selected " + object_name(state().scene.objects[probe.object], probe.object));
+    messages_.say("selected " + object_name(state().scene.objects[probe.object], probe.object));
   }
 
-  void cursor(double x, double y) {
+  void cursor(double x, double y) override {
     wake();
     hand_.move(state(), layout_.picture, x, y);
   }
 
-  double median_ms() const {
-    if (all_ms_.size() <= kWarming) return 0;
-    std::vector<double> ms(all_ms_.begin() + kWarming, all_ms_.end());
-    const auto middle = ms.begin() + std::ptrdiff_t(ms.size() / 2);
-    std::nth_element(ms.begin(), middle, ms.end());
-    return *middle;
-  }
+  void drop(const std::vector<std::filesystem::path>& files) override { open(files); }
+  void entered(int entered) override { interface_->entered(entered); }
+  void focused(int focused) override { interface_->focused(focused); }
+  void refresh() override { wake(); }
+  void close() override { request(Request::leave); }
 
   ViewerOptions options_;
   Session session_;
@@ -444,15 +400,14 @@ class Viewer {
   Prompts prompts_;
   Hand hand_;
   Layout layout_;
-  std::string message_, title_;
-  bool is_error_ = false, opened_by_letter_ = false;
-  int text_closing_ = 0;                        // frames, until keys are the window's again
-  std::vector<std::pair<int, int>> late_keys_;  // with their modifiers
+  Messages messages_{[this] { wake(); }};
+  LateKeys late_keys_;
+  FrameTimes times_;
+  std::string title_;
+  bool opened_by_letter_ = false;
   std::optional<PixelProbe> probe_;
   glm::vec2 probe_at_{0};
   int awake_ = kFramesAfterInput;
-  double frame_ms_ = 0;
-  std::vector<double> all_ms_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

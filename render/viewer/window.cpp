@@ -21,6 +21,10 @@ std::string glfw_message() {
   return text ? text : "unknown reason";
 }
 
+Listener& listener_of(GLFWwindow* window) {
+  return *static_cast<Listener*>(glfwGetWindowUserPointer(window));
+}
+
 Owned<VkRenderPass> make_render_pass(const Device& device, VkFormat format) {
   VkAttachmentDescription color{};
   color.format = format;
@@ -88,6 +92,29 @@ Window::Window(int width, int height, const std::string& title) {
 Window::~Window() {
   glfwDestroyWindow(window_);
   glfwTerminate();
+}
+
+void Window::listen(Listener& listener) {
+  glfwSetWindowUserPointer(window_, &listener);
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) {
+    listener_of(w).key(key, code, action, mods);
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned letter) { listener_of(w).letter(letter); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { listener_of(w).scroll(x, y); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { listener_of(w).cursor(x, y); });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
+    listener_of(w).button(button, action, mods);
+  });
+  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
+    listener_of(w).drop({files, files + count});
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) { listener_of(w).entered(entered); });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) { listener_of(w).focused(focused); });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { listener_of(w).refresh(); });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+    listener_of(w).close();
+  });
 }
 
 std::vector<const char*> Window::instance_extensions() const {

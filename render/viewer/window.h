@@ -1,6 +1,7 @@
 // The window and its swapchain.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +14,24 @@ struct GLFWwindow;
 
 namespace brdf::render {
 
+// Who hears what happens to a window; numbers are GLFW's.
+class Listener {
+ public:
+  virtual void key(int key, int scancode, int action, int mods) = 0;
+  virtual void letter(unsigned code) = 0;
+  virtual void scroll(double x, double y) = 0;
+  virtual void cursor(double x, double y) = 0;
+  virtual void button(int button, int action, int mods) = 0;
+  virtual void drop(const std::vector<std::filesystem::path>& files) = 0;
+  virtual void entered(int entered) = 0;
+  virtual void focused(int focused) = 0;
+  virtual void refresh() = 0;
+  virtual void close() = 0;  // was asked for; the window stays open
+
+ protected:
+  ~Listener() = default;
+};
+
 class Window {
  public:
   // Throws EnvironmentError when there is no display.
@@ -20,6 +39,9 @@ class Window {
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
+
+  // The listener must stay.
+  void listen(Listener& listener);
 
   GLFWwindow* get() const { return window_; }
   std::vector<const char*> instance_extensions() const;
