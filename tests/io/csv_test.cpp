@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kHeader = "theta_i,phi_i,theta_o,phi_o,fr\n";
+constexpr const char* kOneChannel = "theta_i,phi_i,theta_o,phi_o,fr\n";
 
 class Csv : public testing::Test {
  protected:
@@ -69,25 +69,25 @@ TEST_F(Csv, AcceptsCommentsBlankLinesCarriageReturnsSpacesAndAnyColumnOrder) {
 }
 
 TEST_F(Csv, NegativePolarAnglesAreTheOppositeAzimuth) {
-  const SampleTable t = read_samples(file(std::string(kHeader) + "10,180,-20,0,1\n"));
+  const SampleTable t = read_samples(file(std::string(kOneChannel) + "10,180,-20,0,1\n"));
   EXPECT_EQ(t.theta_o[0], 20);
   EXPECT_EQ(t.phi_o[0], 180);
 }
 
 TEST_F(Csv, DividesTheStatedCosineOut) {
   const SampleTable o =
-      read_samples(file("# quantity: f_r*cos_o\n" + std::string(kHeader) + "0,0,60,0,1\n0,0,90,0,1\n"));
+      read_samples(file("# quantity: f_r*cos_o\n" + std::string(kOneChannel) + "0,0,60,0,1\n0,0,90,0,1\n"));
   EXPECT_DOUBLE_EQ(o.values[0][0], 2.0);
   EXPECT_EQ(o.rows(), 1u);
   EXPECT_EQ(o.skipped, 1u);
   EXPECT_THAT(o.warnings.at(0), HasSubstr("1 rows left out"));
   const SampleTable i =
-      read_samples(file("# quantity: f_r * cos_i\n" + std::string(kHeader) + "60,0,0,0,1\n"));
+      read_samples(file("# quantity: f_r * cos_i\n" + std::string(kOneChannel) + "60,0,0,0,1\n"));
   EXPECT_DOUBLE_EQ(i.values[0][0], 2.0);
 }
 
 TEST_F(Csv, NamesLineAndColumnOfAMalformedRow) {
-  const std::string header = kHeader;
+  const std::string header = kOneChannel;
   EXPECT_THAT(message(header + "0,0,0,0,1\n0,0,x,0,1\n"),
               HasSubstr("s.csv, line 3: column 3 (theta_o): 'x' is not a number"));
   EXPECT_THAT(message(header + "0,0,0,0,\n"), HasSubstr("line 2: column 5 (fr): '' is not a number"));
@@ -117,9 +117,9 @@ TEST_F(Csv, NamesWhatIsWrongWithTheHeader) {
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_b\n"),
               HasSubstr("'sigma_b' has no column of values"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_a\n0,0,0,0,1,0\n"), HasSubstr("must be above 0"));
-  EXPECT_THAT(message("# quantity: radiance\n" + std::string(kHeader)),
+  EXPECT_THAT(message("# quantity: radiance\n" + std::string(kOneChannel)),
               HasSubstr("quantity 'radiance' is unknown"));
-  EXPECT_THAT(message(kHeader), HasSubstr("holds no rows"));
+  EXPECT_THAT(message(kOneChannel), HasSubstr("holds no rows"));
   EXPECT_THAT(message(""), HasSubstr("no header row"));
 }
 

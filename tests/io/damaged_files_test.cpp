@@ -18,9 +18,9 @@ namespace {
 constexpr const char* kCsv =
     "# sample: x\n# quantity: "
     "f_r*cos_o\ntheta_i,phi_i,theta_o,phi_o,r,sigma_r\n30,180,30,0,1.5,.1\n10,0,20,90,2,.2\n";
-constexpr const char* kAstm =
+constexpr const char* kAstmToDamage =
     "LAB_NAME x\nVARS theta_i,phi_i,theta_s,phi_s,Y\n.1,.2,.3,.4,5\n.2,.3,.4,.5,6\n";
-constexpr const char* kLens =
+constexpr const char* kLensToDamage =
     "# Sample: "
     "test\nSource\tMeasured\nSymmetry\tPlaneSymmetrical\nSpectralContent\tMonochrome\nScatterType\tBRDF\n"
     "SampleRotation\t1\n0\nAngleOfIncidence\t1\n30\nScatterAzimuth\t2\n0\t180\nScatterRadial\t3\n0\t10\t70\n"
@@ -102,10 +102,10 @@ TEST_F(Damaged, CsvIsReadOrRefused) {
   expect_table_or_input_error(kCsv, 300, read_table);
 }
 TEST_F(Damaged, AstmIsReadOrRefused) {
-  expect_table_or_input_error(kAstm, 300, read_table);
+  expect_table_or_input_error(kAstmToDamage, 300, read_table);
 }
 TEST_F(Damaged, LensDesignTextIsReadOrRefused) {
-  expect_table_or_input_error(kLens, 300, read_table);
+  expect_table_or_input_error(kLensToDamage, 300, read_table);
 }
 TEST_F(Damaged, MaterialsAreReadOrRefused) {
   expect_table_or_input_error(kMaterial, 300, [](const auto& path) { read_material(path); });
