@@ -158,7 +158,7 @@ TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render m.json --exposure bright -o x.png", 2, "must be a finite number, or auto");
   expect_refused("render m.json --exposure 21 -o x.png", 2, "not in range -20 to 20");
   expect_refused("render m.json --supersample 0 -o x.png", 2, "Value 0 not in range 1 to 16");
-  expect_refused("render --parity", 2, "--parity needs --all or --form");
+  expect_refused("render --parity", 2, "--parity needs --all, --form or --shader");
 }
 
 TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped) {
