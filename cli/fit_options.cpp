@@ -57,6 +57,12 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
       ->check(CLI::Range(0.0, 90.0));
 }
 
+void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {
+  verb.add_option("--bootstrap", choice.options.bootstrap,
+                  "Replicates: fits to incidences drawn with replacement, whose spread is reported")
+      ->check(CLI::Range(0, 100000));
+}
+
 void add_pictures_option(CLI::App& verb, bool& no_pictures) {
   verb.add_flag("--no-pictures", no_pictures, "Leave out the spheres, which take most of the time");
 }

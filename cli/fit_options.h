@@ -12,6 +12,8 @@ namespace brdf::cli {
 // Adds --form, --metric and what else shapes a fit. The choice must outlive the parsing.
 void add_fit_options(CLI::App& verb, fit::FitChoice& choice);
 
+// Adds --bootstrap.
+void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice);
 // Adds --no-pictures.
 void add_pictures_option(CLI::App& verb, bool& no_pictures);
 

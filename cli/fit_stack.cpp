@@ -12,6 +12,7 @@
 #include "io/error.h"
 #include "io/output.h"
 #include "io/provenance.h"
+#include "maps/shared_fit.h"
 
 namespace brdf::cli {
 
@@ -20,6 +21,14 @@ void add_normals_option(CLI::App& verb, StackOptions& options) {
                   "Of a stack: flat, fit (two more parameters for each texel), or an EXR with normal.x, "
                   "normal.y and normal.z")
       ->capture_default_str();
+}
+
+void add_share_options(CLI::App& verb, StackOptions& options) {
+  add_repeated_option(verb, "--share", options.share,
+                      "Of a stack: a shape with one value for all texels of a region, as alpha");
+  verb.add_option("--regions", options.regions,
+                  "An EXR whose one channel numbers the regions of --share; 0 shares nothing")
+      ->check(CLI::ExistingFile);
 }
 
 void add_stack_memory_option(CLI::App& verb, std::uint64_t& bytes) {
@@ -52,11 +61,11 @@ Exit write_results(const StackFiles& files, const texel::Stack& stack, const map
   maps::write_maps(files.output, maps, making, json);
   const std::string scene = summary.fitted > 0 ? write_scene(files.output, stack, making.settings, maps) : "";
   if (!files.report.empty())
-    io::write_file_atomically(files.report, maps::html_page(stack, making.settings, summary, maps));
+    io::write_file_atomically(files.report, maps::html_page(stack, making, summary, maps));
   if (files.json)
     std::cout << json;
   else
-    maps::print(std::cout, stack, making.settings, summary, files.output, seconds);
+    maps::print(std::cout, stack, making, summary, files.output, seconds);
   if (!files.json && !scene.empty()) std::cout << scene << '\n';
   return summary.usable() > 0 ? Exit::good : Exit::failed;
 }
@@ -67,7 +76,9 @@ Exit run_stack(const StackFiles& files, const StackOptions& stack_options, const
   maps::Settings settings = settings_of(stack_options, choice, options);
   if (files.output.empty()) throw InputError("a stack needs -o FOLDER");
   const std::string given = normals_file(stack_options);
-  io::check_folder_target({"-o", files.output}, result_names(), {given});
+  if (!stack_options.regions.empty() && stack_options.share.empty())
+    throw InputError("--regions: are those of --share: name a shape");
+  io::check_folder_target({"-o", files.output}, result_names(), {given, stack_options.regions});
   io::check_targets({{"--report", files.report}});
   const texel::Stack stack = texel::open_stack(files.stack);
   std::optional<maps::Normals> normals;
@@ -75,15 +86,22 @@ Exit run_stack(const StackFiles& files, const StackOptions& stack_options, const
   const maps::Normals* const known = normals ? &*normals : nullptr;
   watch_for_interrupt();
   settings.options.metric = maps::choose_metric(stack, settings, known);
-  const texel::Planes maps = maps::fit_stack(stack, settings, known, {stack_options.memory, files.jobs},
-                                             progress_line("brdf fit: parts of the stack"));
+  const maps::Resources resources{stack_options.memory, files.jobs};
+  const io::Progress progress = progress_line("brdf fit: parts of the stack");
+  const texel::Planes maps =
+      stack_options.share.empty()
+          ? maps::fit_stack(stack, settings, known, resources, progress)
+          : maps::fit_shared(stack, settings, known,
+                             maps::read_sharing(stack_options.share, stack_options.regions, stack), resources,
+                             progress);
   if (was_interrupted()) {
     std::cerr << "brdf fit: interrupted: nothing is written\n";
     return Exit::failed;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  return write_results(files, stack, {settings, stack_options.normals, io::provenance().command}, maps,
-                       seconds);
+  const maps::Making making{settings, stack_options.normals, io::provenance().command, stack_options.share,
+                            stack_options.regions};
+  return write_results(files, stack, making, maps, seconds);
 }
 
 }  // namespace brdf::cli

@@ -15,6 +15,8 @@ namespace brdf::cli {
 struct StackOptions {
   std::string normals = "flat";  // flat, fit or a file
   std::uint64_t memory = std::uint64_t{1} << 29;
+  std::vector<std::string> share;  // shapes that a region's texels have in common
+  std::string regions;             // a file; empty: the whole stack
 };
 
 struct StackFiles {
@@ -24,6 +26,7 @@ struct StackFiles {
 };
 
 void add_normals_option(CLI::App& verb, StackOptions& options);
+void add_share_options(CLI::App& verb, StackOptions& options);
 void add_stack_memory_option(CLI::App& verb, std::uint64_t& bytes);
 
 // Throws InputError where the choice is none for a stack.

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -8,23 +6,19 @@
 #include "cli/fit_files.h"
 #include "cli/fit_options.h"
 #include "cli/fit_stack.h"
+#include "cli/fit_table.h"
 #include "cli/inputs.h"
 #include "cli/progress.h"
 #include "cli/shader_options.h"
-#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/fit.h"
-#include "fit/report/html.h"
-#include "fit/report/report.h"
 #include "io/error.h"
-#include "io/material_json.h"
 #include "io/output.h"
-#include "io/provenance.h"
 
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct FitCall {
   std::vector<std::string> samples;
   std::string output, report;
   bool json = false, no_pictures = false;
@@ -35,15 +29,10 @@ struct Options {
   bool form_given = false;
 };
 
-void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options) {
-  PlainText out;
-  fit::print(out, result, table, options, {columns_of(STDOUT_FILENO), colours_on(STDOUT_FILENO)});
-}
-
 constexpr const char* kOneTable = "--shader: is fitted to one table of samples at a time";
 
 // The forms asked for; a shader alone, unless forms are named beside it.
-std::vector<std::vector<Reflectance>> models_of(const Options& o) {
+std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
   const auto shader = load(o.shader, "fit");
   if (!shader) return fit::models_of(o.choice.form);
   if (!info(shader->reflectance).fittable())
@@ -58,33 +47,17 @@ std::vector<std::vector<Reflectance>> models_of(const Options& o) {
   return models;
 }
 
-Exit run_one(const Options& o, const fit::FitOptions& options) {
+Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
-  io::SampleTable read = io::read_samples(o.samples[0]);
-  const std::size_t said = read.warnings.size();
-  const io::SampleTable table = fit::arranged(std::move(read), options);
-  for (std::size_t k = said; k < table.warnings.size(); ++k)
-    std::cerr << "brdf fit: " << table.warnings[k] << '\n';
+  const io::SampleTable table = table_to_fit(o.samples[0], options);
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
-  const fit::FitResult result = fit::fit(table, models_of(o), options, progress);
-  const fit::FormFit& best = result.ranking.front();
-  if (result.interrupted && !o.output.empty() && std::filesystem::is_regular_file(o.output))
-    std::cerr << "brdf fit: interrupted: " << o.output << " is kept as it was\n";
-  else if (!o.output.empty() && best.solved())
-    io::write_material_file(o.output, {best.material, fit::material_block(best, result, table, options)});
-  else if (!o.output.empty())
-    std::cerr << "brdf fit: no form could be fitted: " << o.output << " is not written\n";
-  if (!o.report.empty()) io::write_file_atomically(o.report, fit::html_report(result, table, options));
-  if (o.json)
-    std::cout << io::to_text(fit::to_json(result, table, options));
-  else
-    print(result, table, options);
-  return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
+  return write_fit(fit::fit(table, models_of(o), options, progress), table, options,
+                   {o.output, o.report, o.json});
 }
 
-Exit run_many(const Options& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
+Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
   if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
   watch_for_interrupt();
@@ -93,13 +66,15 @@ Exit run_many(const Options& o, const std::vector<std::string>& files, const fit
                    o.output, o.json);
 }
 
-Exit run(Options& o) {
+Exit run_fit(FitCall& o) {
   const fit::FitOptions options = fit_options(o.choice, o.jobs);
   const bool stack = o.samples.size() == 1 && texel::is_stack(o.samples[0]);
   if (stack && !o.shader.file.empty()) throw InputError(kOneTable);
   if (stack) return run_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
   if (o.stack.normals != StackOptions().normals || o.stack.memory != StackOptions().memory)
     throw InputError("--normals and --memory-limit are for a stack of photographs");
+  if (!o.stack.share.empty() || !o.stack.regions.empty())
+    throw InputError("--share and --regions are for a stack of photographs");
   const std::vector<std::string> files = sample_files(o.samples);
   const bool folder = files.size() > 1 || names_folder(o.samples) || o.output.ends_with('/') ||
                       std::filesystem::is_directory(o.output);
@@ -112,13 +87,14 @@ Exit run(Options& o) {
 }  // namespace
 
 void add_fit(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  Options& o = *options;
+  auto options = std::make_shared<FitCall>();
+  FitCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::measure, "fit", "Fit forms to samples");
   verb->add_option("SAMPLES", o.samples,
                    "Sample tables (CSV, MERL, ...), folders of them, or one stack of photographs")
       ->required();
   add_fit_options(*verb, o.choice);
+  add_bootstrap_option(*verb, o.choice);
   add_shader_options(*verb, o.shader);
   verb->add_option("-o,--output", o.output,
                    "Material file to write; with several sample files, and of a stack: the folder of the "
@@ -130,6 +106,7 @@ void add_fit(CLI::App& app) {
                  "Of several files: no NAME.png, the sphere beside each page");
   verb->add_flag("--json", o.json, "JSON on stdout");
   add_normals_option(*verb, o.stack);
+  add_share_options(*verb, o.stack);
   add_stack_memory_option(*verb, o.stack.memory);
   verb->footer(
       "Examples: brdf fit samples.csv --form all -o material.json\n"
@@ -143,15 +120,17 @@ void add_fit(CLI::App& app) {
       "          brdf fit metal.csv --form cook_torrance --start f0=Johnson.yml\n"
       "          brdf fit bands.csv --form cook_torrance --shape smooth:1\n"
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
+      "          brdf fit paint.csv --form ward --bootstrap 200 --seed 3\n"
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
       "          brdf fit polarised.csv --polarisation average --repeats average\n"
       "          brdf fit a.csv b.csv --free-scale --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
-      "maps.html -o maps/");
+      "maps.html -o maps/\n"
+      "          brdf fit stack --form cook_torrance --share alpha --regions parts.exr -o maps/");
   on_run(*verb, [options, verb] {
     options->form_given = verb->get_option("--form")->count() > 0;
-    return run(*options);
+    return run_fit(*options);
   });
 }
 

@@ -1,206 +1,142 @@
 #include "fit/fit.h"
 
 #include <algorithm>
-#include <cmath>
-#include <mutex>
+#include <atomic>
+#include <iterator>
+#include <limits>
+#include <optional>
 
-#include "fit/assess/assess.h"
-#include "fit/assess/errors.h"
 #include "fit/assess/lack_of_fit.h"
 #include "fit/assess/left_out.h"
-#include "fit/assess/reported.h"
+#include "fit/assess/refits.h"
 #include "fit/assess/select.h"
-#include "fit/assess/verdict.h"
-#include "fit/model/constraints.h"
-#include "fit/solve/minima.h"
+#include "fit/solved.h"
 #include "fit/stepwise.h"
-#include "io/cosine_factor.h"
-#include "io/noise.h"
-#include "io/numbers.h"
+#include "io/error.h"
 #include "io/parallel.h"
 
 namespace brdf::fit {
 namespace {
 
-constexpr std::size_t kListedMinima = 10;
-constexpr double kRounding = 1e-18;    // of a squared residual, as a share of that of a black surface
-constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 1995)
+constexpr double kRounding = 1e-18;  // of a squared residual, as a share of that of a black surface
 
-std::string energy_text(const LargestAlbedo& a, const FitOptions& options) {
-  return "reflects more light than falls on it: " + io::percent_to_tenths(a.value) + " at " +
-         io::short_number(a.theta) + " degrees (" + a.channel + ")" +
-         (a.theta > options.max_theta ? ", beyond the samples" : "") +
-         (options.physical == Physical::off ? "; --physical bounds the weights" : "");
+// The solutions of a model's refits `numbers`, in their order; none where the run was interrupted.
+std::optional<RefitSolutions> refits_of(const Solved& s, const SampleStream& stream, RowRange numbers,
+                                        const FitOptions& options) {
+  RefitSolutions out(numbers.rows);
+  std::atomic<bool> stopped{false};
+  const auto solve = [&](std::size_t k) {
+    if (options.stop()) stopped = true;
+    if (!stopped) out[k] = refit(stream, s.p, numbers.first + k, options);
+  };
+  io::parallel_for(out.size(), solve, options.threads);
+  if (stopped || options.stop()) return std::nullopt;
+  return out;
 }
 
-double information_criterion(const SampleStream& stream, const Minimum& m) {
-  double free = 0;
-  for (int b : m.at_bound) free += b == 0;
-  const double n = double(stream.data().rows() * stream.data().channels.size());
-  return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
+// What a solved model's refits say of it.
+void judge_by(RefitSolutions solutions, const SampleStream& stream, double loss_scale,
+              const FitOptions& options, Solved& s) {
+  const std::size_t folds = count_folds(stream.data().groups, options);
+  const auto first = solutions.begin() + std::ptrdiff_t(folds);
+  const RefitSolutions replicates(std::make_move_iterator(first), std::make_move_iterator(solutions.end()));
+  solutions.resize(folds);
+  add_bootstrap(s.model, replicates, s.fit.estimates);
+  s.fit.replicates = replicates.size();
+  if (folds == 0) return;
+  s.fit.left_out = leave_out(stream, std::move(solutions), loss_scale, options);
+  add_movement(s.model, s.p, s.fit.left_out->solutions, under_other_metrics(stream, s.p, options),
+               s.fit.estimates);
 }
 
-// A form's fit and what leaving rows out needs of it.
-struct Solved {
-  FormFit fit;
-  Model model;
-  Residual residual;
-  std::vector<double> p;
-};
-
-Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
-                 std::optional<double> noise) {
-  Solved solved{{}, Model(forms, data.channels, options), chosen_residual(data, options), {}};
-  const Model& model = solved.model;
-  Residual& residual = solved.residual;
-  SearchResult search = find_minima(data, model, residual, options);
-  FormFit& out = solved.fit;
-  out.form = model.name();
-  out.starts = search.starts;
-  out.iterations = search.iterations;
-  out.passes = search.passes;
-  out.parameters = model.size();
-  if (search.minima.empty()) {
-    out.material = model.material(model.initial());
-    out.verdict = search.interrupted ? Verdict::interrupted : Verdict::diverged;
-    out.findings.push_back("no start gave a finite cost");
-    return solved;
-  }
-  residual.loss.scale = out.loss_scale = search.loss_scale;
-  const SampleStream stream(data, model, residual, options.aperture);
-  Minimum& best = search.minima[0];
-  drop_negligible_lobes(stream, best);
-  const std::vector<std::vector<double>> values = stream.values(best.p);
-  out.metrics = measure(data, values);
-  out.errors = relative_errors(data, values, {0, data.rows()});
-  out.median_relative_error = out.errors.median;
-  const Uncertainty u = uncertainty(stream, best);
-  const Misfit misfit = judge(data, values, noise);
-  out.verdict = search.interrupted ? Verdict::interrupted : verdict_of(best, u, misfit);
-  out.lack_of_fit = lack_of_fit(stream, values, noise);
-  out.solver_message = best.message;
-  if (out.verdict == Verdict::interrupted) out.findings.push_back("interrupted: the best parameters so far");
-  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + best.message);
-  if (misfit.misfit) out.findings.push_back(misfit.finding);
-  out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
-  if (search.minima.size() > 1 && search.minima[1].cost <= (1 + kSameCost) * search.minima[0].cost)
-    out.findings.push_back("another minimum has the same cost: " +
-                           shape_text(model.material(search.minima[1].p)));
-  out.material = model.material(best.p);
-  out.estimates = u.estimates;
-  out.smooth = u.smooth;
-  out.correlations = u.correlations;
-  out.covariance = u.covariance;
-  out.prediction_error = u.prediction_error;
-  out.largest_albedo = largest_albedo(out.material);
-  if (out.largest_albedo->breaks_energy() && !options.free_scale)
-    out.findings.push_back(energy_text(*out.largest_albedo, options));
-  out.condition = u.condition;
-  out.bic = information_criterion(stream, best);
-  for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)
-    out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
-  solved.p = best.p;
-  return solved;
-}
-
-// Every form's left-out values. A robust loss estimates its scale form by form: to be compared they are judged by
-// one, that of the form with the least.
-void leave_out_all(const FitData& data, const FitOptions& options, std::vector<Solved>& all,
-                   FitResult& result) {
+// Every form's left-out values, and its bootstrap. A robust loss estimates its scale form by form: to be compared they are
+// judged by one, that of the form with the least. `known`: of all models one after another, or null.
+void refit_all(const FitData& data, const FitOptions& options, const RefitSolutions* known,
+               std::vector<Solved>& all, FitResult& result) {
   double scale = std::numeric_limits<double>::infinity();
   const Solved* tightest = nullptr;
   for (const Solved& s : all)
     if (s.fit.solved() && s.residual.loss.scale < scale) scale = (tightest = &s)->residual.loss.scale;
   if (!tightest) return;
-  result.left_out_rounding = kRounding * black_loss(data, tightest->model, tightest->residual);
-  const auto leave_out_of = [&](std::size_t k) {
+  if (options.cross_validation)
+    result.left_out_rounding = kRounding * black_loss(data, tightest->model, tightest->residual);
+  const std::size_t count = count_refits(data.groups, options);
+  if (count == 0) return;
+  const auto refit_model = [&](std::size_t k) {
     Solved& s = all[k];
     if (!s.fit.solved()) return;
     const SampleStream stream(data, s.model, s.residual, options.aperture);
-    s.fit.left_out = leave_out(stream, s.p, scale, options);
-    if (s.fit.left_out)
-      add_movement(s.model, s.p, s.fit.left_out->solutions, under_other_metrics(stream, s.p, options),
-                   s.fit.estimates);
-  };
-  io::parallel_for(all.size(), leave_out_of, options.threads);
-}
-
-// The weights of a dielectric where the samples do not speak against them, else those whose sum is bounded.
-Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& given,
-                    std::optional<double> noise) {
-  FitOptions options = given;
-  const Constraints constraints = resolve(forms, data.channels, options);
-  if (!can_be_dielectric(forms, constraints)) {
-    options.physical = Physical::bounded;
-    return fit_model(data, forms, options, noise);
-  }
-  options.physical = Physical::dielectric;
-  Solved dielectric = fit_model(data, forms, options, noise);
-  if (must_be_dielectric(forms, constraints)) return dielectric;
-  options.physical = Physical::bounded;
-  Solved bounded = fit_model(data, forms, options, noise);
-  const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic - kStrongEvidence);
-  const std::string of_others = io::short_number(bounded.fit.bic), own = io::short_number(dielectric.fit.bic);
-  Solved chosen = std::move(keeps ? dielectric : bounded);
-  chosen.fit.findings.push_back(
-      keeps ? "--physical: taken for a dielectric, whose specular weight is 1 (BIC " + own +
-                  "); with weights that add up to at most 1 instead BIC is " + of_others
-            : "--physical: no dielectric, whose specular weight would be 1: BIC would be " + own +
-                  " in place of " + of_others);
-  return chosen;
-}
-
-// In the models' order; the first and those that were begun where the run is interrupted.
-std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vector<Reflectance>>& models,
-                               const FitOptions& options, std::optional<double> noise,
-                               const Progress& progress) {
-  const auto fitted = options.physical == Physical::either ? fit_physical : fit_model;
-  std::vector<std::optional<Solved>> found(models.size());
-  std::mutex speaking;
-  const auto fit_one = [&](std::size_t k) {
-    if (options.stop() && k > 0) return;
-    if (progress) {
-      const std::lock_guard lock(speaking);
-      progress(name_of_sum(models[k]));
+    if (known) {
+      const auto first = known->begin() + std::ptrdiff_t(k * count);
+      judge_by({first, first + std::ptrdiff_t(count)}, stream, scale, options, s);
+    } else if (auto solutions = refits_of(s, stream, {0, count}, options)) {
+      judge_by(std::move(*solutions), stream, scale, options, s);
     }
-    found[k] = fitted(data, models[k], options, noise);
   };
-  io::parallel_for(models.size(), fit_one, options.threads);
-  std::vector<Solved> all;
-  for (std::optional<Solved>& s : found)
-    if (s) all.push_back(std::move(*s));
-  return all;
+  io::parallel_for(all.size(), refit_model, options.threads);
 }
+
+constexpr const char* kChooses =
+    "--form auto: chooses by fits one after another: with --bootstrap name a form";
 
 }  // namespace
 
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
-              const FitOptions& asked, const Progress& progress) {
-  if (models.empty()) return fit_stepwise(table, asked, progress);
-  FitOptions options = asked;
-  FitData data = prepare(table, options);
+              const FitOptions& asked, const Progress& progress, const RefitSolutions* known) {
+  if (models.empty() && asked.bootstrap > 0) throw InputError(kChooses);
+  const Prepared p = prepared(table, asked);
+  if (models.empty()) return fit_stepwise(p, progress);
+  if (known && known->size() != models.size() * count_refits(p.data.groups, p.options))
+    throw InputError(table.source + ": has not as many refits as were solved of it");
+  return fit(p, models, p.options, progress, known);
+}
+
+FitResult fit(const Prepared& p, const std::vector<std::vector<Reflectance>>& models,
+              const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
+  const FitData& data = p.data;
   FitResult result;
-  const io::Noise noise = io::relative_noise(table, data.row);
-  result.noise_floor = noise.value;
-  result.channel_noise = noise.channels;
-  result.metric = choose_metric(table, data, noise.value, options);
-  if (options.metric != result.metric.metric) {
-    options.metric = result.metric.metric;
-    data = prepare(table, options);  // rows without a residual under this one are left out
-  }
+  result.noise_floor = p.noise.value;
+  result.channel_noise = p.noise.channels;
+  result.metric = p.metric;
+  result.input_fault = p.input_fault;
   result.rows = data.rows();
   result.beyond_max_theta = data.beyond_max_theta;
   result.outside_domain = data.outside_domain;
   result.channels = data.channels;
-  if (const io::CosineFactor cosine = io::cosine_factor(table); cosine.found != io::Cosine::none)
-    result.input_fault = cosine.statement;
   result.groups = data.groups;
   std::vector<Solved> all = fit_models(data, models, options, result.noise_floor, progress);
-  if (options.cross_validation) leave_out_all(data, options, all, result);
+  refit_all(data, options, known, all, result);
   for (Solved& s : all) result.ranking.push_back(std::move(s.fit));
   result.interrupted = options.stop();
   rank(result);
   return result;
+}
+
+std::size_t count_refits(const io::SampleTable& table, std::size_t models, const FitOptions& options) {
+  const Prepared p = prepared(table, options);
+  return models * count_refits(p.data.groups, p.options);
+}
+
+RefitSolutions solve_refits(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
+                            const FitOptions& options, std::size_t first, std::size_t count) {
+  const Prepared p = prepared(table, options);
+  const std::size_t of_each = count_refits(p.data.groups, p.options), end = first + count;
+  RefitSolutions out;
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const std::size_t begins = std::max(first, k * of_each), ends = std::min(end, (k + 1) * of_each);
+    if (begins >= ends) continue;
+    const std::vector<Solved> all = fit_models(p.data, {models[k]}, p.options, p.noise.value, {});
+    const Solved& s = all.front();
+    RefitSolutions part(ends - begins);
+    if (s.fit.solved()) {
+      const SampleStream stream(p.data, s.model, s.residual, p.options.aperture);
+      auto solved = refits_of(s, stream, {begins - k * of_each, ends - begins}, p.options);
+      if (!solved) return {};
+      part = std::move(*solved);
+    }
+    std::move(part.begin(), part.end(), std::back_inserter(out));
+  }
+  return out;
 }
 
 std::vector<std::vector<Reflectance>> every_model() {

@@ -8,6 +8,7 @@
 #include "fit/assess/select.h"
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
+#include "fit/model/model.h"
 #include "io/error.h"
 
 namespace brdf::fit {
@@ -45,6 +46,7 @@ Forms diffuse_forms() {
 struct Stage {
   const char* adds;
   std::vector<Forms> candidates;
+  std::vector<NamedValues> start = {};  // of one of its starts, where the user gives none
 };
 
 // Facets whose slopes have a parameter besides their widths.
@@ -88,11 +90,13 @@ Stage second_lobe(const Forms& model) {
 
 // One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell. Every
 // start of a sum is tried again with each lobe at every width, so that a few starts do where a grid would take minutes.
-FitOptions options_for(const Forms& model, std::size_t channels, const FitOptions& options) {
+FitOptions options_for(const Stage& stage, std::size_t channels, const FitOptions& options) {
+  const Forms& model = stage.candidates.front();
   FitOptions out = options;
   if (model.size() < 2) return out;
   out.grid_starts = false;
-  out.random_starts = std::max(options.random_starts, kStartsOfSums);
+  if (out.start.empty()) out.start = stage.start;
+  out.random_starts = std::max(options.random_starts, kStartsOfSums - int(!out.start.empty()));
   if (channels < 2 || !options.tie.empty()) return out;
   for (const Reflectance& form : model) {
     const int f0 = info(form).weight_index(Role::f0);
@@ -105,10 +109,28 @@ FitOptions options_for(const Forms& model, std::size_t channels, const FitOption
   return out;
 }
 
+// The shapes of what was found, as starts of a sum that begins with the same forms.
+std::vector<NamedValues> starts_at(const FormFit& found, const Forms& forms, const FitOptions& options) {
+  const Model model(forms, found.material.channels, options);
+  std::vector<NamedValues> out;
+  for (const Slot& slot : model.slots()) {
+    const bool first = slot.node == 0 && slot.in_group(0);
+    if (slot.kind != Slot::Kind::shape || !first) continue;
+    const ReflectanceInfo& form = info(forms[slot.term]);
+    const bool tied = slot.members.size() > 1;
+    NamedValues& start = out.emplace_back();
+    start.name = name_in_sum(2, slot.term, tied ? form.tied_name() : form.shape[slot.members[0]].name);
+    const bool shared = slot.group == kEveryGroup && slot.nodes == 1;
+    for (std::size_t group = 0; group < (shared ? 1 : model.groups()); ++group)
+      start.values.push_back(found.material.terms[slot.term].shape[group][slot.members[0]]);
+  }
+  return out;
+}
+
 class Stepwise {
  public:
-  Stepwise(const io::SampleTable& table, const FitOptions& options, const Progress& progress)
-      : table_(table), options_(options), progress_(progress) {}
+  Stepwise(const Prepared& prepared, const Progress& progress)
+      : prepared_(prepared), options_(prepared.options), progress_(progress) {}
 
   FitResult run() {
     const Forms diffuse = diffuse_forms();
@@ -127,7 +149,10 @@ class Stepwise {
     result_.steps.push_back({"a diffuse term", chosen_.form, chosen_.left_out->value, 0, 0, 1, 1, true});
     decide(first, std::move(tried));
     step(better_diffuse_term(model_));
-    if (has_lobe(info(model_.back()))) step(second_lobe(model_));
+    if (!has_lobe(info(model_.back()))) return finished({});
+    Stage second = second_lobe(model_);
+    second.start = starts_at(chosen_, model_, options_);
+    step(second);
     return finished({});
   }
 
@@ -137,9 +162,9 @@ class Stepwise {
   // In the candidates' order; fewer where the run was interrupted.
   std::vector<FormFit> try_all(const Stage& stage) {
     if (progress_) progress_("trying " + std::string(stage.adds));
-    FitOptions options = options_for(stage.candidates.front(), result_.channels.size(), options_);
+    FitOptions options = options_for(stage, result_.channels.size(), options_);
     if (options.loss != Loss::none && options.loss_scale == 0) options.loss_scale = loss_scale_;
-    FitResult found = fit(table_, stage.candidates, options);
+    FitResult found = fit(prepared_, stage.candidates, options);
     std::vector<FormFit> out;
     for (const Forms& model : stage.candidates)
       for (FormFit& f : found.ranking)
@@ -213,7 +238,7 @@ class Stepwise {
     return std::move(result_);
   }
 
-  const io::SampleTable& table_;
+  const Prepared& prepared_;
   const FitOptions& options_;
   const Progress& progress_;
   FitResult result_;
@@ -225,8 +250,8 @@ class Stepwise {
 
 }  // namespace
 
-FitResult fit_stepwise(const io::SampleTable& table, const FitOptions& options, const Progress& progress) {
-  return Stepwise(table, options, progress).run();
+FitResult fit_stepwise(const Prepared& prepared, const Progress& progress) {
+  return Stepwise(prepared, progress).run();
 }
 
 }  // namespace brdf::fit

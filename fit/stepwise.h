@@ -2,8 +2,7 @@
 #pragma once
 
 #include "fit/assess/result.h"
-#include "fit/model/options.h"
-#include "io/samples.h"
+#include "fit/prepared.h"
 
 namespace brdf::fit {
 
@@ -13,10 +12,9 @@ namespace brdf::fit {
 // and not worse by paired_ratio_test. That test's probability of the fall is multiplied by the number tried
 // (Bonferroni); kept is what stays below 5 %. Candidates are told by what the catalogue states of them: the canonical
 // forms and those whose facets' slopes have a parameter besides their widths; for a second lobe those of them without
-// known violations. In a sum f0 is one for all channels unless options.tie says otherwise. The ranking holds every
-// model tried, the chosen one first. `progress` hears what is tried next. Throws InputError where no rows can be left
-// out, so that no step can be judged.
-FitResult fit_stepwise(const io::SampleTable& table, const FitOptions& options,
-                       const Progress& progress = {});
+// known violations. In a sum f0 is one for all channels unless options.tie says otherwise. A second lobe is sought from
+// the shapes of the model without it, too. The ranking holds every model tried, the chosen one first. `progress` hears
+// what is tried next. Throws InputError where no rows can be left out, so that no step can be judged.
+FitResult fit_stepwise(const Prepared& prepared, const Progress& progress = {});
 
 }  // namespace brdf::fit

@@ -39,10 +39,14 @@ struct Uncertainty {
 // sentences.
 enum class Detail { everything, estimates };
 
-// Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not. `curvature`: the stream's
-// bread there, where it is known already.
+// Of a stream at a solution, where they are known already.
+struct KnownMatrices {
+  const Matrix &bread, &expected_meat;
+};
+
+// Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not.
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution,
-                        Detail detail = Detail::everything, const Matrix* curvature = nullptr);
+                        Detail detail = Detail::everything, const KnownMatrices* known = nullptr);
 
 // Whether some configuration (both polar angles and the azimuth between them) was measured at two azimuths of the
 // sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.

@@ -60,9 +60,11 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
     const Eigen::VectorXd on = c.inverse * g;
     influence.emplace_back(on.data(), on.data() + on.size());
   }
-  out.freedom =
-      stream.data().rows() > kManyRows ? std::vector<double>(n, freedom) : stream.freedom(p, influence);
-  for (double& f : out.freedom) f = std::clamp(f, 1.0, std::max(freedom, 1.0));
+  out.freedom.assign(n, std::max(freedom, 1.0));
+  if (stream.data().rows() > kManyRows) return out;
+  const std::vector<NoiseShares> shares = stream.noise_shares(p, influence);
+  for (std::size_t k = 0; k < n; ++k)
+    if (shares[k].any()) out.freedom[k] = std::clamp(shares[k].freedom(), 1.0, out.freedom[k]);
   return out;
 }
 

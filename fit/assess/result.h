@@ -53,11 +53,15 @@ struct Estimate {
   std::string channel;  // empty: shared by all channels
   double value = 0;     // tangent_phi in degrees
   double standard_error = 0;
+  double freedom = 0;        // degrees of freedom of its variance: of a parameter that few values decide, few
   double low = 0, high = 0;  // 95 %: of the values' scatter, the model taken as right
   // The others are of free parameters. 95 %, whatever the model's lack of fit: from how far the parameter moves
   // as folds of incidences are left out; never inside the first.
   Extent with_lack_of_fit;
   Extent left_out, other_metrics;  // where it is without each fold, and under each of the other metrics
+  // Of bootstrap replicates, where there are any: their 95 %, and their standard deviation.
+  Extent bootstrap;
+  double bootstrap_error = kUnknown;
 };
 
 // Root mean square of the four residuals in use, each over the values it is defined for.
@@ -143,6 +147,7 @@ struct FormFit {
   LackOfFit lack_of_fit;
   Metrics metrics;
   std::optional<LeftOut> left_out;  // none: not asked for, interrupted, or a single direction
+  std::size_t replicates = 0;       // of the bootstrap
   double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;

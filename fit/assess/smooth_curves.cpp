@@ -4,22 +4,6 @@
 #include <cmath>
 
 namespace brdf::fit {
-namespace {
-
-std::string name_of_scale(Scale scale) {
-  switch (scale) {
-    case Scale::log:
-      return "ln";
-    case Scale::log1p:
-      return "ln1p";
-    case Scale::square:
-      return "square";
-    default:
-      return "identity";
-  }
-}
-
-}  // namespace
 
 std::vector<SmoothCurve> smooth_curves(const Model& model, std::span<const double> p,
                                        const RowMatrix& covariance) {
@@ -29,7 +13,7 @@ std::vector<SmoothCurve> smooth_curves(const Model& model, std::span<const doubl
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
     if (slot.nodes == 1 || slot.node > 0) continue;
-    SmoothCurve& curve = out.emplace_back(SmoothCurve{slot.name, name_of_scale(slot.scale), {}, {}});
+    SmoothCurve& curve = out.emplace_back(SmoothCurve{slot.name, std::string(name_of(slot.scale)), {}, {}});
     for (std::size_t power = 0; power < slot.nodes; ++power) {
       Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
       double value = 0;

@@ -23,6 +23,9 @@ constexpr double kInNullSpace = 1e-3;
 // quarter for f0, half of the channel's weights for a weight.
 constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
 
+// Of estimates alone no more rows are worth a pass that counts the degrees of freedom of each variance.
+constexpr std::size_t kLeanRows = 4096;
+
 constexpr const char* kNeverTurned =
     "the sample was never turned (no two azimuths of it were measured under the same angles), so that a "
     "second width "
@@ -38,13 +41,13 @@ struct Covariance {
   double condition = 1;
 };
 
-Covariance covariance(const SampleStream& stream, const Minimum& m, const Matrix* curvature) {
+Covariance covariance(const SampleStream& stream, const Minimum& m, const KnownMatrices* known) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   // Of many rows no leverage is worth a second pass.
   const bool many = stream.data().rows() > kManyRows;
-  const ScoreMatrices scores =
-      many ? stream.scores(m.p) : ScoreMatrices{curvature ? *curvature : stream.bread(m.p), {}};
+  ScoreMatrices scores =
+      many ? stream.scores(m.p) : ScoreMatrices{known ? known->bread : stream.bread(m.p), {}};
   const Eigen::Map<const RowMatrix> bread(scores.bread.a.data(), n, n);
   Covariance out;
   out.scale = Eigen::VectorXd::Zero(n);
@@ -89,8 +92,16 @@ Covariance covariance(const SampleStream& stream, const Minimum& m, const Matrix
   for (Eigen::Index i = 0; i < f; ++i)
     for (Eigen::Index j = 0; j < f; ++j)
       influence(std::size_t(free[std::size_t(i)]), std::size_t(free[std::size_t(j)])) = unscaled(i, j);
-  const Matrix freed = many ? scores.meat : stream.meat(m.p, influence);
-  const Eigen::Map<const RowMatrix> c(influence.a.data(), n, n), meat(freed.a.data(), n, n);
+  const Eigen::Map<const RowMatrix> c(influence.a.data(), n, n);
+  Matrix freed = std::move(scores.meat);
+  if (!many) {
+    const Matrix noise = known ? known->expected_meat : stream.expected_meat(m.p);
+    Matrix expected{model.size(), model.size()};
+    Eigen::Map<RowMatrix>(expected.a.data(), n, n) =
+        c * Eigen::Map<const RowMatrix>(noise.a.data(), n, n) * c;
+    freed = stream.meat(m.p, influence, &expected);
+  }
+  const Eigen::Map<const RowMatrix> meat(freed.a.data(), n, n);
   out.inverse = c;
   out.matrix = c * meat * c;
   return out;
@@ -225,20 +236,21 @@ void add_bound_findings(const std::vector<Reported>& all, const Model& model, co
 }  // namespace
 
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail detail,
-                        const Matrix* curvature) {
+                        const KnownMatrices* known) {
   const Model& model = stream.model();
   const Eigen::Index n = Eigen::Index(model.size());
   Uncertainty out;
   std::vector<Reported> all = reported_parameters(model, m.p);
-  const Covariance c = covariance(stream, m, curvature);
+  const Covariance c = covariance(stream, m, known);
   out.condition = c.condition;
   double free = 0;
   for (int b : m.at_bound) free += b == 0;
   const double freedom = double(stream.data().rows()) - free;
   // Where a few values decide a parameter, its variance is known from those few only.
   const bool many = stream.data().rows() > kManyRows, lean = detail == Detail::estimates;
-  const std::vector<double> own_freedom = many || lean ? std::vector<double>(all.size(), freedom)
-                                                       : stream.freedom(m.p, influences(all, c.inverse));
+  const bool unshared = many || (lean && stream.data().rows() > kLeanRows);
+  const std::vector<NoiseShares> shares =
+      unshared ? std::vector<NoiseShares>(all.size()) : stream.noise_shares(m.p, influences(all, c.inverse));
   // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
   const std::size_t per_channel = parameters_of_a_channel(model);
   const bool few = stream.data().rows() < 3 * per_channel;
@@ -277,9 +289,10 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
       e.status = Status::unidentified;
     } else {
       e.standard_error = error;
+      e.freedom = shares[k].any() ? std::min(freedom, shares[k].freedom()) : freedom;
       certain.push_back(k);
       if (lean) continue;
-      const double t = t_quantile(std::min(freedom, own_freedom[k]));
+      const double t = std::max(t_quantile(freedom), t_quantile(shares[k]));
       const Extent interval = extent_of(r, model, m.p, t * (r.scale != kNoSlot ? solver_error : error));
       e.low = interval.low;
       e.high = interval.high;

@@ -12,9 +12,10 @@ constexpr double kNegligible = 1e-7;  // share of a lobe in the model below whic
 
 }  // namespace
 
-NormalEquations drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
+NormalEquations drop_negligible_lobes(const SampleStream& stream, Minimum& m, Besides* besides) {
   const Model& model = stream.model();
-  const NormalEquations n = stream.normal_equations(m.p);
+  const NormalEquations n = stream.normal_equations(m.p, besides);
+  bool dropped = false;
   for (std::size_t k = model.shape_slots(); k < model.size(); ++k) {
     const Slot& slot = model.slots()[k];
     if (slot.low != 0 || m.p[k] == 0) continue;
@@ -25,8 +26,10 @@ NormalEquations drop_negligible_lobes(const SampleStream& stream, Minimum& m) {
     if (m.p[k] * m.p[k] * n.hessian(k, k) <= kNegligible * kNegligible * all) {
       m.p[k] = 0;
       m.at_bound[k] = -1;
+      dropped = true;
     }
   }
+  if (besides && dropped) stream.values(m.p, besides->values);
   return n;
 }
 

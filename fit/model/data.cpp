@@ -161,12 +161,15 @@ FitData subset(const FitData& data, const std::vector<bool>& keep) {
 }
 
 FitData within_domain(const FitData& data, Metric metric) {
-  std::vector<bool> keep(data.rows(), true);
-  bool all = true;
+  std::vector<bool> keep;  // empty: all
+  if (metric != Metric::log && metric != Metric::log_relative) return empty_like(data);
   for (const auto& channel : data.values)
     for (std::size_t k = 0; k < data.rows(); ++k)
-      if (!in_domain(metric, channel[k], data.wi_z[k], data.wo_z[k])) all = keep[k] = false;
-  return all ? empty_like(data) : subset(data, keep);
+      if (!in_domain(metric, channel[k], data.wi_z[k], data.wo_z[k])) {
+        keep.resize(data.rows(), true);
+        keep[k] = false;
+      }
+  return keep.empty() ? empty_like(data) : subset(data, keep);
 }
 
 FitData thinned(const FitData& data, std::size_t rows) {

@@ -17,13 +17,15 @@ struct FitData {
   std::vector<double> wi_x, wi_y, wi_z, wo_x, wo_y, wo_z;
   std::vector<std::vector<double>> values;  // [channel][row], 1/sr
   std::vector<std::vector<double>> sigma;   // [channel][row]; empty where residuals are not weighted by it
-  std::vector<double> weight;               // [row] of the squared residual; empty: 1
-  std::vector<std::uint32_t> row;           // in the table
-  std::vector<std::uint32_t> incidence;     // [row] which direction of incidence
-  RowGroups groups;                         // what is left out together; none in a subset
-  bool grouped = false;                     // incidence is theta_i in whole degrees instead
-  std::size_t beyond_max_theta = 0;         // rows left out
-  std::size_t outside_domain = 0;           // rows whose value has no residual (far below zero)
+  // [channel][row], the slope of a logarithmic residual at the value; empty: found again in every pass.
+  std::vector<std::vector<double>> value_slope;
+  std::vector<double> weight;            // [row] of the squared residual; empty: 1
+  std::vector<std::uint32_t> row;        // in the table
+  std::vector<std::uint32_t> incidence;  // [row] which direction of incidence
+  RowGroups groups;                      // what is left out together; none in a subset
+  bool grouped = false;                  // incidence is theta_i in whole degrees instead
+  std::size_t beyond_max_theta = 0;      // rows left out
+  std::size_t outside_domain = 0;        // rows whose value has no residual (far below zero)
 
   std::size_t rows() const { return wi_x.size(); }
   void add_directions(const Vec3<double>& wi, const Vec3<double>& wo);

@@ -92,6 +92,7 @@ struct FitOptions {
   bool grid_starts = true;
   int random_starts = 0;
   std::uint64_t seed = 1;
+  int bootstrap = 0;    // replicates of groups of rows, drawn by the seed
   double aperture = 0;  // full width of the detector's field, degrees; 0: none
   // The surface's normal is fitted, too, from these components along the directions' x and y. The values are then
   // taken as f_r cos_i of the surface over the cos_i of the directions' own frame.

@@ -103,6 +103,16 @@ class Numbering {
 
 }  // namespace
 
+RowRange rows_of_fold(const RowGroups& groups, std::size_t fold) {
+  RowRange out;
+  for (const RowGroup& g : groups.groups) {
+    if (g.fold != fold) continue;
+    if (out.rows == 0) out.first = g.range.first;
+    out.rows += g.range.rows;
+  }
+  return out;
+}
+
 RowGroups group_rows(const Directions<double>& d, std::size_t rows) {
   Numbering light(d, rows, Side::light, kSame, kSame, kMost);
   Numbering viewer(d, rows, Side::viewer, kSame, kSame, kMost);

@@ -34,6 +34,9 @@ struct RowGroups {
   const char* name() const { return by_pair ? "pairs of directions" : by_viewer ? "viewers" : "incidences"; }
 };
 
+// All rows of a fold, which lie together.
+RowRange rows_of_fold(const RowGroups& groups, std::size_t fold);
+
 // The stepped side is the one with fewer distinct directions (to a thousandth of a degree), as long as it has
 // five: fewer cannot say how a model does at another. Above 1,000 directions on either side the light's cells of 1
 // degree by 30 are the groups; below five on both, the pairs. Groups are sorted by (fold, theta, phi) and depend

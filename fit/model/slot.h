@@ -1,10 +1,13 @@
 // One unknown of the solver.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "brdf/names.h"
 #include "brdf/parameter.h"
 
 namespace brdf::fit {
@@ -48,3 +51,10 @@ struct Slot {
 };
 
 }  // namespace brdf::fit
+
+namespace brdf {
+
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<fit::Scale>{"identity", "ln", "ln1p", "square"};
+
+}  // namespace brdf

@@ -49,6 +49,11 @@ Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::st
 }
 
 void add_intervals(io::HtmlReport& report, const FormFit& f) {
+  std::vector<std::string> heading{
+      "parameter",      "value",         "95 % (statistical)", "95 % with lack of fit",
+      "folds left out", "other metrics", "standard error",     "status"};
+  if (f.replicates > 0)
+    heading.insert(heading.end() - 1, "95 % of " + std::to_string(f.replicates) + " bootstrap replicates");
   std::vector<io::Row> rows;
   for (const Estimate& e : f.estimates) {
     const NamedParameter parameter = named(f, e);
@@ -66,16 +71,15 @@ void add_intervals(io::HtmlReport& report, const FormFit& f) {
                     {std::string(name_of(e.status)), free                               ? Mark::good
                                                      : e.status == Status::unidentified ? Mark::bad
                                                                                         : Mark::warn}});
+    if (f.replicates > 0) rows.back().insert(rows.back().end() - 1, if_free(extent_text(e.bootstrap)));
   }
   report.begin_fold("Every interval");
-  report.table({"parameter", "value", "95 % (statistical)", "95 % with lack of fit", "folds left out",
-                "other metrics", "standard error", "status"},
-               rows);
+  report.table(heading, rows);
   report.end_fold();
 }
 
 void add_correlations(io::HtmlReport& report, const FormFit& f) {
-  constexpr std::size_t kMost = 16;
+  constexpr std::size_t kMostShown = 16;
   const Correlations& c = f.correlations;
   std::vector<std::size_t> shown;
   for (std::size_t k = 0; k < c.names.size(); ++k) {
@@ -85,7 +89,7 @@ void add_correlations(io::HtmlReport& report, const FormFit& f) {
   }
   const std::size_t all = shown.size();
   if (all < 2) return;
-  shown.resize(std::min(all, kMost));
+  shown.resize(std::min(all, kMostShown));
   report.begin_fold("Correlations of the parameters");
   report.paragraph(
       "Near 1 or -1 two parameters stand in for each other: only a combination of the two is known.");
@@ -105,8 +109,8 @@ void add_correlations(io::HtmlReport& report, const FormFit& f) {
     rows.push_back(std::move(row));
   }
   report.table(header, rows);
-  if (all > kMost)
-    report.paragraph("The first " + std::to_string(kMost) + " of " + std::to_string(all) +
+  if (all > kMostShown)
+    report.paragraph("The first " + std::to_string(kMostShown) + " of " + std::to_string(all) +
                      " parameters; the JSON has all.");
   report.end_fold();
 }

@@ -41,6 +41,7 @@ std::string estimate_text(const Estimate& e, const std::string& name, bool wrong
         " statistical, " + extent_text(e.with_lack_of_fit.low, e.with_lack_of_fit.high) + " with lack of fit";
   if (wrong && std::isfinite(e.other_metrics.low))
     text += "; by other metrics " + extent_text(e.other_metrics.low, e.other_metrics.high);
+  if (std::isfinite(e.bootstrap.low)) text += "; bootstrap " + extent_text(e.bootstrap.low, e.bootstrap.high);
   return text + ")";
 }
 

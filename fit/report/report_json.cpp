@@ -32,6 +32,10 @@ Json estimate_json(const Estimate& e) {
                   {"with_lack_of_fit", extent_json(e.with_lack_of_fit)},
                   {"left_out", extent_json(e.left_out)},
                   {"other_metrics", extent_json(e.other_metrics)}});
+  if (std::isfinite(e.bootstrap_error))
+    j["bootstrap"] = {{"low", number(e.bootstrap.low)},
+                      {"high", number(e.bootstrap.high)},
+                      {"standard_error", number(e.bootstrap_error)}};
   return j;
 }
 
@@ -121,6 +125,7 @@ Json statistics_json(const FormFit& fit) {
     j["cross_validated_error"] = number(fit.left_out->errors.median);
     j["cross_validated_standard_error"] = number(fit.left_out->median_standard_error);
   }
+  if (fit.replicates > 0) j["bootstrap_replicates"] = fit.replicates;
   if (fit.prediction_error) j["prediction_error"] = number(*fit.prediction_error);
   if (const auto& a = fit.largest_albedo)
     j["largest_albedo"] = {{"value", number(a->value)}, {"theta", a->theta}, {"channel", a->channel}};

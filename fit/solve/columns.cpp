@@ -1,11 +1,22 @@
 #include "fit/solve/columns.h"
 
+#include <cmath>
+
 #include "brdf/clones.h"
+#include "brdf/frame.h"
 
 namespace brdf::fit {
 namespace {
 
 typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
+
+// A value explains at most so much of its own residual: one that fixes a parameter alone counts as very uncertain, not as
+// infinitely so.
+constexpr double kMostLeverage = 0.99;
+
+inline double clamped(double x, double low, double high) {
+  return x < low ? low : high < x ? high : x;
+}
 
 inline double sum(const Lanes& v) {
   return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
@@ -15,6 +26,15 @@ inline const Lanes* lanes(const double* column) {
 }
 
 }  // namespace
+
+void tilt_batch(const Directions<double>& directions, const Vec3<double>& normal,
+                DirectionArrays<double>& out) {
+  repeat(
+      [to = &out, directions, normal](std::size_t j) {
+        to->set(j, in_frame_of(normal, directions.wi(j)), in_frame_of(normal, directions.wo(j)));
+      },
+      directions.count);
+}
 
 BRDF_CLONES void mix(std::size_t columns, const double* const* column, const double* w, std::size_t entries,
                      double* __restrict out) {
@@ -32,6 +52,28 @@ BRDF_CLONES void add(const double* a, std::size_t entries, double* __restrict ou
 
 BRDF_CLONES void multiply(const double* a, const double* b, std::size_t entries, double* __restrict out) {
   for (std::size_t j = 0; j < entries; ++j) out[j] = a[j] * b[j];
+}
+
+BRDF_CLONES void scale(const double* a, std::size_t entries, double* __restrict out) {
+  for (std::size_t j = 0; j < entries; ++j) out[j] *= a[j];
+}
+
+BRDF_CLONES void add_scaled(double s, const double* a, std::size_t entries, double* __restrict out) {
+  for (std::size_t j = 0; j < entries; ++j) out[j] += s * a[j];
+}
+
+BRDF_CLONES void divide(const double* a, const double* b, std::size_t entries, double* __restrict out) {
+  for (std::size_t j = 0; j < entries; ++j) out[j] = a[j] / b[j];
+}
+
+BRDF_CLONES void add_product(double s, const double* a, const double* b, std::size_t entries,
+                             double* __restrict out) {
+  for (std::size_t j = 0; j < entries; ++j) out[j] += s * a[j] * b[j];
+}
+
+BRDF_CLONES void multiply_squares(const double* a, const double* b, std::size_t entries,
+                                  double* __restrict out) {
+  for (std::size_t j = 0; j < entries; ++j) out[j] = a[j] * a[j] * b[j] * b[j];
 }
 
 BRDF_CLONES void add_gram(std::size_t m, const double* const* a, std::size_t n, const double* const* b,
@@ -59,13 +101,29 @@ BRDF_CLONES void add_gram(std::size_t m, const double* const* a, std::size_t n, 
 
 BRDF_CLONES void quadratic_forms(std::size_t n, const double* const* column, const double* m,
                                  std::size_t entries, double* __restrict out) {
-  for (std::size_t j = 0; j < entries; ++j) out[j] = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k) {
-      const double *x = column[i], *y = column[k];
-      const double s = m[i * n + k];
-      for (std::size_t j = 0; j < entries; ++j) out[j] += x[j] * s * y[j];
+  for (std::size_t t = 0; t < entries / kLanes; ++t) {
+    Lanes sum{};
+    for (std::size_t i = 0; i < n; ++i) {
+      const Lanes x = lanes(column[i])[t];
+      for (std::size_t k = 0; k < n; ++k) sum += x * m[i * n + k] * lanes(column[k])[t];
     }
+    for (std::size_t l = 0; l < kLanes; ++l) out[t * kLanes + l] = sum[l];
+  }
+}
+
+BRDF_CLONES void free_of_influence(const double* leverage, const double* curvature, const double* predicted,
+                                   const double* noise, std::size_t entries, double* __restrict r) {
+  if (!predicted) {
+    for (std::size_t j = 0; j < entries; ++j)
+      r[j] /= std::sqrt(1 - clamped(leverage[j] * curvature[j], 0, kMostLeverage));
+    return;
+  }
+  for (std::size_t j = 0; j < entries; ++j) {
+    const double rest = 1 - clamped(leverage[j] * curvature[j], 0, kMostLeverage);
+    const double variance = noise[j] * noise[j];
+    const double share = 2 * rest - 1 + predicted[j] / variance;
+    r[j] /= std::sqrt(clamped(variance > 0 ? share : rest, rest * rest, rest));
+  }
 }
 
 }  // namespace brdf::fit

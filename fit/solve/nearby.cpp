@@ -9,8 +9,9 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kMostDamping = 1e12;
-constexpr double kStrongDamping = 0.1;  // from here on a step is short because it was made so
-constexpr double kRounding = 1e-12;     // share of a parameter below which a step is rounding
+constexpr double kStrongDamping = 0.1;        // from here on a step is short because it was made so
+constexpr double kNear = 1e-6, kMargin = 10;  // promises below this share of the cost fall evenly
+constexpr double kRounding = 1e-12;           // share of a parameter below which a step is rounding
 
 struct Step {
   std::vector<double> by;
@@ -51,7 +52,7 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
   for (std::size_t k = 0; k < s.p.size(); ++k) s.p[k] = std::clamp(s.p[k], low[k], high[k]);
   NormalEquations here = objective(s.p);
   s.passes = 1;
-  double damping = kFirstDamping;
+  double damping = kFirstDamping, last = 0;  // promised by the last step, where that was taken
   s.termination = std::isfinite(here.cost) ? Termination::iteration_limit : Termination::failed;
   for (; s.termination == Termination::iteration_limit && s.iterations < options.max_iterations;
        ++s.iterations) {
@@ -63,8 +64,11 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
     std::vector<double> p = s.p;
     for (std::size_t k = 0; k < p.size(); ++k) p[k] = std::clamp(p[k] + step.by[k], low[k], high[k]);
     const bool small = damping < kStrongDamping && !(step.promised > options.tolerance * here.cost);
-    if (small || step.is_rounding(s.p)) {
-      s.p = std::move(p);  // what it changes of the cost is below the tolerance: not worth a pass
+    // Near the minimum each step promises the same share of what the one before did.
+    const bool lands = last > 0 && damping < kStrongDamping && step.promised <= kNear * here.cost &&
+                       kMargin * step.promised * (step.promised / last) <= options.tolerance * here.cost;
+    if (small || lands || step.is_rounding(s.p)) {
+      s.p = std::move(p);  // what is left to gain after it is below the tolerance: not worth a pass
       s.termination = Termination::converged;
       break;
     }
@@ -74,8 +78,10 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
       s.p = std::move(p);
       here = std::move(there);
       damping = std::max(damping / 10, kLeastDamping);
-    } else if ((damping *= 10) > kMostDamping) {
-      s.termination = Termination::failed;
+      last = step.promised;
+    } else {
+      last = 0;
+      if ((damping *= 10) > kMostDamping) s.termination = Termination::failed;
     }
   }
   s.at_bound = hold_at_bounds(here, s.p, low, high);

@@ -10,13 +10,24 @@ namespace {
 
 constexpr double kE = kLogRelativeFloor;
 
+// The slope at the measurement: c/(g c + u).
+template <bool kWithCosO>
+inline double slope_at_value(const ResidualInputs& b, double offset, std::size_t j) {
+  const double c = kWithCosO ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
+  return c / (b.g[j] * c + offset);
+}
+
+template <bool kWithCosO>
+BRDF_CLONES void slopes_at_values(const ResidualInputs& b, double offset, double* __restrict out) {
+  for (std::size_t j = 0; j < b.rows; ++j) out[j] = slope_at_value<kWithCosO>(b, offset, j);
+}
+
 // ln((f c + u)/(g c + u)) without cancellation; linearised: its first order in f - g.
-template <bool kWithCosO, bool kLinearised>
+template <bool kWithCosO, bool kLinearised, bool kKnown>
 BRDF_CLONES void log_residuals(const ResidualInputs& b, double offset, double* __restrict r,
                                double* __restrict d) {
   for (std::size_t j = 0; j < b.rows; ++j) {
-    const double c = kWithCosO ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
-    const double measured = c / (b.g[j] * c + offset);
+    const double measured = kKnown ? b.value_slope[j] : slope_at_value<kWithCosO>(b, offset, j);
     const double x = (b.f[j] - b.g[j]) * measured;
     r[j] = kLinearised ? x : math::log1p(x);
     d[j] = kLinearised ? measured : measured / (1 + x);
@@ -26,9 +37,11 @@ BRDF_CLONES void log_residuals(const ResidualInputs& b, double offset, double* _
 template <bool kWithCosO>
 void log_residuals(const Residual& residual, const ResidualInputs& b, double offset, double* r, double* d) {
   if (residual.linearised)
-    log_residuals<kWithCosO, true>(b, offset, r, d);
+    log_residuals<kWithCosO, true, false>(b, offset, r, d);
+  else if (b.value_slope)
+    log_residuals<kWithCosO, false, true>(b, offset, r, d);
   else
-    log_residuals<kWithCosO, false>(b, offset, r, d);
+    log_residuals<kWithCosO, false, false>(b, offset, r, d);
 }
 
 void divide_by_noise(const Residual& residual, const ResidualInputs& b, double* r, double* d) {
@@ -44,6 +57,13 @@ void divide_by_noise(const Residual& residual, const ResidualInputs& b, double* 
 }
 
 }  // namespace
+
+void slopes_at_values(const Residual& residual, const ResidualInputs& b, double* out) {
+  if (residual.metric == Metric::log)
+    slopes_at_values<false>(b, 1, out);
+  else
+    slopes_at_values<true>(b, kE, out);
+}
 
 void residuals(const Residual& residual, const ResidualInputs& b, double* r, double* d) {
   switch (residual.metric) {
@@ -70,13 +90,18 @@ void residuals(const Residual& residual, const ResidualInputs& b, double* r, dou
 
 void apply_loss(const LossFunction& loss, std::size_t rows, const double* r, double* rho, double* root_slope,
                 double* curvature) {
+  if (loss.kind == LossFunction::Kind::none) {
+    for (std::size_t j = 0; j < rows; ++j) {
+      rho[j] = r[j] * r[j];
+      root_slope[j] = curvature[j] = 1;
+    }
+    return;
+  }
   const double k = loss.scale, k2 = k * k;
   for (std::size_t j = 0; j < rows; ++j) {
     const double s = r[j] * r[j];
     switch (loss.kind) {
       case LossFunction::Kind::none:
-        rho[j] = s;
-        root_slope[j] = curvature[j] = 1;
         break;
       case LossFunction::Kind::huber: {
         const double a = std::abs(r[j]);

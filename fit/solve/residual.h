@@ -25,7 +25,11 @@ struct Residual {
 struct ResidualInputs {
   const double *f, *g, *cos_i, *cos_o, *weight, *sigma;
   std::size_t rows;
+  const double* value_slope = nullptr;  // slopes_at_values(), where they are known
 };
+
+// Of a logarithmic residual at the measurements, without weight and sigma.
+void slopes_at_values(const Residual& residual, const ResidualInputs& block, double* out);
 
 // r[j] and dr/df[j], weights included. With sigma, the residual is in units of its standard deviation.
 void residuals(const Residual& residual, const ResidualInputs& block, double* r, double* derivative);

@@ -5,33 +5,36 @@
 #include "fit/solve/workspace.h"
 
 namespace brdf::fit {
-namespace {
+// To the scores of the rows what one channel's residuals, in `r`, and derivatives add.
+void SampleStream::add_to_scores(const Contributions& map, bool robust, std::size_t rows, Workspace& w) {
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    multiply(w.scaled[k], w.r, rows, w.mixed);
+    for (int times = 0; robust && times < 2; ++times) scale(w.root, rows, w.mixed);
+    for (const Contribution& x : map[k]) add_scaled(x.factor, w.mixed, rows, w.scores[x.slot]);
+  }
+}
 
-// A value explains at most so much of its own residual: one that fixes a parameter alone counts as very uncertain, not as
-// infinitely so.
-constexpr double kMostLeverage = 0.99;
-
-}  // namespace
-
-void SampleStream::add_scores(std::span<const double> p, const Matrix* inverse, Matrix* bread,
+void SampleStream::add_scores(std::span<const double> p, const Leverage& leverage, Matrix* bread,
                               Matrix* meat) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
   const std::size_t size = model_.size();
   std::vector<Matrix> raw(bread ? channels : 0, Matrix(columns, columns));
   std::vector<Contributions> map;
-  std::vector<Matrix> column_inverse;
+  std::vector<Matrix> column_inverse, column_expected;
   std::vector<Shapes> group_shapes;
   for (std::size_t g = 0; g < model_.groups(); ++g) group_shapes.push_back(shapes(p, g, true));
   const Matrix weights = lobe_weights(p);
   for (std::size_t c = 0; c < channels; ++c) {
     map.push_back(contributions(model_, p, c));
-    if (inverse) column_inverse.push_back(of_columns(map.back(), *inverse));
+    if (leverage.inverse) column_inverse.push_back(of_columns(map.back(), *leverage.inverse));
+    if (leverage.expected) column_expected.push_back(of_columns(map.back(), *leverage.expected));
   }
   std::unique_ptr<Workspace> own = spare_->take(model_);
   Workspace& w = *own;
-  std::vector<double> curved(columns * kBlockRows);
+  const bool robust = residual_.loss.kind != LossFunction::Kind::none;
+  std::vector<double> noise(kBlockRows), curved(bread ? columns * kBlockRows : 0);
   std::vector<double*> curved_columns;
-  for (std::size_t k = 0; k < columns; ++k) curved_columns.push_back(&curved[k * kBlockRows]);
+  for (std::size_t k = 0; bread && k < columns; ++k) curved_columns.push_back(&curved[k * kBlockRows]);
   for (std::size_t first = 0; first < data_.rows(); first += kBlockRows) {
     const std::size_t rows = std::min(kBlockRows, data_.rows() - first), entries = padded(rows);
     for (double* column : w.scores) std::fill(column, column + entries, 0.0);
@@ -42,18 +45,16 @@ void SampleStream::add_scores(std::span<const double> p, const Matrix* inverse, 
       residuals(residual_, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
       fill_jacobian(&weights.a[c * weights.cols], rows, w);
-      if (inverse) {
+      if (leverage.noise_alone) multiply(w.f, w.slope, rows, w.r);
+      if (leverage.inverse) {
         quadratic_forms(columns, w.scaled.data(), column_inverse[c].a.data(), entries, w.mixed);
-        for (std::size_t j = 0; j < rows; ++j)
-          w.r[j] /= std::sqrt(1 - std::clamp(w.mixed[j] * w.curvature[j], 0.0, kMostLeverage));
-      }
-      for (std::size_t k = 0; meat && k < columns; ++k) {
-        for (std::size_t j = 0; j < rows; ++j) w.mixed[j] = w.scaled[k][j] * w.r[j] * w.root[j] * w.root[j];
-        for (const Contribution& x : map[c][k]) {
-          double* score = w.scores[x.slot];
-          for (std::size_t j = 0; j < rows; ++j) score[j] += x.factor * w.mixed[j];
+        if (leverage.expected) {
+          quadratic_forms(columns, w.scaled.data(), column_expected[c].a.data(), entries, w.rho);
+          multiply(w.f, w.slope, rows, noise.data());
         }
+        free_of_influence(w.mixed, w.curvature, leverage.expected ? w.rho : nullptr, noise.data(), rows, w.r);
       }
+      if (meat) add_to_scores(map[c], robust, rows, w);
       if (!bread) continue;
       std::fill(w.curvature + rows, w.curvature + entries, 0.0);
       for (std::size_t k = 0; k < columns; ++k)
@@ -64,32 +65,39 @@ void SampleStream::add_scores(std::span<const double> p, const Matrix* inverse, 
   }
   spare_->give(std::move(own));
   for (std::size_t c = 0; bread && c < channels; ++c) add_mapped(map[c], raw[c], *bread);
-  for (std::size_t i = 0; meat && i < size; ++i)
-    for (std::size_t j = 0; j < i; ++j) (*meat)(i, j) = (*meat)(j, i);
+  if (meat) mirror(*meat);
 }
 
 ScoreMatrices SampleStream::scores(std::span<const double> p) const {
   ScoreMatrices out{Matrix(model_.size(), model_.size()), Matrix(model_.size(), model_.size())};
-  add_scores(p, nullptr, &out.bread, &out.meat);
+  add_scores(p, {}, &out.bread, &out.meat);
   return out;
 }
 
 Matrix SampleStream::bread(std::span<const double> p) const {
   Matrix out(model_.size(), model_.size());
-  add_scores(p, nullptr, &out, nullptr);
+  add_scores(p, {}, &out, nullptr);
   return out;
 }
 
-Matrix SampleStream::meat(std::span<const double> p, const Matrix& inverse) const {
+Matrix SampleStream::meat(std::span<const double> p, const Matrix& inverse, const Matrix* expected) const {
   Matrix out(model_.size(), model_.size());
-  add_scores(p, &inverse, nullptr, &out);
+  add_scores(p, {&inverse, expected, false}, nullptr, &out);
   return out;
 }
 
-std::vector<double> SampleStream::freedom(std::span<const double> p,
-                                          const std::vector<std::vector<double>>& v) const {
+Matrix SampleStream::expected_meat(std::span<const double> p) const {
+  Matrix out(model_.size(), model_.size());
+  add_scores(p, {nullptr, nullptr, true}, nullptr, &out);
+  return out;
+}
+
+std::vector<NoiseShares> SampleStream::noise_shares(std::span<const double> p,
+                                                    const std::vector<std::vector<double>>& v) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials();
-  std::vector<double> square(v.size(), 0), fourth(v.size(), 0), weights(model_.lobes());
+  std::vector<NoiseShares> out(v.size());
+  std::vector<double> weights(model_.lobes());
+  const bool robust = residual_.loss.kind != LossFunction::Kind::none;
   std::unique_ptr<Workspace> own = spare_->take(model_);
   Workspace& w = *own;
   for (std::size_t c = 0; c < channels; ++c) {
@@ -107,22 +115,17 @@ std::vector<double> SampleStream::freedom(std::span<const double> p,
       residuals(residual_, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
       fill_jacobian(weights.data(), rows, w);
-      for (std::size_t j = 0; j < rows; ++j) {
-        const double noise = w.f[j] * w.slope[j] * w.root[j] * w.root[j];
-        for (std::size_t i = 0; i < v.size(); ++i) {
-          double a = 0;
-          for (std::size_t k = 0; k < columns; ++k) a += by_column(i, k) * w.scaled[k][j];
-          a *= a * noise * noise;
-          square[i] += a;
-          fourth[i] += a * a;
-        }
+      multiply(w.f, w.slope, rows, w.r);
+      for (int times = 0; robust && times < 2; ++times) scale(w.root, rows, w.r);
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        mix(columns, w.scaled.data(), &by_column(i, 0), rows, w.mixed);
+        multiply_squares(w.mixed, w.r, rows, w.rho);
+        out[i].add(std::span<const double>(w.rho, rows));
       }
     }
   }
   spare_->give(std::move(own));
-  for (std::size_t i = 0; i < v.size(); ++i)
-    square[i] = fourth[i] > 0 ? square[i] * square[i] / fourth[i] : double(data_.rows());
-  return square;
+  return out;
 }
 
 ValueErrors SampleStream::value_errors(std::span<const double> p, const Matrix& covariance) const {

@@ -37,6 +37,11 @@ Matrix of_columns(const Contributions& map, const Matrix& m) {
   return out;
 }
 
+void mirror(Matrix& m) {
+  for (std::size_t i = 0; i < m.rows; ++i)
+    for (std::size_t j = 0; j < i; ++j) m(i, j) = m(j, i);
+}
+
 ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
                                const double* f) {
   return {f,
@@ -45,7 +50,18 @@ ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::si
           &data.wo_z[first],
           data.weight.empty() ? nullptr : &data.weight[first],
           data.sigma.empty() ? nullptr : &data.sigma[channel][first],
-          rows};
+          rows,
+          data.value_slope.empty() ? nullptr : &data.value_slope[channel][first]};
+}
+
+void note_value_slopes(FitData& data, Metric metric) {
+  data.value_slope.clear();
+  if (metric != Metric::log && metric != Metric::log_relative) return;
+  for (std::size_t c = 0; c < data.values.size(); ++c) {
+    std::vector<double> slopes(data.rows());
+    slopes_at_values({metric, {}, false}, residual_inputs(data, c, 0, data.rows(), nullptr), slopes.data());
+    data.value_slope.push_back(std::move(slopes));
+  }
 }
 
 SampleStream::SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture,
@@ -55,6 +71,8 @@ SampleStream::SampleStream(const FitData& data, const Model& model, const Residu
       residual_(residual),
       part_{{0, data.rows()}},
       spare_(spare ? std::move(spare) : std::make_shared<Spare>()) {
+  static std::atomic<std::uint64_t> streams{0};
+  id_ = ++streams;
   if (aperture > 0) detector_ = aperture_nodes(degrees(aperture), kFitRings);
 }
 
@@ -78,6 +96,17 @@ SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t
 }
 
 void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
+  if (w.stream == id_ && w.first == first && w.rows == rows && w.shapes == shapes) return;
+  w.stream = 0;  // until they stand
+  evaluate_lobes(shapes, first, rows, w);
+  w.stream = id_;
+  w.shapes = shapes;
+  w.first = first;
+  w.rows = rows;
+}
+
+void SampleStream::evaluate_lobes(const Shapes& shapes, std::size_t first, std::size_t rows,
+                                  Workspace& w) const {
   const Directions<double> directions =
       model_.fits_normal() ? tilt(shapes.normal, first, rows, w) : data_.directions(first, rows);
   for (std::size_t t = 0; t < model_.terms().size(); ++t) {
@@ -143,7 +172,8 @@ void SampleStream::for_each_block(Visit&& visit) const {
 }
 
 SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, const Matrix& weights,
-                                                   const Residual& residual, bool derivatives) const {
+                                                   const Residual& residual, bool derivatives,
+                                                   Besides* besides) const {
   const std::size_t channels = data_.channels.size(), columns = model_.lobes() + model_.partials() + 1;
   const bool robust = residual.loss.kind != LossFunction::Kind::none && !residual.linearised;
   std::vector<Shapes> group_shapes;
@@ -152,13 +182,19 @@ SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, co
   Workspace& w = *own;
   ChannelSums out{std::vector<Matrix>(channels, Matrix(columns, columns)), 0};
   double robust_sum = 0;
+  const bool expects = besides && residual.loss.kind == LossFunction::Kind::none;
+  std::vector<Contributions> map;
+  for (std::size_t c = 0; expects && c < channels; ++c) map.push_back(contributions(model_, p, c));
   for_each_block([&](std::size_t first, std::size_t rows) {
     const std::size_t entries = padded(rows);
     std::fill(w.slope + rows, w.slope + entries, 0.0);
     std::fill(w.r + rows, w.r + entries, 0.0);
+    for (std::size_t k = 0; expects && k < w.scores.size(); ++k)
+      std::fill(w.scores[k], w.scores[k] + entries, 0.0);
     for (std::size_t c = 0; c < channels; ++c) {
       if (c == 0 || model_.groups() > 1) fill_lobes(group_shapes[model_.group_of(c)], first, rows, w);
       mix(model_.lobes(), w.lobes.data(), &weights.a[c * weights.cols], entries, w.f);
+      if (besides) std::copy(w.f, w.f + rows, besides->values[c].begin() + std::ptrdiff_t(first));
       residuals(residual, residual_inputs(data_, c, first, rows, w.f), w.r, w.slope);
       if (robust) {
         apply_loss(residual.loss, rows, w.r, w.rho, w.root, w.curvature);
@@ -174,8 +210,15 @@ SampleStream::ChannelSums SampleStream::accumulate(std::span<const double> p, co
         for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, entries, w.scaled[k]);
       std::copy(w.r, w.r + entries, w.scaled.back());
       add_gram(columns, w.scaled.data(), columns, w.scaled.data(), true, entries, out.raw[c].a.data());
+      if (!expects) continue;
+      multiply(w.f, w.slope, rows, w.r);
+      add_to_scores(map[c], false, rows, w);
     }
+    if (expects)
+      add_gram(w.scores.size(), w.scores.data(), w.scores.size(), w.scores.data(), true, entries,
+               besides->expected_meat.a.data());
   });
+  if (expects) mirror(besides->expected_meat);
 
   double sum = 0;
   for (const Matrix& raw : out.raw) sum += raw(columns - 1, columns - 1);
@@ -206,8 +249,13 @@ Matrix SampleStream::lobe_weights(std::span<const double> p) const {
   return weights;
 }
 
-NormalEquations SampleStream::normal_equations(std::span<const double> p) const {
-  return mapped(accumulate(p, lobe_weights(p), residual_, true), p);
+NormalEquations SampleStream::normal_equations(std::span<const double> p, Besides* besides) const {
+  if (besides) {
+    besides->values.resize(data_.channels.size());
+    for (std::vector<double>& channel : besides->values) channel.resize(data_.rows());
+    besides->expected_meat = Matrix(model_.size(), model_.size());
+  }
+  return mapped(accumulate(p, lobe_weights(p), residual_, true, besides), p);
 }
 
 NormalEquations SampleStream::linearised_weights(std::span<const double> p) const {

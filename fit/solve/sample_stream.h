@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "fit/algebra/matrix.h"
 #include "fit/model/data.h"
 #include "fit/model/model.h"
+#include "fit/solve/noise_shares.h"
 #include "fit/solve/residual.h"
 
 namespace brdf::fit {
@@ -18,6 +20,12 @@ struct NormalEquations {
   Matrix hessian;
   std::vector<double> gradient;
   double cost = 0;
+};
+
+// The model's values, [channel][row], and the expected meat (below) where there is no loss.
+struct Besides {
+  std::vector<std::vector<double>> values;
+  Matrix expected_meat;
 };
 
 // What uncertainty needs besides: the curvature of the loss in place of its slope (bread), and the sum over
@@ -43,9 +51,18 @@ struct LobeQuadratic {
   double cost = 0;
 };
 
+// What one derivative column contributes to: the solver's parameters and the factors.
+struct Contribution {
+  std::size_t slot;
+  double factor;
+};
+
 struct ValueErrors {
   std::vector<std::vector<double>> values, errors;  // [channel][row]
 };
+
+// Once for all passes under this metric what no parameter changes: `value_slope`, where the metric has it.
+void note_value_slopes(FitData& data, Metric metric);
 
 class SampleStream {
   struct Shapes;
@@ -79,7 +96,8 @@ class SampleStream {
   const Model& model() const { return model_; }
   const Residual& residual() const { return residual_; }
 
-  NormalEquations normal_equations(std::span<const double> p) const;
+  // `besides`, where it is given: what the same pass tells, over all rows.
+  NormalEquations normal_equations(std::span<const double> p, Besides* besides = nullptr) const;
   // The same at linear weights 0 for the residual linearised at the measurement: a quadratic in the weights.
   NormalEquations linearised_weights(std::span<const double> p) const;
   // That quadratic in the weights of the lobes themselves.
@@ -87,11 +105,16 @@ class SampleStream {
   ScoreMatrices scores(std::span<const double> p) const;
   Matrix bread(std::span<const double> p) const;
   // The meat where, with the inverse of the bread, every residual is divided by the root of 1 less its leverage, which
-  // makes its square unbiased (MacKinnon and White 1985, HC2).
-  Matrix meat(std::span<const double> p, const Matrix& inverse) const;
-  // Degrees of freedom of the variance of v'g for each v, g the gradient of one value: (sum a^2)^2 / sum a^4
-  // of the values' influences a, noise taken as proportional to the value (Bell and McCaffrey 2002).
-  std::vector<double> freedom(std::span<const double> p, const std::vector<std::vector<double>>& v) const;
+  // makes its square unbiased where all values are as noisy (MacKinnon and White 1985, HC2). With `expected`, the sandwich
+  // of the expected meat, it is unbiased where the noise is proportional to the value (Bell and McCaffrey 2002, of that
+  // working model; never below HC2, nor above HC3).
+  Matrix meat(std::span<const double> p, const Matrix& inverse, const Matrix* expected = nullptr) const;
+  // The meat of noise that is the value itself.
+  Matrix expected_meat(std::span<const double> p) const;
+  // What the values have of the variance of v'g for each v, g the gradient of one value; noise taken as proportional to
+  // the value.
+  std::vector<NoiseShares> noise_shares(std::span<const double> p,
+                                        const std::vector<std::vector<double>>& v) const;
   // The model's values and their standard errors, from the covariance of the solver's parameters.
   ValueErrors value_errors(std::span<const double> p, const Matrix& covariance) const;
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
@@ -104,12 +127,21 @@ class SampleStream {
 
  private:
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
+  // Nothing where the workspace still holds them: one block's lobes serve all passes at the same shapes.
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
+  void evaluate_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   void fill_tilted(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   Directions<double> tilt(const Vec3<double>& normal, std::size_t first, std::size_t rows,
                           Workspace& w) const;
+  struct Leverage {
+    const Matrix* inverse = nullptr;   // of the bread; null: residuals stay as they are
+    const Matrix* expected = nullptr;  // covariance of the unknowns under noise that is the value
+    bool noise_alone = false;          // that noise in the residuals' place
+  };
   // Only what is not null.
-  void add_scores(std::span<const double> p, const Matrix* inverse, Matrix* bread, Matrix* meat) const;
+  void add_scores(std::span<const double> p, const Leverage& leverage, Matrix* bread, Matrix* meat) const;
+  static void add_to_scores(const std::vector<std::vector<Contribution>>& map, bool robust, std::size_t rows,
+                            Workspace& w);
   void fill_jacobian(const double* weights, std::size_t rows, Workspace& w) const;
   template <class Visit>
   void for_each_block(Visit&& visit) const;
@@ -119,7 +151,7 @@ class SampleStream {
     double cost = 0;
   };
   ChannelSums accumulate(std::span<const double> p, const Matrix& weights, const Residual& residual,
-                         bool derivatives) const;
+                         bool derivatives, Besides* besides = nullptr) const;
   NormalEquations mapped(const ChannelSums& sums, std::span<const double> p) const;
   Matrix lobe_weights(std::span<const double> p) const;  // [channel][lobe]
 
@@ -129,6 +161,7 @@ class SampleStream {
   std::vector<ApertureNode> detector_;  // empty: readings are of one direction
   std::vector<RowRange> part_;
   std::shared_ptr<Spare> spare_;
+  std::uint64_t id_;  // of streams over these samples: a workspace knows by it whose lobes it holds
 };
 
 }  // namespace brdf::fit

@@ -11,13 +11,16 @@
 namespace brdf::fit {
 namespace {
 
+constexpr std::size_t kManyUnknowns = 32;
+
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost. A pivot below the rounding of its diagonal
-// is a direction that the samples do not see: its row is 0.
-void compress(const NormalEquations& n, Eigen::Ref<RowMatrix> jacobian, Eigen::Ref<Eigen::VectorXd> r) {
-  const Eigen::Index size = Eigen::Index(n.gradient.size());
-  RowMatrix upper = Eigen::Map<const RowMatrix>(n.hessian.a.data(), size, size);
+// Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost, in the unknowns `free`. A pivot below the rounding of its
+// diagonal is a direction that the samples do not see: its row is 0.
+void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref<RowMatrix> jacobian,
+              Eigen::Ref<Eigen::VectorXd> r) {
+  const Eigen::Index size = Eigen::Index(free.size()), all = Eigen::Index(n.gradient.size());
+  RowMatrix upper = Eigen::Map<const RowMatrix>(n.hessian.a.data(), all, all)(free, free);
   const Eigen::VectorXd diagonal = upper.diagonal();
   r.setZero();
   jacobian.setZero();
@@ -26,44 +29,56 @@ void compress(const NormalEquations& n, Eigen::Ref<RowMatrix> jacobian, Eigen::R
     double pivot = upper(i, i);
     if (!(pivot > 1e-14 * diagonal(i))) continue;
     pivot = std::sqrt(pivot);
-    double g = n.gradient[std::size_t(i)];
+    double g = n.gradient[std::size_t(free[std::size_t(i)])];
     for (Eigen::Index k = 0; k < i; ++k) g -= jacobian(k, i) * r(k);
     r(i) = g / pivot;
     rest -= r(i) * r(i);
     jacobian.row(i).segment(i, size - i) = upper.row(i).segment(i, size - i) / pivot;
     jacobian(i, i) = pivot;
     for (Eigen::Index j = i + 1; j < size; ++j)
-      for (Eigen::Index k = j; k < size; ++k) upper(j, k) -= jacobian(i, j) * jacobian(i, k);
+      upper.row(j).tail(size - j) -= jacobian(i, j) * jacobian.row(i).segment(j, size - j);
   }
   r(size) = std::sqrt(std::max(rest, 0.0));
 }
 
-// Ceres asks for cost and Jacobian separately: the last pass is remembered.
+// The cost in the parameters that are free. Ceres asks for cost and Jacobian separately: the last pass is remembered.
 class CompressedCost : public ceres::CostFunction {
  public:
-  CompressedCost(const Objective& objective, std::size_t size) : objective_(objective), size_(size) {
-    set_num_residuals(int(size) + 1);
-    mutable_parameter_block_sizes()->push_back(int(size));
+  explicit CompressedCost(const Objective& objective) : objective_(objective) {}
+
+  // The parameters that are not held become the unknowns, the others stay what they are in p. (A manifold of Ceres's would
+  // multiply the Jacobian by a matrix of its own at every step.)
+  void hold(const std::vector<int>& held, const std::vector<double>& p) {
+    p_ = p;
+    free_.clear();
+    for (std::size_t k = 0; k < held.size(); ++k)
+      if (!held[k]) free_.push_back(int(k));
+    set_num_residuals(int(free_.size()) + 1);
+    mutable_parameter_block_sizes()->assign(1, int(free_.size()));
+    compressed_ = false;
   }
+  const std::vector<int>& free() const { return free_; }
 
   // Whether cost and Jacobian are numbers there. Ceres would find out itself, and say so on the terminal.
-  bool finite_at(std::span<const double> p) const {
-    const Eigen::Index n = Eigen::Index(size_);
-    const NormalEquations& e = equations(p);
+  bool finite_at(const double* unknowns) const {
+    for (std::size_t k = 0; k < free_.size(); ++k) p_[std::size_t(free_[k])] = unknowns[k];
+    const Eigen::Index n = Eigen::Index(free_.size());
+    const NormalEquations& e = equations(p_);
     if (!std::isfinite(e.cost)) return false;
     if (!compressed_) {
       jacobian_.resize(n + 1, n);
       residuals_.resize(n + 1);
-      compress(e, jacobian_, residuals_);
+      compress(e, free_, jacobian_, residuals_);
       compressed_ = true;
+      finite_ = jacobian_.allFinite() && residuals_.allFinite();
     }
-    return jacobian_.allFinite() && residuals_.allFinite();
+    return finite_;
   }
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::Index n = Eigen::Index(size_);
-    if (!finite_at({parameters[0], size_})) return false;
-    std::copy(residuals_.data(), residuals_.data() + n + 1, residuals);
-    if (jacobians && jacobians[0]) std::copy(jacobian_.data(), jacobian_.data() + (n + 1) * n, jacobians[0]);
+    if (!finite_at(parameters[0])) return false;
+    std::copy(residuals_.begin(), residuals_.end(), residuals);
+    if (jacobians && jacobians[0])
+      std::copy(jacobian_.data(), jacobian_.data() + jacobian_.size(), jacobians[0]);
     return true;
   }
   const NormalEquations& equations(std::span<const double> p) const {
@@ -79,10 +94,10 @@ class CompressedCost : public ceres::CostFunction {
 
  private:
   const Objective& objective_;
-  std::size_t size_;
-  mutable std::vector<double> last_;
+  std::vector<int> free_;
+  mutable std::vector<double> p_, last_;
   mutable NormalEquations equations_;
-  mutable bool compressed_ = false;
+  mutable bool compressed_ = false, finite_ = false;
   mutable RowMatrix jacobian_;
   mutable Eigen::VectorXd residuals_;
   mutable int passes_ = 0;
@@ -124,31 +139,34 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
                Solution& solution) {
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(ownership);
-  problem.AddResidualBlock(&cost, nullptr, p.data());
-  std::vector<int> constant;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    if (std::isfinite(low[k])) problem.SetParameterLowerBound(p.data(), int(k), low[k]);
-    if (std::isfinite(high[k])) problem.SetParameterUpperBound(p.data(), int(k), high[k]);
-    if (held[k]) constant.push_back(int(k));
-  }
-  if (constant.size() == p.size()) {
+  cost.hold(held, p);
+  const std::vector<int>& free = cost.free();
+  if (free.empty()) {
     solution.termination = Termination::converged;
     solution.message = "every parameter is held";
     return;
   }
-  if (!cost.finite_at(p)) {
+  std::vector<double> unknowns;
+  for (int k : free) unknowns.push_back(p[std::size_t(k)]);
+  if (!cost.finite_at(unknowns.data())) {
     solution.termination = Termination::failed;
     solution.message = "Residual and Jacobian evaluation failed.";
     return;
   }
-  if (!constant.empty()) problem.SetManifold(p.data(), new ceres::SubsetManifold(int(p.size()), constant));
+  ceres::Problem problem(ownership);
+  problem.AddResidualBlock(&cost, nullptr, unknowns.data());
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    const std::size_t of = std::size_t(free[k]);
+    if (std::isfinite(low[of])) problem.SetParameterLowerBound(unknowns.data(), int(k), low[of]);
+    if (std::isfinite(high[of])) problem.SetParameterUpperBound(unknowns.data(), int(k), high[of]);
+  }
   ceres::Solver::Options o;
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = options.tolerance;
   o.parameter_tolerance = options.tolerance;
   o.gradient_tolerance = 0;  // its scale is the samples', which are not known here
-  o.linear_solver_type = ceres::DENSE_QR;
+  // The Jacobian is a Cholesky factor already: nothing is lost by another one, which is quicker where unknowns are many.
+  o.linear_solver_type = free.size() > kManyUnknowns ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   o.logging_type = ceres::SILENT;
   o.num_threads = 1;
   Watch watch(options.interrupted);
@@ -156,6 +174,7 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   o.max_num_consecutive_invalid_steps = std::numeric_limits<int>::max();
   ceres::Solver::Summary summary;
   ceres::Solve(o, &problem, &summary);
+  for (std::size_t k = 0; k < free.size(); ++k) p[std::size_t(free[k])] = unknowns[k];
   solution.termination = termination_of(summary);
   solution.message = watch.gave_up() ? "Five invalid steps in a row." : summary.message;
   solution.iterations += int(summary.iterations.size()) - watch.gave_up();
@@ -183,7 +202,7 @@ Solution solve(const Objective& objective, std::span<const double> start, std::s
   Solution s;
   s.p.assign(start.begin(), start.end());
   s.at_bound.assign(start.size(), 0);
-  CompressedCost cost(objective, start.size());
+  CompressedCost cost(objective);
   if (s.p.empty()) {
     s.cost = objective(s.p).cost;
     s.termination = Termination::converged;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/frame.h"
 #include "fit/solve/workspace.h"
 
 namespace brdf::fit {
@@ -33,25 +32,21 @@ void SampleStream::Workspace::make_room_for_normals(const Model& model) {
 Directions<double> SampleStream::tilt(const Vec3<double>& normal, std::size_t first, std::size_t rows,
                                       Workspace& w) const {
   const Directions<double> directions = data_.directions(first, rows);
-  for (std::size_t j = 0; j < rows; ++j) {
-    const Vec3<double> wi = in_frame_of(normal, directions.wi(j));
-    w.tilted.set(j, wi, in_frame_of(normal, directions.wo(j)));
-    w.cosine_ratio[j] = wi.z / directions.wi_z[j];
-  }
+  tilt_batch(directions, normal, w.tilted);
   Directions<double> out = w.tilted.view();
   out.count = rows;
+  divide(out.wi_z, directions.wi_z, rows, w.cosine_ratio.data());
   return out;
 }
 
 void SampleStream::fill_tilted(const Shapes& shapes, std::size_t first, std::size_t rows,
                                Workspace& w) const {
-  for (std::size_t k = 0; k < model_.lobes(); ++k)
-    for (std::size_t j = 0; j < rows; ++j) w.lobes[k][j] *= w.cosine_ratio[j];
+  const double* const ratio = w.cosine_ratio.data();
+  for (double* lobe : w.lobes) scale(ratio, rows, lobe);
   if (!shapes.derivatives) return;
   for (const TermModel& term : model_.terms())
     for (std::size_t q = 0; q < std::size_t(term.normal_partial); ++q)
-      for (double* column : w.derivatives[term.first_partial + q])
-        for (std::size_t j = 0; j < rows; ++j) column[j] *= w.cosine_ratio[j];
+      for (double* column : w.derivatives[term.first_partial + q]) scale(ratio, rows, column);
   std::fill(w.by_normal.begin(), w.by_normal.end(), 0.0);
   for (int a = 0; a < 2; ++a)
     for (const double side : {1.0, -1.0}) {
@@ -62,8 +57,7 @@ void SampleStream::fill_tilted(const Shapes& shapes, std::size_t first, std::siz
         columns.evaluate(shapes.shape[t], shapes.tangent_phi, Partial::none, directions, detector_);
         for (std::size_t k = 0; k < term.lobes; ++k) {
           double* out = w.derivatives[term.first_partial + std::size_t(term.normal_partial + a)][k];
-          for (std::size_t j = 0; j < rows; ++j)
-            out[j] += side / (2 * kStep) * columns.lobe(k)[j] * w.cosine_ratio[j];
+          add_product(side / (2 * kStep), columns.lobe(k), ratio, rows, out);
         }
       }
     }

@@ -1,6 +1,7 @@
 // What the passes over the samples share: the columns of a block of rows, and where each column's sums go.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,6 +18,11 @@ struct SampleStream::Shapes {
   Angle tangent_phi{};
   Vec3<double> normal{0, 0, 1};
   bool derivatives = true;
+
+  bool operator==(const Shapes& other) const {
+    return shape == other.shape && tangent_phi == other.tangent_phi && normal.x == other.normal.x &&
+           normal.y == other.normal.y && derivatives == other.derivatives;
+  }
 };
 
 // Columns of one block. Entries beyond the last row stay 0 in `slope`, which every sum is multiplied by.
@@ -36,6 +42,11 @@ struct SampleStream::Workspace {
     if (model.fits_normal()) make_room_for_normals(model);
   }
 
+  // Whose lobes these are.
+  std::uint64_t stream = 0;
+  Shapes shapes;
+  std::size_t first = 0, rows = 0;
+
   std::vector<LobeColumns> terms;
   std::vector<double*> lobes;                     // of all terms
   std::vector<std::vector<double*>> derivatives;  // [partial][lobe of its term]
@@ -54,11 +65,6 @@ struct SampleStream::Workspace {
   void make_room_for_normals(const Model& model);
 };
 
-// What one derivative column contributes to: the solver's parameters and the factors.
-struct Contribution {
-  std::size_t slot;
-  double factor;
-};
 using Contributions = std::vector<std::vector<Contribution>>;
 
 // Of the columns (lobes, partials, residual) of one channel; the residual has none.
@@ -68,6 +74,9 @@ void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out);
 
 // The matrix of the solver's parameters as seen by one channel's columns.
 Matrix of_columns(const Contributions& map, const Matrix& m);
+
+// What stands above the diagonal below it too.
+void mirror(Matrix& m);
 
 ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
                                const double* f);

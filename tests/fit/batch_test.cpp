@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "io/temporary_folder.h"
 #include "samples.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::fit {
 namespace {
@@ -34,7 +34,7 @@ class BatchOfFiles : public ::testing::Test {
 
   std::vector<BatchRow> run() { return run_batch(files_, {forms({"ward"})}, options_, batch_); }
 
-  const TemporaryFolder temporary_;
+  const io::TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path();
   std::vector<std::string> files_;
   BatchOptions batch_;

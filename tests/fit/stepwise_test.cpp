@@ -1,5 +1,4 @@
 // As many terms as the samples ask for.
-#include "fit/stepwise.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +30,7 @@ const Step& last_kept(const FitResult& result) {
 TEST(Stepwise, MattSamplesKeepADiffuseTerm) {
   Material matt = make_material(*find_form("lambert"), {"f"});
   matt.terms[0].weights = {{0.5}};
-  const FitResult result = fit_stepwise(fine_hemisphere(matt, 0.03, 1), {});
+  const FitResult result = fit(fine_hemisphere(matt, 0.03, 1), {}, {});
   EXPECT_EQ(result.ranking.front().form, "lambert");
   ASSERT_EQ(result.steps.size(), 3u);
   EXPECT_FALSE(result.steps[1].kept);
@@ -42,14 +41,14 @@ TEST(Stepwise, ARoughMattSurfaceAsksForADiffuseTermWithAShape) {
   Material rough = make_material(*find_form("oren_nayar"), {"f"});
   rough.terms[0].shape[0] = {0.42};
   rough.terms[0].weights = {{0.6}};
-  const FitResult result = fit_stepwise(fine_hemisphere(rough, 0.03, 2), {});
+  const FitResult result = fit(fine_hemisphere(rough, 0.03, 2), {}, {});
   EXPECT_TRUE(result.ranking.front().form.starts_with("oren_nayar")) << result.ranking.front().form;
   EXPECT_TRUE(std::ranges::any_of(
       result.steps, [](const Step& s) { return s.kept && s.added == "a diffuse term with a shape"; }));
 }
 
 TEST(Stepwise, OneLobeStaysOne) {
-  const FitResult result = fit_stepwise(fine_hemisphere(one_lobe(0.3, 0.5, 0.2, 0.25), 0.02, 2), {});
+  const FitResult result = fit(fine_hemisphere(one_lobe(0.3, 0.5, 0.2, 0.25), 0.02, 2), {}, {});
   EXPECT_EQ(result.ranking.front().form, "cook_torrance");
   ASSERT_EQ(result.steps.size(), 4u);
   EXPECT_TRUE(result.steps[1].kept);
@@ -59,7 +58,7 @@ TEST(Stepwise, OneLobeStaysOne) {
 }
 
 TEST(Stepwise, ASecondLobeIsFoundAndWhatItBoughtIsSaid) {
-  const FitResult result = fit_stepwise(fine_hemisphere(two_lobes(0.08, 0.4), 0.02, 3), {});
+  const FitResult result = fit(fine_hemisphere(two_lobes(0.08, 0.4), 0.02, 3), {}, {});
   const Step& step = last_kept(result);
   EXPECT_EQ(step.added, "a second lobe");
   EXPECT_EQ(step.model, result.ranking.front().form);
@@ -72,14 +71,14 @@ TEST(Stepwise, ATailOfItsOwnIsPreferredWhereItIsSeen) {
   Material m = make_material(*find_form("cook_torrance_student"), {"f"});
   m.terms[0].shape[0] = {0.3, 0.3, 6};
   m.terms[0].weights = {{0.02, 0.8, 0.4}};
-  const FormFit best = fit_stepwise(fine_hemisphere(m, 0.02, 4), {}).ranking.front();
+  const FormFit best = fit(fine_hemisphere(m, 0.02, 4), {}, {}).ranking.front();
   ASSERT_EQ(best.form, "cook_torrance_student");
   EXPECT_NEAR(best.material.terms[0].shape[0][2], 6, 1);
 }
 
 TEST(Stepwise, TheOrderOfRowsDecidesNothing) {
   io::SampleTable table = fine_hemisphere(two_lobes(0.1, 0.5), 0.03, 5);
-  const FitResult ordered = fit_stepwise(table, {});
+  const FitResult ordered = fit(table, {}, {});
   std::vector<std::size_t> order(table.rows());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::shuffle(order.begin(), order.end(), std::mt19937_64(9));
@@ -90,7 +89,7 @@ TEST(Stepwise, TheOrderOfRowsDecidesNothing) {
       (shuffled.*column)[k] = (table.*column)[order[k]];
     for (std::size_t c = 0; c < table.values.size(); ++c) shuffled.values[c][k] = table.values[c][order[k]];
   }
-  const FitResult again = fit_stepwise(shuffled, {});
+  const FitResult again = fit(shuffled, {}, {});
   ASSERT_EQ(again.steps.size(), ordered.steps.size());
   for (std::size_t k = 0; k < again.steps.size(); ++k) {
     EXPECT_EQ(again.steps[k].model, ordered.steps[k].model);

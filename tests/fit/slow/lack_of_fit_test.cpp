@@ -87,26 +87,28 @@ class LobeCoverage {
       Of& of = of_[p];
       of.statistical += e.low <= value && value <= e.high;
       of.enlarged += e.with_lack_of_fit.low <= value && value <= e.with_lack_of_fit.high;
+      of.moved += e.left_out.low <= value && value <= e.left_out.high;
       of.off += e.value - value;
       of.square += (e.value - value) * (e.value - value);
       of.half += (e.with_lack_of_fit.high - e.with_lack_of_fit.low) / 2;
     }
   }
   double enlarged(std::size_t p) const { return of_[p].enlarged / count_; }
+  double moved(std::size_t p) const { return of_[p].moved / count_; }
   void print(const char* pattern) const {
     for (std::size_t p = 0; p < kNames.size(); ++p) {
       const Of& of = of_[p];
       const double mean = of.off / count_, sd = std::sqrt(of.square / count_ - mean * mean);
       std::cout << "[ coverage ] " << pattern << ", " << kNames[p] << ": statistical "
                 << of.statistical / count_ << ", with lack of fit " << enlarged(p)
-                << "; in standard deviations of the value: off by " << mean / sd << ", half width "
-                << of.half / count_ / sd << '\n';
+                << ", values without a fold " << moved(p) << "; in standard deviations of the value: off by "
+                << mean / sd << ", half width " << of.half / count_ / sd << '\n';
     }
   }
 
  private:
   struct Of {
-    double statistical = 0, enlarged = 0, off = 0, square = 0, half = 0;
+    double statistical = 0, enlarged = 0, moved = 0, off = 0, square = 0, half = 0;
   };
   std::array<Of, 3> of_{};
   double count_ = 0;

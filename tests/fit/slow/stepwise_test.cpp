@@ -1,5 +1,4 @@
 // How often --form auto is right: fifty tables of one lobe, fifty of two.
-#include "fit/stepwise.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +31,7 @@ TEST(StepwiseInFifty, NoSecondLobeWhereThereIsOne) {
   for (int k = 0; k < kTables; ++k) {
     const Material truth = random_material(families[std::size_t(k) % families.size()], random);
     const FitResult found =
-        fit_stepwise(fine_hemisphere(truth, between(random, 0.01, 0.05), std::uint64_t(k + 1)), {});
+        fit(fine_hemisphere(truth, between(random, 0.01, 0.05), std::uint64_t(k + 1)), {}, {});
     if (lobes_of(found) < 2) continue;
     ++wrong;
     std::cout << "table " << k << ", " << info(truth.terms[0].form).name << ": " << found.ranking.front().form
@@ -55,7 +54,7 @@ TEST(StepwiseInFifty, TheSecondOfTwoIsFound) {
     truth.terms[1].shape[0] = {wide, wide};
     truth.terms[1].weights = {{0, between(random, 0.3, 0.6), 0.3}};
     const FitResult result =
-        fit_stepwise(fine_hemisphere(truth, between(random, 0.01, 0.03), std::uint64_t(k + 1)), {});
+        fit(fine_hemisphere(truth, between(random, 0.01, 0.03), std::uint64_t(k + 1)), {}, {});
     found += lobes_of(result) == 2;
     if (lobes_of(result) != 2)
       std::cout << "table " << k << ": widths " << narrow << ", " << wide << ": "

@@ -1,0 +1,52 @@
+#include "cli/fit_table.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "cli/terminal.h"
+#include "fit/report/html.h"
+#include "fit/report/report.h"
+#include "io/material_json.h"
+#include "io/output.h"
+
+namespace brdf::cli {
+namespace {
+
+void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options) {
+  PlainText out;
+  fit::print(out, result, table, options, {columns_of(STDOUT_FILENO), colours_on(STDOUT_FILENO)});
+}
+
+}  // namespace
+
+io::SampleTable table_to_fit(const std::string& file, const fit::FitOptions& options) {
+  io::SampleTable read = io::read_samples(file);
+  const std::size_t said = read.warnings.size();
+  io::SampleTable table = fit::arranged(std::move(read), options);
+  for (std::size_t k = said; k < table.warnings.size(); ++k)
+    std::cerr << "brdf fit: " << table.warnings[k] << '\n';
+  return table;
+}
+
+Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,
+               const FitTargets& targets) {
+  const fit::FormFit& best = result.ranking.front();
+  const std::string& output = targets.material;
+  if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output))
+    std::cerr << "brdf fit: interrupted: " << output << " is kept as it was\n";
+  else if (!output.empty() && best.solved())
+    io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
+  else if (!output.empty())
+    std::cerr << "brdf fit: no form could be fitted: " << output << " is not written\n";
+  if (!targets.report.empty())
+    io::write_file_atomically(targets.report, fit::html_report(result, table, options));
+  if (targets.json)
+    std::cout << io::to_text(fit::to_json(result, table, options));
+  else
+    print(result, table, options);
+  return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,56 @@
+// Whose noise a parameter's variance is: many values' or a few.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace brdf::fit {
+
+// Parts of a variance, one for each value: their sum, the sum of their squares, and the largest.
+class NoiseShares {
+ public:
+  static constexpr std::size_t kLargest = 8;
+
+  void add(double variance) {
+    sum_ += variance;
+    squares_ += variance * variance;
+    if (!(variance > largest_[least_])) return;
+    largest_[least_] = variance;
+    least_ = std::size_t(std::min_element(largest_.begin(), largest_.end()) - largest_.begin());
+  }
+
+  void add(std::span<const double> variances) {
+    NoiseShares all = *this;  // a local one stays in registers
+    for (const double variance : variances) all.add(variance);
+    *this = all;
+  }
+
+  // Whether there is any noise.
+  bool any() const { return squares_ > 0; }
+  // Degrees of freedom of the variance that is estimated from these values (Satterthwaite 1946).
+  double freedom() const { return sum_ * sum_ / squares_; }
+  // The largest parts as shares of the whole; then what the others have together, and their degrees of freedom.
+  std::array<double, kLargest> largest() const {
+    std::array<double, kLargest> out = largest_;
+    for (double& share : out) share /= sum_;
+    return out;
+  }
+  struct Others {
+    double share = 0, freedom = 0;
+  };
+  Others others() const {
+    double sum = sum_, squares = squares_;
+    for (const double variance : largest_) sum -= variance, squares -= variance * variance;
+    if (!(sum > 1e-9 * sum_) || !(squares > 0)) return {};
+    return {sum / sum_, sum * sum / squares};
+  }
+
+ private:
+  double sum_ = 0, squares_ = 0;
+  std::array<double, kLargest> largest_{};
+  std::size_t least_ = 0;  // of the largest
+};
+
+}  // namespace brdf::fit

@@ -1,0 +1,139 @@
+#include "fit/solved.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "fit/assess/assess.h"
+#include "fit/assess/errors.h"
+#include "fit/assess/lack_of_fit.h"
+#include "fit/assess/verdict.h"
+#include "fit/model/constraints.h"
+#include "fit/solve/minima.h"
+#include "io/numbers.h"
+#include "io/parallel.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr std::size_t kListedMinima = 10;
+constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 1995)
+
+std::string energy_text(const LargestAlbedo& a, const FitOptions& options) {
+  return "reflects more light than falls on it: " + io::percent_to_tenths(a.value) + " at " +
+         io::short_number(a.theta) + " degrees (" + a.channel + ")" +
+         (a.theta > options.max_theta ? ", beyond the samples" : "") +
+         (options.physical == Physical::off ? "; --physical bounds the weights" : "");
+}
+
+double information_criterion(const SampleStream& stream, const Minimum& m) {
+  double free = 0;
+  for (int b : m.at_bound) free += b == 0;
+  const double n = double(stream.data().rows() * stream.data().channels.size());
+  return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
+}
+
+Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
+                 std::optional<double> noise) {
+  Solved solved{{}, Model(forms, data.channels, options), chosen_residual(data, options), {}};
+  const Model& model = solved.model;
+  Residual& residual = solved.residual;
+  SearchResult search = find_minima(data, model, residual, options);
+  FormFit& out = solved.fit;
+  out.form = model.name();
+  out.starts = search.starts;
+  out.iterations = search.iterations;
+  out.passes = search.passes;
+  out.parameters = model.size();
+  if (search.minima.empty()) {
+    out.material = model.material(model.initial());
+    out.verdict = search.interrupted ? Verdict::interrupted : Verdict::diverged;
+    out.findings.push_back("no start gave a finite cost");
+    return solved;
+  }
+  residual.loss.scale = out.loss_scale = search.loss_scale;
+  const SampleStream stream(data, model, residual, options.aperture);
+  Minimum& best = search.minima[0];
+  drop_negligible_lobes(stream, best);
+  const std::vector<std::vector<double>> values = stream.values(best.p);
+  out.metrics = measure(data, values);
+  out.errors = relative_errors(data, values, {0, data.rows()});
+  out.median_relative_error = out.errors.median;
+  const Uncertainty u = uncertainty(stream, best);
+  const Misfit misfit = judge(data, values, noise);
+  out.verdict = search.interrupted ? Verdict::interrupted : verdict_of(best, u, misfit);
+  out.lack_of_fit = lack_of_fit(stream, values, noise);
+  out.solver_message = best.message;
+  if (out.verdict == Verdict::interrupted) out.findings.push_back("interrupted: the best parameters so far");
+  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + best.message);
+  if (misfit.misfit) out.findings.push_back(misfit.finding);
+  out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
+  if (search.minima.size() > 1 && search.minima[1].cost <= (1 + kSameCost) * search.minima[0].cost)
+    out.findings.push_back("another minimum has the same cost: " +
+                           shape_text(model.material(search.minima[1].p)));
+  out.material = model.material(best.p);
+  out.estimates = u.estimates;
+  out.smooth = u.smooth;
+  out.correlations = u.correlations;
+  out.covariance = u.covariance;
+  out.prediction_error = u.prediction_error;
+  out.largest_albedo = largest_albedo(out.material);
+  if (out.largest_albedo->breaks_energy() && !options.free_scale)
+    out.findings.push_back(energy_text(*out.largest_albedo, options));
+  out.condition = u.condition;
+  out.bic = information_criterion(stream, best);
+  for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)
+    out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
+  solved.p = best.p;
+  return solved;
+}
+
+// The weights of a dielectric where the samples do not speak against them, else those whose sum is bounded.
+Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& given,
+                    std::optional<double> noise) {
+  FitOptions options = given;
+  const Constraints constraints = resolve(forms, data.channels, options);
+  if (!can_be_dielectric(forms, constraints)) {
+    options.physical = Physical::bounded;
+    return fit_model(data, forms, options, noise);
+  }
+  options.physical = Physical::dielectric;
+  Solved dielectric = fit_model(data, forms, options, noise);
+  if (must_be_dielectric(forms, constraints)) return dielectric;
+  options.physical = Physical::bounded;
+  Solved bounded = fit_model(data, forms, options, noise);
+  const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic - kStrongEvidence);
+  const std::string of_others = io::short_number(bounded.fit.bic), own = io::short_number(dielectric.fit.bic);
+  Solved chosen = std::move(keeps ? dielectric : bounded);
+  chosen.fit.findings.push_back(
+      keeps ? "--physical: taken for a dielectric, whose specular weight is 1 (BIC " + own +
+                  "); with weights that add up to at most 1 instead BIC is " + of_others
+            : "--physical: no dielectric, whose specular weight would be 1: BIC would be " + own +
+                  " in place of " + of_others);
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vector<Reflectance>>& models,
+                               const FitOptions& options, std::optional<double> noise,
+                               const Progress& progress) {
+  const auto fitted = options.physical == Physical::either ? fit_physical : fit_model;
+  std::vector<std::optional<Solved>> found(models.size());
+  std::mutex speaking;
+  const auto fit_one = [&](std::size_t k) {
+    if (options.stop() && k > 0) return;
+    if (progress) {
+      const std::lock_guard lock(speaking);
+      progress(name_of_sum(models[k]));
+    }
+    found[k] = fitted(data, models[k], options, noise);
+  };
+  io::parallel_for(models.size(), fit_one, options.threads);
+  std::vector<Solved> all;
+  for (std::optional<Solved>& s : found)
+    if (s) all.push_back(std::move(*s));
+  return all;
+}
+
+}  // namespace brdf::fit
