@@ -18,8 +18,8 @@ using AnyForm =
                  phong, phong_unnormalised, phong_classic, phong_as_coded,
                  blinn_phong, blinn_phong_n8, blinn_phong_unnormalised, blinn_phong_as_coded,
                  ward, ward_duer, ward_bounded, ward_as_coded,
-                 cook_torrance, cook_torrance_beckmann, cook_torrance_student, cook_torrance_dielectric, cook_torrance_vcavity,
-                 cook_torrance_1982, cook_torrance_schlick_ggx, cook_torrance_as_printed,
+                 cook_torrance, cook_torrance_beckmann, cook_torrance_student, cook_torrance_dielectric, cook_torrance_conductor,
+                 cook_torrance_vcavity, cook_torrance_1982, cook_torrance_schlick_ggx, cook_torrance_as_printed,
                  cook_torrance_as_coded>;
 // clang-format on
 

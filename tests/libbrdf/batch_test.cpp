@@ -17,7 +17,7 @@ template <class Form>
 struct Batch : ::testing::Test {};
 TYPED_TEST_SUITE(Batch, CatalogueTypes, FormName);
 
-constexpr std::size_t kCount = 1003;  // no multiple of any vector length
+constexpr std::size_t kDirections = 1003;  // no multiple of any vector length
 
 double between(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution(low, high)(random);
@@ -32,8 +32,8 @@ DirectionArrays<T> random_directions(unsigned seed) {
     const Vec3<double> w = direction(radians(theta), radians(between(random, 0, 2 * kPi)));
     return Vec3<T>{T(w.x), T(w.y), i % 50 == 0 ? T(0) : T(w.z)};
   };
-  DirectionArrays<T> directions(kCount);
-  for (std::size_t i = 0; i < kCount; ++i) {
+  DirectionArrays<T> directions(kDirections);
+  for (std::size_t i = 0; i < kDirections; ++i) {
     const Vec3<T> wi = one(i);
     directions.set(i, wi, i % 7 == 0 ? Vec3<T>{-wi.x, -wi.y, wi.z} : one(i + i / 5));
   }
@@ -72,14 +72,14 @@ void expect_values_as_scalar() {
     const Weights w = random_parameters<Weights>(10 * seed);
     const Weights first = random_parameters<Weights>(10 * seed + 1);
     const Shape shape = random_parameters<Shape>(10 * seed + 2);
-    std::vector<T> f(kCount), f_cos(kCount);
+    std::vector<T> f(kDirections), f_cos(kDirections);
     const auto own = to_values<T>(w), of_first = to_values<T>(first);
     const auto of_shape = to_values<T>(shape);
     const ParameterValues<T> values{own, of_first, of_shape};
     const Reflectance form = F{};
     form->eval(values, d, f.data());
     form->eval_cos(values, d, f_cos.data());
-    for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t i = 0; i < kDirections; ++i) {
       const Geometry<T> g = geometry(d.wi(i), d.wo(i));
       expect_same_bits(f[i], eval(F{}, w, first, shape, g), i);
       expect_same_bits(f_cos[i], eval_cos(F{}, w, first, shape, g), i);
@@ -103,7 +103,7 @@ void expect_lobes_as_scalar() {
   const auto arrays = random_directions<T>(7);
   const Directions<T> d = arrays.view();
   const Shape shape = random_parameters<Shape>(8);
-  const std::size_t stride = kCount + 13;
+  const std::size_t stride = kDirections + 13;
   const auto rows = [&](Partial partial, std::size_t partials) {
     std::vector<T> values(K * (1 + partials) * stride, T(-1));
     Reflectance(F{})->lobes(to_values<T>(shape), partial, d, {values.data(), stride});
@@ -116,7 +116,7 @@ void expect_lobes_as_scalar() {
   std::array<S, P> variables;
   for (std::size_t j = 0; j < P; ++j) variables[j] = S::variable(values[j], j);
   const auto dual_shape = from_values<typename F::template Shape<S>>(std::span<const S>(variables));
-  for (std::size_t i = 0; i < kCount; ++i) {
+  for (std::size_t i = 0; i < kDirections; ++i) {
     const Geometry<T> g = geometry(d.wi(i), d.wo(i));
     const bool below = g.lowest < 0;
     const auto scalar = F::lobes(shape, g);
@@ -189,10 +189,10 @@ TYPED_TEST(Batch, TermsAreSeenFromTheirTurnedFrame) {
   for (std::size_t c = 0; c < 3; ++c) {
     const auto weights = typed_weights(TypeParam{}, term, c);
     const auto shape = typed_shape(TypeParam{}, term, c);
-    std::vector<double> f(kCount), f_cos(kCount);
+    std::vector<double> f(kDirections), f_cos(kDirections);
     eval_batch(term, c, d, f.data());
     eval_cos_batch(term, c, d, f_cos.data());
-    for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t i = 0; i < kDirections; ++i) {
       const auto g = geometry(turn(d.wi(i), cosine, sine), turn(d.wo(i), cosine, sine));
       expect_same_bits(f[i], eval(TypeParam{}, weights, first, shape, g), i);
       expect_same_bits(f_cos[i], eval_cos(TypeParam{}, weights, first, shape, g), i);
@@ -210,9 +210,9 @@ TYPED_TEST(Batch, TermsInFloatAreTheirFormInFloat) {
   term.tangent_phi = radians(0.4);
   const auto arrays = random_directions<float>(6);
   const Directions<float> d = arrays.view();
-  DirectionArrays<float> turned(kCount);
+  DirectionArrays<float> turned(kDirections);
   const float cosine = float(std::cos(0.4)), sine = float(std::sin(0.4));
-  for (std::size_t i = 0; i < kCount; ++i)
+  for (std::size_t i = 0; i < kDirections; ++i)
     turned.set(i, turn(d.wi(i), cosine, sine), turn(d.wo(i), cosine, sine));
   const auto rounded = [](const std::vector<double>& values) {
     return std::vector<float>(values.begin(), values.end());
@@ -220,12 +220,12 @@ TYPED_TEST(Batch, TermsInFloatAreTheirFormInFloat) {
   const std::vector<float> weights = rounded(term.weights[1]), first = rounded(term.weights[0]);
   const std::vector<float> shape = rounded(term.shape[0]);
   const ParameterValues<float> values{weights, first, shape, 1};
-  std::vector<float> f(kCount), f_cos(kCount), own(kCount), own_cos(kCount);
+  std::vector<float> f(kDirections), f_cos(kDirections), own(kDirections), own_cos(kDirections);
   term.form->eval(values, turned.view(), own.data());
   term.form->eval_cos(values, turned.view(), own_cos.data());
   eval_batch(term, 1, d, f.data());
   eval_cos_batch(term, 1, d, f_cos.data());
-  for (std::size_t i = 0; i < kCount; ++i) {
+  for (std::size_t i = 0; i < kDirections; ++i) {
     expect_same_bits(f[i], own[i], i);
     expect_same_bits(f_cos[i], own_cos[i], i);
     if (this->HasFatalFailure()) return;

@@ -4,14 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
 #include <map>
 
 #include "brdf/directions.h"
+#include "brdf/integrals.h"
 #include "brdf/material.h"
 #include "brdf/random.h"
+#include "brdf/targets/three_table.h"
 
 namespace brdf {
 namespace {
@@ -115,6 +118,54 @@ double gltf(const Hit& c) {
   return dielectric * (1 - c["metallic"]) + metal * c["metallic"];
 }
 
+// mx_microfacet_diffuse.glsl: mx_oren_nayar_diffuse; the node clamps l.v.
+double materialx_diffuse(const Hit& c) {
+  const double l_v = std::clamp(dot(c.l, c.v), 1e-8, 1.0), s = l_v - c.l.z * c.v.z;
+  const double stinv = s > 0 ? s / std::max(c.l.z, c.v.z) : 0, sigma2 = c["sigma"] * c["sigma"];
+  return 1 - 0.5 * (sigma2 / (sigma2 + 0.33)) + 0.45 * sigma2 / (sigma2 + 0.09) * stinv;
+}
+// mx_microfacet_specular.glsl: mx_ggx_dir_albedo_analytic with F0 = F90 = 1, row by row of its sum.
+double materialx_white(double x, double y) {
+  const double rows[9][4] = {
+      {0.1003, 0.9345, 1, 1},          {-0.6303, -2.323, -1.765, 0.2281}, {9.748, 2.229, 8.263, 15.94},
+      {-2.038, -3.748, 11.53, -55.83}, {29.34, 1.424, 28.96, 13.08},      {-8.245, -0.7684, -7.507, 41.26},
+      {-26.44, 1.436, -36.11, 54.9},   {19.99, 0.2913, 15.86, 300.2},     {-5.448, 0.6286, 33.37, -285.1}};
+  const double terms[9] = {1, x, y, x * y, x * x, y * y, x * x * y, x * y * y, x * x * y * y};
+  double r[4] = {};
+  for (int k = 0; k < 9; ++k)
+    for (int j = 0; j < 4; ++j) r[j] += rows[k][j] * terms[k];
+  return std::clamp(r[0] / r[2], 0.0, 1.0) + std::clamp(r[1] / r[3], 0.0, 1.0);
+}
+// mx_generalized_schlick_bsdf.glsl; response holds cos_l.
+double materialx(const Hit& c) {
+  const double alpha = std::sqrt(c["alpha_x"] * c["alpha_y"]), a2 = alpha * alpha, f0 = c["f0"];
+  const auto length = [&](double n_w) { return std::sqrt(a2 + (1 - a2) * n_w * n_w); };
+  const double g2 = 2 * c.l.z * c.v.z / (length(c.l.z) * c.v.z + length(c.v.z) * c.l.z);
+  const double f = f0 + (1 - f0) * pow5(1 - c.l_h()), fss = f0 + (1 - f0) * (1.0 / 21),
+               e = materialx_white(c.v.z, alpha);
+  const double lobe = d_of_slopes(c) * f * g2 * (1 + fss * (1 - e) / e) / (4 * c.v.z) / c.l.z;
+  return c["kd"] * materialx_diffuse(c) / pi() + c["ks"] * lobe;
+}
+
+// lights_physical_fragment.glsl.js and lights_physical_pars_fragment.glsl.js; the texture as the header holds it.
+double three(const Hit& c) {
+  const double roughness = std::sqrt(c["alpha_y"]), at = c["alpha_x"], ab = c["alpha_y"], a2 = at * ab;
+  const double m = c["metallic"], base = c["base_color"], ior = c["eta"];
+  const double specular_color = std::min(std::pow((ior - 1) / (ior + 1), 2), 1.0) * c["specular"];
+  const double blended = specular_color + (base - specular_color) * m,
+               f90 = c["specular"] + (1 - c["specular"]) * m;
+  const double ess = three_white_albedo(c.v.z, roughness), comp = 1 + blended * (1 / ess - 1);
+  const double dot_vh = c.l_h(), fresnel = std::exp2((-5.55473 * dot_vh - 6.98316) * dot_vh);
+  const auto schlick = [&](double f0) { return f0 * (1 - fresnel) + f90 * fresnel; };
+  const auto length = [&](const Vec3<double>& w) {
+    return std::sqrt(at * at * w.x * w.x + ab * ab * w.y * w.y + w.z * w.z);
+  };
+  const double v = 0.5 / (c.l.z * length(c.v) + c.v.z * length(c.l));
+  const double w2 = a2 / (std::pow(ab * c.h.x, 2) + std::pow(at * c.h.y, 2) + std::pow(a2 * c.h.z, 2));
+  return schlick(blended) * v * a2 * w2 * w2 / pi() * comp +
+         base * (1 - m) / pi() * (1 - schlick(specular_color));
+}
+
 const std::map<std::string, std::function<double(const Hit&)>> kSources{
     {"blender_glossy", [](const Hit& c) { return c["kd"] / pi() + c["ks"] * separable(c); }},
     {"blender_principled", blender_principled},
@@ -132,7 +183,9 @@ const std::map<std::string, std::function<double(const Hit&)>> kSources{
      [](const Hit& c) {
        return c["kd"] / pi() + c["ks"] * correlated(c) * pbrt_fresnel(c.l_h(), {c["n"], c["k"]});
      }},
-    {"gltf_metallic_roughness", gltf}};
+    {"gltf_metallic_roughness", gltf},
+    {"materialx_schlick", materialx},
+    {"three_physical", three}};
 
 TEST(Targets, AreWhatTheirSourcesCompute) {
   Random random(7);
@@ -176,6 +229,28 @@ TEST(Targets, AreFoundByNameAndStandInNoListOfForms) {
     EXPECT_TRUE(target.info().fittable()) << target.info().name;
     EXPECT_FALSE(target.info().canonical);
   }
+}
+
+// The texture was sampled: it is near the integral that it stands for, and no copy of it.
+TEST(Targets, ThreesTableIsNearTheAlbedoOfAWhiteLobe) {
+  Material white = make_material(*find_form("cook_torrance"), {"f"});
+  white.terms[0].weights[0] = {0, 1, 1};
+  double grazing = 0, elsewhere = 0;
+  for (std::size_t row = 0; row < kThreeSide; ++row)
+    for (std::size_t column = 0; column < kThreeSide; ++column) {
+      const double cosine = (double(row) + 0.5) / kThreeSide, roughness = (double(column) + 0.5) / kThreeSide;
+      white.terms[0].shape[0] = {roughness * roughness, roughness * roughness};
+      const double albedo =
+          directional_albedo(white, radians(std::acos(cosine)), {}, {.tolerance = 1e-5})[0].value;
+      const double table = three_white_albedo(cosine, roughness);
+      EXPECT_EQ(table, kThreeAlbedo[row * kThreeSide + column] / 10000.0);
+      double& worst = row < 2 ? grazing : elsewhere;
+      worst = std::max(worst, std::abs(table - albedo));
+    }
+  EXPECT_LT(grazing, 0.016);
+  EXPECT_GT(grazing, 0.01);
+  EXPECT_LT(elsewhere, 0.003);
+  EXPECT_GT(elsewhere, 1e-4);
 }
 
 // The Metallic BSDF of Blender 4.3 is our cook_torrance, bit for bit.

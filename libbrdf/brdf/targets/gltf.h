@@ -4,6 +4,9 @@
 
 namespace brdf {
 
+inline constexpr ParameterInfo kSpecularShareInfo{
+    "specular", 0, 1, 1, 1, "", false, "share of the dielectric part's lobe", Role::specular};
+
 template <class T>
 struct MetalOrDielectric {
   T alpha_x, alpha_y, metallic, eta, specular;
@@ -12,9 +15,7 @@ struct MetalOrDielectric {
                       Field{&MetalOrDielectric::alpha_y, kAcrossInfo},
                       Field{&MetalOrDielectric::metallic, kMetallicInfo},
                       Field{&MetalOrDielectric::eta, kPrincipledIndexInfo},
-                      Field{&MetalOrDielectric::specular,
-                            ParameterInfo{"specular", 0, 1, 1, 1, "", false,
-                                          "share of the dielectric part's lobe", Role::specular}}};
+                      Field{&MetalOrDielectric::specular, kSpecularShareInfo}};
   }
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };

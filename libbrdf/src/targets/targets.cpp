@@ -4,15 +4,18 @@
 
 #include "brdf/targets/blender.h"
 #include "brdf/targets/gltf.h"
+#include "brdf/targets/materialx.h"
 #include "brdf/targets/mitsuba.h"
 #include "brdf/targets/pbrt.h"
+#include "brdf/targets/three.h"
 
 namespace brdf {
 
 std::span<const Reflectance> targets() {
   static const std::vector<Reflectance> all{
-      blender_glossy{},     blender_principled{}, blender_metallic{},       mitsuba_roughconductor{},
-      mitsuba_principled{}, pbrt_conductor{},     gltf_metallic_roughness{}};
+      blender_glossy{},          blender_principled{}, blender_metallic{},
+      mitsuba_roughconductor{},  mitsuba_principled{}, pbrt_conductor{},
+      gltf_metallic_roughness{}, materialx_schlick{},  three_physical{}};
   return all;
 }
 

@@ -177,6 +177,16 @@ E dielectric(const Case& c) {
   return pow((g - cosine) / (g + cosine), 2) / 2 *
          (1 + pow((cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1), 2));
 }
+// Born and Wolf, Principles of Optics, 14.2: N = n + i k, w = a + i b = N cos of the angle inside.
+E conductor(const Case& c) {
+  const E n = c["n"], k = c["k"], cosine = c.oh, re = n * n - k * k, im = 2 * n * k;
+  const E inside = re - 1 + cosine * cosine, size = sqrt(inside * inside + im * im);
+  const E a = sqrt((size + inside) / 2), b = sqrt((size - inside) / 2);
+  const auto share = [](const E& x, const E& y, const E& u, const E& v) {
+    return E(((x - u) * (x - u) + (y - v) * (y - v)) / ((x + u) * (x + u) + (y + v) * (y + v)));
+  };
+  return (share(cosine, 0, a, b) + share(re * cosine, im * cosine, a, b)) / 2;
+}
 E microfacet(const Case& c, const E& d, const E& f, const E& g, const E& four = 4) {
   return diffuse(c) + c["ks"] * d * f * g / (four * c.ni * c.no);
 }
@@ -257,6 +267,10 @@ const std::map<std::string, std::function<E(const Case&)>, std::less<>>& textboo
       {"cook_torrance_dielectric",
        [](const Case& c) {
          return microfacet(c, d_ggx(c), dielectric(c), smith(lambda_ggx(c, c.i), lambda_ggx(c, c.o)));
+       }},
+      {"cook_torrance_conductor",
+       [](const Case& c) {
+         return microfacet(c, d_ggx(c), conductor(c), smith(lambda_ggx(c, c.i), lambda_ggx(c, c.o)));
        }},
       {"cook_torrance_vcavity",
        [](const Case& c) { return microfacet(c, d_beckmann(c), dielectric(c), v_cavity(c)); }},
