@@ -7,6 +7,7 @@
 #include "cli/verbs.h"
 #include "interop/programs.h"
 #include "interop/rgl.h"
+#include "interop/told.h"
 #include "io/error.h"
 #include "io/glsl.h"
 #include "io/material_json.h"
@@ -16,21 +17,28 @@
 #include "io/shader_texts.h"
 #include "measured/cells.h"
 #include "measured/on_sphere.h"
+#include "synth/instrument.h"
 
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct ExportCall {
   MaterialOptions material;
   std::string measured, to, output, kernels = "own";
-  bool include = false, naive = false;
+  bool include = false, naive = false, json = false;
   std::optional<double> max_loss;
   std::uint64_t size = interop::kUsualTable;
 };
 
 constexpr const char *kMerl = "merl", *kRgl = "rgl";
 
-void write(const Options& o, const std::string& text) {
+// What --json says besides, and how it ended.
+struct Made {
+  io::Json json;
+  Exit exit = Exit::good;
+};
+
+void write(const ExportCall& o, const std::string& text) {
   if (o.output.empty())
     std::cout << text;
   else
@@ -38,13 +46,13 @@ void write(const Options& o, const std::string& text) {
 }
 
 // What the material is called there: its own name, or its file's.
-std::string name_of(const Options& o, const io::MaterialFile& file) {
+std::string exported_name(const ExportCall& o, const io::MaterialFile& file) {
   if (!file.name.empty()) return file.name;
   return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
                                  : o.material.form;
 }
 
-void check_measured(const Options& o) {
+void check_measured(const ExportCall& o) {
   if (o.to != kMerl && o.to != kRgl)
     throw InputError(
         "--measured " + o.measured + " --to " + o.to +
@@ -54,38 +62,47 @@ void check_measured(const Options& o) {
     throw InputError("--measured: goes with --material alone, whose ratio to the samples is interpolated");
 }
 
-void check_output(const Options& o) {
+void check_output(const ExportCall& o) {
   if (o.output.empty()) throw InputError("--to " + o.to + ": needs -o FILE");
   io::check_targets({{"-o", o.output}}, {o.measured, o.material.material, o.material.shader.file});
 }
 
 // Samples, with what lies between them.
-std::shared_ptr<const measured::MeasuredReflectance> seen(const Options& o) {
+std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
   std::optional<Material> fitted;
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
   return measured::seen_in_colour(io::read_samples(o.measured), fitted ? &*fitted : nullptr,
                                   measured::MeasuredReflectance::Beside::likeliest);
 }
 
-Exit export_merl(const Options& o) {
-  if (o.measured.empty())
-    throw InputError("--to merl: needs --measured SAMPLES; brdf convert writes a material's cells");
-  check_output(o);
-  const io::SampleTable cells = measured::at_merl_cells(seen(o));
-  const std::vector<std::string> lost = io::merl::write(o.output, cells);
-  std::cerr << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
-            << "; -1 where nothing was measured\n";
-  for (const std::string& what : lost) std::cerr << "brdf export: lost: " << what << '\n';
-  return Exit::good;
+io::SampleTable material_at_merl_cells(const ExportCall& o) {
+  const Material material = choose_material_file(o.material, "export").material;
+  if (is_anisotropic(material))
+    throw interop::Refused("--to merl: the material is anisotropic, and MERL files are isotropic");
+  synth::Instrument instrument;
+  instrument.grid.parts = {kMerl};
+  return synth::measure(material, instrument);
 }
 
-Exit export_rgl(const Options& o) {
+Made export_merl(const ExportCall& o) {
+  check_output(o);
+  if (o.include) throw InputError("--include: is for shaders");
+  const bool measured = !o.measured.empty();
+  const io::SampleTable cells = measured ? measured::at_merl_cells(seen(o)) : material_at_merl_cells(o);
+  const std::vector<std::string> lost = io::merl::write(o.output, cells);
+  std::cerr << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
+            << "; -1 " << (measured ? "where nothing was measured" : "below the horizon") << '\n';
+  for (const std::string& what : lost) std::cerr << "brdf export: lost: " << what << '\n';
+  return {{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
+}
+
+Made export_rgl(const ExportCall& o) {
   check_output(o);
   if (o.include) throw InputError("--include: is for shaders");
   std::string bytes;
   if (o.measured.empty()) {
     const io::MaterialFile file = choose_material_file(o.material, "export");
-    bytes = interop::rgl_of(file.material, name_of(o, file), o.size);
+    bytes = interop::rgl_of(file.material, exported_name(o, file), o.size);
   } else {
     const auto measurement = seen(o);
     if (measurement->turning() == measured::Turning::turned)
@@ -95,7 +112,7 @@ Exit export_rgl(const Options& o) {
   }
   io::write_file_atomically(o.output, bytes);
   std::cerr << "brdf export: " << bytes.size() << " bytes to " << o.output << '\n';
-  return Exit::good;
+  return {{{"kind", "table"}, {"bytes", bytes.size()}}};
 }
 
 std::optional<io::ShaderLanguage> language_of(const std::string& to) {
@@ -105,45 +122,67 @@ std::optional<io::ShaderLanguage> language_of(const std::string& to) {
   return std::nullopt;
 }
 
-Exit export_formula(const Options& o) {
+Made export_formula(const ExportCall& o) {
   io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const bool with_material = !o.material.material.empty() || !o.material.set.empty();
   if (const auto language = language_of(o.to)) {
     if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
-    write(o,
-          io::shader_text(file.material, *language, with_material, name_of(o, file), o.kernels == "builtin"));
-    return Exit::good;
+    write(o, io::shader_text(file.material, *language, with_material, exported_name(o, file),
+                             o.kernels == "builtin"));
+    return {{{"kind", "exact"}}};
   }
   write(o,
         io::glsl_source(file.material, {.material = with_material,
                                         .whole = !o.include,
                                         .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
                                         .builtin_kernels = o.kernels == "builtin"}));
-  return Exit::good;
+  return {{{"kind", "exact"}}};
 }
 
-Exit export_program(const Options& o, const interop::Program& program) {
+Made export_program(const ExportCall& o, const interop::Program& program) {
   if (o.include) throw InputError("--include: is for shaders");
   io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
   const io::MaterialFile file = choose_material_file(o.material, "export");
-  const interop::Exported made = interop::export_to(program, file.material, name_of(o, file), o.naive);
+  const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
   write(o, made.text);
   std::cerr << "brdf export: " << made.target << ": " << interop::in_words(made.projection) << '\n';
-  if (!o.max_loss || made.projection.loss.rms <= *o.max_loss) return Exit::good;
-  std::cerr << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss) << '\n';
-  return Exit::failed;
+  const bool good = !o.max_loss || made.projection.loss.rms <= *o.max_loss;
+  if (!good)
+    std::cerr << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss) << '\n';
+  return {to_json(program, made), good ? Exit::good : Exit::failed};
 }
 
-Exit run(const Options& o) {
-  const interop::Program* program = interop::find_program(o.to);
-  if (!program && (o.naive || o.max_loss))
-    throw InputError(std::string(o.naive ? "--naive" : "--max-loss") + ": --to " + o.to +
-                     " writes the formula itself: nothing is lost");
+Made made_by(const ExportCall& o, const interop::Program* program) {
   if (!o.measured.empty()) check_measured(o);
   if (o.to == kMerl) return export_merl(o);
   if (o.to == kRgl) return export_rgl(o);
   return program ? export_program(o, *program) : export_formula(o);
+}
+
+void print_json(const ExportCall& o, const io::Json& made) {
+  io::Json json{{"to", o.to}};
+  if (made["kind"] != "refused") json["output"] = o.output;
+  json.update(made);
+  json["provenance"] = io::to_json(io::provenance());
+  std::cout << io::to_text(json);
+}
+
+Exit run_export(const ExportCall& o) {
+  const interop::Program* program = interop::find_program(o.to);
+  if (!program && (o.naive || o.max_loss))
+    throw InputError(std::string(o.naive ? "--naive" : "--max-loss") + ": --to " + o.to +
+                     " writes the formula itself: nothing is lost");
+  if (!o.json) return made_by(o, program).exit;
+  if (o.output.empty()) throw InputError("--json: needs -o FILE for what is written");
+  try {
+    const Made made = made_by(o, program);
+    print_json(o, made.json);
+    return made.exit;
+  } catch (const interop::Refused& refused) {
+    print_json(o, {{"kind", "refused"}, {"refused", {{{"reason", refused.what()}}}}});
+    throw;
+  }
 }
 
 std::vector<std::string> target_names() {
@@ -155,7 +194,7 @@ std::vector<std::string> target_names() {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportCall>();
   CLI::App* verb = add_verb(app, Purpose::ship, "export",
                             "Write a material for another program or as a shader, or samples as a table");
   add_material_options(*verb, options->material);
@@ -165,9 +204,7 @@ void add_export(CLI::App& app) {
   verb->add_option(
           "--to", options->to,
           "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
-          "sliders); merl (a .binary) of --measured; rgl (a "
-          ".bsdf, which "
-          "Mitsuba and pbrt import); or a program")
+          "sliders); merl (a .binary) and rgl (a .bsdf, which Mitsuba and pbrt import); or a program")
       ->required()
       ->check(CLI::IsMember(target_names()));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
@@ -182,9 +219,12 @@ void add_export(CLI::App& app) {
   verb->add_option("--max-loss", options->max_loss,
                    "Exit with 1 where more is lost: the rms of ln(1 + f cos_i), about a relative error")
       ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--json", options->json,
+                 "JSON on stdout: the loss, that of copied parameters, what was refused");
   add_memory_option(*verb, options->size, "--size", "Of the file that --to rgl writes, about (default 4M)");
   verb->footer(
-      "A program (blender, mitsuba, pbrt, gltf, ...) gets the material in its own formula: exact where that "
+      "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exact where "
+      "that "
       "is ours,\n"
       "else refitted; the loss is stated, and stands in the file. What it cannot carry is refused "
       "(docs/interop.md).\n"
@@ -201,9 +241,11 @@ void add_export(CLI::App& app) {
       "          brdf export --form ward --to explorer -o ward.brdf\n"
       "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
       "          brdf export --material copper.json --to gltf --naive\n"
+      "          brdf export --material copper.json --to materialx -o copper.mtlx --json\n"
+      "          brdf export --material copper.json --to merl -o copper.binary\n"
       "          brdf export --material copper.json --to rgl --size 25M -o copper.bsdf\n"
       "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_export(*options); });
 }
 
 }  // namespace brdf::cli

@@ -10,6 +10,7 @@ namespace {
 struct Said {
   double diffuse = 0, lobe = 0, f0 = 1;
   double index = 0, extinction = 0;  // index 0: not said
+  double slope = 0;                  // of the diffuse part's facets
 
   double normal() const { return std::min(lobe * f0, 1.0); }  // the lobe's reflectance along the normal
 };
@@ -21,14 +22,18 @@ Said said_of(const Wanted& wanted, std::size_t channel) {
     const auto value = [&](int k, const std::vector<double>& values) {
       return k < 0 ? 0 : values[std::size_t(k)];
     };
+    const std::vector<double>& shape = term.shape[term.shape.size() > 1 ? channel : 0];
     said.diffuse += value(form.weight_index(Role::diffuse), term.weights[channel]);
+    said.diffuse += value(form.shape_index(Role::diffuse), shape);
+    if (form.shape_index(Role::slope) >= 0) said.slope = value(form.shape_index(Role::slope), shape);
     if (wanted.lobe < 0 || &term != &wanted.material.terms[std::size_t(wanted.lobe)]) continue;
     said.lobe = value(form.weight_index(Role::specular), term.weights[channel]);
-    said.index = value(form.shape_index(Role::index), term.shape[0]);
-    said.extinction = value(form.shape_index(Role::extinction), term.shape[0]);
+    said.index = value(form.shape_index(Role::index), shape);
+    said.extinction = value(form.shape_index(Role::extinction), shape);
     const double k2 = said.extinction * said.extinction;
     if (said.index > 0) said.f0 = (std::pow(said.index - 1, 2) + k2) / (std::pow(said.index + 1, 2) + k2);
     if (form.weight_index(Role::f0) >= 0) said.f0 = value(form.weight_index(Role::f0), term.weights[channel]);
+    if (form.shape_index(Role::f0) >= 0) said.f0 = value(form.shape_index(Role::f0), shape);
   }
   return said;
 }
@@ -94,6 +99,14 @@ struct Copy {
       case Role::index:
         if (s.index > 0 || conductor) return s.index > 0 ? s.index : 1;
         return metal() ? p.initial : has_lobe ? dielectric_index(s.normal()) : 1;
+      case Role::f0:
+        return f0_of(s);
+      case Role::slope:
+        return s.slope;
+      case Role::exponent:
+        return 2 / (widths.along * widths.across) - 2;
+      case Role::diffuse:
+        return metal() ? s.normal() : s.diffuse;
       case Role::extinction:
         return s.index > 0 ? s.extinction : 2 * std::sqrt(f0 / (1 - f0));
       default:
@@ -106,15 +119,28 @@ double in_range(const ParameterInfo& p, double value) {
   return std::clamp(value, p.min, p.max);
 }
 
+// The material as it is, where it is in the target's own form and the program's files can say it.
+bool is_its_own(const Wanted& wanted, const Reflectance& target, const CopyRules& rules) {
+  const std::vector<Term>& terms = wanted.material.terms;
+  if (terms.size() != 1 || !(terms[0].form == target)) return false;
+  const int lobe = info(target).weight_index(Role::specular);
+  const auto as_first = [&](const auto& weights) {
+    const double weight = weights[std::size_t(lobe)];
+    return weight == terms[0].weights[0][std::size_t(lobe)] && weight <= 1;
+  };
+  return !rules.grey_lobe || std::ranges::all_of(terms[0].weights, as_first);
+}
+
 }  // namespace
 
 Material copied(const Wanted& wanted, const Reflectance& target, const CopyRules& rules) {
+  if (is_its_own(wanted, target, rules)) return wanted.material;
   Material out = make_material(target, wanted.material.channels);
   const std::size_t channels = out.channels.size();
   Copy copy{wanted, info(target), rules, {}};
   for (std::size_t c = 0; c < channels; ++c) copy.said.push_back(said_of(wanted, c));
   Term& term = out.terms[0];
-  if (rules.fresnel_per_channel && channels > 1) term.shape.assign(channels, term.shape[0]);
+  if (!rules.coloured.empty() && channels > 1) term.shape.assign(channels, term.shape[0]);
   for (std::size_t c = 0; c < channels; ++c)
     for (std::size_t k = 0; k < copy.target.weights.size(); ++k) {
       const ParameterInfo& p = copy.target.weights[k];

@@ -7,8 +7,8 @@ namespace brdf::interop {
 
 // What a program's scene files can say of a target's lobe.
 struct CopyRules {
-  bool grey_lobe = false;            // its weight is a factor of mixing: one for all colours, at most 1
-  bool fresnel_per_channel = false;  // complex indices of refraction per colour
+  bool grey_lobe = false;        // its weight is a factor of mixing: one for all colours, at most 1
+  std::vector<Role> coloured{};  // shape parameters that have a value for each colour
 };
 
 // The target's parameters from the roles of the material's: widths and weights as they are; the reflectance along the

@@ -1,5 +1,6 @@
 #include "interop/loss.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "brdf/integrals.h"
@@ -59,6 +60,11 @@ Loss loss_of(const Wanted& wanted, const Material& carried) {
   loss.median = io::median(differences);
   compare_albedos(wanted.material, carried, loss);
   return loss;
+}
+
+bool is_nearer(const Loss& one, const Loss& other) {
+  constexpr double kSeen = 0.02;
+  return one.rms < other.rms && one.median <= std::max(2 * other.median, kSeen);
 }
 
 std::string in_words(const Loss& loss) {

@@ -8,8 +8,11 @@
 
 #include "brdf/targets/blender.h"
 #include "brdf/targets/gltf.h"
+#include "brdf/targets/materialx.h"
 #include "brdf/targets/mitsuba.h"
+#include "brdf/targets/osl.h"
 #include "brdf/targets/pbrt.h"
+#include "brdf/targets/three.h"
 #include "fit/model/constraints.h"
 #include "interop/writers.h"
 #include "io/error.h"
@@ -48,6 +51,56 @@ std::string as_command(const Term& term, Angle tangent) {
   return text;
 }
 
+Limits limits_of(const Program& program) {
+  Limits limits{program.name, program.most, program.most_lobe};
+  for (const TargetRules& rules : program.targets) {
+    limits.targets.push_back(rules.target);
+    limits.fresnel_per_channel |= std::ranges::any_of(rules.copy.coloured, is_fresnel);
+  }
+  return limits;
+}
+
+// A material on its way to one program.
+struct Attempt {
+  const Program& program;
+  const Wanted& asked;
+  const std::string& name;
+  std::optional<Loss> copied{};  // of what --naive writes
+  std::vector<Refusal> refused{};
+
+  // Throws InputError for what the program's controls do not reach.
+  Exported with(const TargetRules& rules, bool naive) const {
+    Exported made;
+    made.projection = project(asked, rules, naive);
+    if (copied) made.projection.copied = *copied;
+    made.target = std::string(info(rules.target).name);
+    made.words = as_command(made.projection.material.terms[0], asked.tangent);
+    made.header = {
+        "Written by brdf " BRDF_VERSION ": " + io::provenance().command,
+        "for " + std::string(program.title) + ", as " + made.target + ": " + in_words(made.projection),
+        "the same here: brdf eval " + made.words};
+    made.header.insert(made.header.end(), program.conventions.begin(), program.conventions.end());
+    made.text = program.write({made.projection.material.terms[0], asked.tangent, name, made.header});
+    return made;
+  }
+
+  // Of the program's targets the nearest that can be written; what cannot be is kept with its reason.
+  std::optional<Exported> best(bool naive) {
+    std::optional<Exported> best;
+    refused.clear();
+    for (const TargetRules& rules : program.targets) {
+      try {
+        Exported tried = with(rules, naive);
+        if (!best || is_nearer(tried.projection.loss, best->projection.loss)) best = std::move(tried);
+      } catch (const InputError& error) {
+        refused.push_back({std::string(info(rules.target).name), error.what()});
+      }
+      if (best && best->projection.exact()) break;
+    }
+    return best;
+  }
+};
+
 }  // namespace
 
 std::span<const Program> programs() {
@@ -56,6 +109,7 @@ std::span<const Program> programs() {
       {"blender",
        "Blender 4.3 and later, Cycles",
        kAnyWeight,
+       1,
        false,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
        {{blender_metallic{}, kGrey, true}},
@@ -63,12 +117,14 @@ std::span<const Program> programs() {
       {"blender-3.4",
        "Blender 3.4, Cycles",
        kAnyWeight,
+       kAnyWeight,
        true,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
        {{blender_glossy{}}, {blender_principled{}, {}, false, {index_up_to(blender_principled{}, 1.788)}}},
        write_blender_3_4},
       {"mitsuba",
        "Mitsuba 3",
+       1,
        1,
        false,
        {"roughconductor: alpha as it stands; principled: roughness is the square root of alpha",
@@ -78,19 +134,48 @@ std::span<const Program> programs() {
       {"pbrt",
        "pbrt-v4",
        1,
+       1,
        false,
        {"roughness is alpha: remaproughness is false; colours are linear and become spectra",
         "mix: amount is the share of the second material; the tangent is the mesh's dp/du"},
-       {{pbrt_conductor{}, {.grey_lobe = true, .fresnel_per_channel = true}, true}},
+       {{pbrt_conductor{}, {.grey_lobe = true, .coloured = {Role::index, Role::extinction}}, true}},
        write_pbrt},
       {"gltf",
        "glTF 2.0, as its specification has it",
        1,
+       1,
        false,
        {"roughness is the square root of alpha (of the narrower axis); colours are linear",
-        "programs may compute more: three.js scales the lobe by a multiple-scattering term"},
+        "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
        {{gltf_metallic_roughness{}}},
-       write_gltf}};
+       write_gltf},
+      {"three",
+       "three.js 0.187, as glTF",
+       1,
+       1,
+       true,
+       {"roughness is the square root of alpha (of the narrower axis); colours are linear",
+        "lit by lights, not by an environment map"},
+       {{three_physical{}, {.coloured = {Role::diffuse}}}},
+       write_gltf},
+      {"materialx",
+       "MaterialX 1.39.6, its generated shaders",
+       1,
+       1,
+       false,
+       {"roughness of the lobe is alpha, of the diffuse part the slopes' standard deviation; colours are "
+        "linear (lin_rec709)",
+        "the tangent is Tworld, turned about Nworld"},
+       {{materialx_schlick{}, {.grey_lobe = true, .coloured = {Role::f0}}}},
+       write_materialx},
+      {"osl",
+       "OSL, as its testrender shades",
+       kAnyWeight,
+       kAnyWeight,
+       false,
+       {"widths are alphas; colours are linear; the tangent is dPdu, turned about N"},
+       {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
+       write_osl}};
   return all;
 }
 
@@ -101,30 +186,16 @@ const Program* find_program(std::string_view name) {
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {
-  const Wanted asked = wanted(material, program.name, program.most);
-  std::optional<Exported> best;
-  std::string refused;
-  for (const TargetRules& rules : program.targets) {
-    Exported tried;
-    tried.projection = project(asked, rules, naive);
-    if (best && tried.projection.loss.rms >= best->projection.loss.rms) continue;
-    tried.target = std::string(info(rules.target).name);
-    tried.header = {
-        "Written by brdf " BRDF_VERSION ": " + io::provenance().command,
-        "for " + std::string(program.title) + ", as " + tried.target + ": " + in_words(tried.projection)};
-    tried.header.push_back("the same here: brdf eval " +
-                           as_command(tried.projection.material.terms[0], asked.tangent));
-    tried.header.insert(tried.header.end(), program.conventions.begin(), program.conventions.end());
-    try {
-      tried.text = program.write({tried.projection.material.terms[0], asked.tangent, name, tried.header});
-    } catch (const InputError& error) {
-      refused = error.what();
-      continue;
-    }
-    best = std::move(tried);
-    if (best->projection.exact()) break;
-  }
-  if (!best) throw InputError("--to " + std::string(program.name) + ": " + refused);
+  const Wanted asked = wanted(material, limits_of(program));
+  Attempt attempt{program, asked, name};
+  std::optional<Exported> copy = attempt.best(true);
+  if (copy && (naive || copy->projection.exact())) return std::move(*copy);
+  if (copy) attempt.copied = copy->projection.loss;
+  std::optional<Exported> best = naive ? std::nullopt : attempt.best(false);
+  if (best && copy && !is_nearer(best->projection.loss, copy->projection.loss)) best.reset();
+  if (!best) best = std::move(copy);
+  if (!best) throw Refused("--to " + std::string(program.name) + ": " + attempt.refused.back().reason);
+  best->refused = std::move(attempt.refused);
   return std::move(*best);
 }
 

@@ -21,7 +21,7 @@ struct Written {
 struct Program {
   std::string_view name;   // as --to takes it
   std::string_view title;  // for people
-  double most;             // a weight above is clamped by the program
+  double most, most_lobe;  // a weight above, or one of the lobe, is clamped by the program
   bool run_here;           // a test runs the program on what is written; else its formula is checked, not run
   std::vector<std::string> conventions;
   std::vector<TargetRules> targets;  // the one of least loss is written
@@ -33,14 +33,20 @@ std::span<const Program> programs();
 // By its name; null where there is none.
 const Program* find_program(std::string_view name);
 
+struct Refusal {
+  std::string target, reason;
+};
+
 struct Exported {
   std::string text;
   Projection projection;
   std::string target;               // its name
   std::vector<std::string> header;  // as in the text
+  std::string words;                // the projected material as other verbs take it: --form NAME --set ...
+  std::vector<Refusal> refused{};   // of the program's other targets
 };
 
-// The material as this program's text. Throws InputError, with the reason, for what it cannot carry.
+// The material as this program's text. Throws Refused for what it cannot carry.
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive);
 
 }  // namespace brdf::interop

@@ -26,10 +26,17 @@ bool is_zero(const Term& term, std::size_t weight) {
   return std::ranges::all_of(term.weights, [&](const auto& w) { return w[weight] == 0; });
 }
 
+bool has_no_diffuse(const Term& copy) {
+  const ReflectanceInfo& target = info(copy.form);
+  const int diffuse = target.weight_index(Role::diffuse);
+  return target.weight_index(Role::specular) >= 0 && diffuse >= 0 && is_zero(copy, std::size_t(diffuse));
+}
+
 // The copy's values as the fit's first start; what is not there (a diffuse part, a lobe) stays at 0.
 void start_at(const Term& copy, fit::FitOptions& options) {
   const ReflectanceInfo& target = info(copy.form);
   const bool several = copy.weights.size() > 1;
+  const bool without_diffuse = has_no_diffuse(copy);
   for (std::size_t k = 0; k < target.weights.size(); ++k) {
     const ParameterInfo& p = target.weights[k];
     if (p.min == p.max) continue;
@@ -37,8 +44,7 @@ void start_at(const Term& copy, fit::FitOptions& options) {
     for (const auto& w : copy.weights) values.values.push_back(w[k]);
     const bool tied = std::ranges::find(options.tie, p.name) != options.tie.end();
     if (tied) values.values.resize(1);
-    const bool alone = target.weight_index(Role::specular) >= 0;
-    if (p.role == Role::diffuse && alone && is_zero(copy, k))
+    if (p.role == Role::diffuse && without_diffuse)
       options.fix.push_back({values.name, {0}});
     else
       options.start.push_back(std::move(values));
@@ -47,8 +53,10 @@ void start_at(const Term& copy, fit::FitOptions& options) {
     if (int(k) == target.axes().across && !options.anisotropic) continue;
     fit::NamedValues values{std::string(target.shape[k].name), {}};
     for (const auto& shape : copy.shape) values.values.push_back(shape[k]);
-    if (std::ranges::find(options.tie, values.name) != options.tie.end()) values.values.resize(1);
-    options.start.push_back(std::move(values));
+    const bool of_nothing = target.shape[k].role == Role::slope && without_diffuse;
+    if (of_nothing || std::ranges::find(options.tie, values.name) != options.tie.end())
+      values.values.resize(1);
+    (of_nothing ? options.fix : options.start).push_back(std::move(values));
   }
   if (!several)
     for (fit::NamedValues& start : options.start) start.values.resize(1);
@@ -62,12 +70,17 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   options.grid_starts = false;
   options.random_starts = 4;
   options.threads = io::all_processors();
-  options.anisotropic = is_anisotropic(wanted.material);
+  options.anisotropic = is_anisotropic(wanted.material) && target.anisotropic();
   options.per_channel = copy.shape.size() > 1;
   options.bounds = rules.bounds;
   const auto name = [&](int shape) { return std::string(target.shape[std::size_t(shape)].name); };
-  if (options.per_channel) options.tie.push_back(name(target.axes().along));
-  if (options.per_channel && options.anisotropic) options.tie.push_back(name(target.axes().across));
+  for (std::size_t k = 0; options.per_channel && k < target.shape.size(); ++k) {
+    const Role role = target.shape[k].role;
+    const bool held = (int(k) == target.axes().across && !options.anisotropic) ||
+                      (role == Role::slope && has_no_diffuse(copy));
+    const bool coloured = std::ranges::find(rules.copy.coloured, role) != rules.copy.coloured.end();
+    if (!coloured && !held) options.tie.push_back(name(int(k)));
+  }
   if (rules.copy.grey_lobe) {
     const std::string lobe(target.weights[std::size_t(target.weight_index(Role::specular))].name);
     if (copy.weights.size() > 1) options.tie.push_back(lobe);
@@ -95,15 +108,21 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   bring_within(rules.bounds, out.material.terms[0]);
   out.copied = out.loss = loss_of(wanted, out.material);
   if (naive || out.loss.exact()) return out;
-  const fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
-  const fit::FitResult result = fit::fit(wanted_values(wanted), {{rules.target}}, options);
-  const fit::FormFit& best = result.ranking.front();
-  if (!best.solved()) return out;
-  const Loss loss = loss_of(wanted, best.material);
-  if (!(loss.rms < out.loss.rms)) return out;
-  out.material = best.material;
-  out.loss = loss;
-  out.refitted = true;
+  const io::SampleTable table = wanted_values(wanted);
+  fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
+  // Of f cos_i, then of its relative differences.
+  for (const fit::Metric metric : {fit::Metric::log, fit::Metric::log_relative}) {
+    options.metric = metric;
+    if (metric == fit::Metric::log_relative) options.random_starts = 1;
+    const fit::FormFit best = fit::fit(table, {{rules.target}}, options).ranking.front();
+    if (!best.solved()) continue;
+    const Loss loss = loss_of(wanted, best.material);
+    if (!is_nearer(loss, out.copied)) continue;
+    out.material = best.material;
+    out.loss = loss;
+    out.refitted = true;
+    break;
+  }
   return out;
 }
 

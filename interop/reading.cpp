@@ -36,6 +36,10 @@ double Reading::roughness() const {
   return std::sqrt(std::sqrt(alpha_x() * alpha_y()));
 }
 
+bool Reading::crosswise() const {
+  return std::abs(std::abs(std::remainder(turn(), 180)) - 90) < 1e-9;
+}
+
 void Reading::check_widths(double least, double most_ratio, const std::string& control) const {
   if (std::min(alpha_x(), alpha_y()) < least)
     throw InputError("alpha " + number(std::min(alpha_x(), alpha_y())) + " is below " + number(least) +
@@ -64,6 +68,12 @@ std::string comments(const std::vector<std::string>& header, const std::string& 
   std::string text;
   for (const std::string& line : header) text += prefix + line + "\n";
   return text;
+}
+
+std::string xml_comment(const std::vector<std::string>& header) {
+  std::string text = comments(header, "");
+  for (std::size_t at = 0; (at = text.find("--", at)) != text.npos;) text.replace(at, 2, "- -");
+  return "<!--\n" + text + "-->\n";
 }
 
 }  // namespace brdf::interop

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interop/programs.h"
@@ -20,6 +21,8 @@ class Reading {
   // Of the three colours; of one channel all the same.
   Colour weight(Role role) const;
   Colour shape_colours(Role role) const;
+  // Wherever it stands.
+  Colour colour(Role role) const { return has_weight(role) ? weight(role) : shape_colours(role); }
   double shape(Role role) const { return shape_colours(role)[0]; }
   bool has_shape(Role role) const { return form_.shape_index(role) >= 0; }
   bool has_weight(Role role) const { return form_.weight_index(role) >= 0; }
@@ -30,6 +33,11 @@ class Reading {
   // Square root of the widths' geometric mean.
   double roughness() const;
   double turn() const { return anisotropic() ? w_.tangent.degrees() : 0; }
+  // The wider axis lies across the tangent: where both widths are free they are exchanged instead.
+  bool crosswise() const;
+  std::pair<double, double> along_and_across() const {
+    return crosswise() ? std::pair{alpha_y(), alpha_x()} : std::pair{alpha_x(), alpha_y()};
+  }
 
   // Refuses widths that the program takes for a mirror, or whose ratio its control does not reach.
   void check_widths(double least, double most_ratio, const std::string& control) const;
@@ -47,5 +55,7 @@ std::string number(double x);
 std::string numbers(const Colour& c, const char* separator = ", ");
 // The header's lines as comments.
 std::string comments(const std::vector<std::string>& header, const std::string& prefix);
+// The same in XML, where no two hyphens may meet.
+std::string xml_comment(const std::vector<std::string>& header);
 
 }  // namespace brdf::interop

@@ -1,13 +1,13 @@
 #include "interop/rgl.h"
 
-#include "io/error.h"
+#include "interop/wanted.h"
 #include "io/rgl_writer.h"
 
 namespace brdf::interop {
 
 std::string rgl_of(const Material& material, const std::string& description, std::uint64_t bytes) {
   if (is_anisotropic(material))
-    throw InputError("RGL file: the material is anisotropic, and the file is written for one azimuth");
+    throw Refused("--to rgl: the material is anisotropic, and the file is written for one azimuth");
   const io::rgl::Values values = [&](const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> f) {
     brdf::eval(material, wi, wo, f);
   };

@@ -13,11 +13,23 @@ namespace brdf::interop {
 namespace {
 
 struct Asked {
-  std::string_view program;
+  const Limits& limits;
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw InputError("--to " + std::string(program) + ": " + reason);
+    throw Refused("--to " + std::string(limits.program) + ": " + reason);
   }
 };
+
+// Whether the channels' shapes are the same, or differ in what the program takes for each.
+bool has_one_shape(const Term& term, const Limits& limits) {
+  const ReflectanceInfo& form = info(term.form);
+  for (std::size_t k = 0; k < form.shape.size(); ++k) {
+    const Role role = form.shape[k].role;
+    if (role == Role::diffuse || (limits.fresnel_per_channel && is_fresnel(role))) continue;
+    for (const std::vector<double>& shape : term.shape)
+      if (shape[k] != term.shape[0][k]) return false;
+  }
+  return true;
+}
 
 // Red, green and blue, or the one channel.
 Material in_order(const Material& given, const Asked& asked) {
@@ -39,25 +51,38 @@ Material in_order(const Material& given, const Asked& asked) {
   return out;
 }
 
-void check_term(Term& term, double most, const Asked& asked) {
-  const ReflectanceInfo& form = info(term.form);
-  const std::string name(form.name);
+void check_properties(const Term& term, const Asked& asked) {
+  const std::vector<Reflectance>& own = asked.limits.targets;
+  if (std::find(own.begin(), own.end(), term.form) != own.end()) return;
   for (const char* property : {"reciprocity", "continuity"})
-    for (const Violation& v : form.violations)
+    for (const Violation& v : info(term.form).violations)
       if (v.check == property)
-        asked.refuse(name + " violates " + property + " (" + std::string(v.statement) +
+        asked.refuse(std::string(info(term.form).name) + " violates " + property + " (" +
+                     std::string(v.statement) +
                      "): no formula of the program comes near it at grazing directions");
-  if (std::adjacent_find(term.shape.begin(), term.shape.end(), std::not_equal_to<>()) != term.shape.end())
-    asked.refuse(name + " has a shape per channel, the program one for all colours");
-  term.shape.resize(1);
+}
+
+void check_term(Term& term, const Asked& asked) {
+  const ReflectanceInfo& form = info(term.form);
+  check_properties(term, asked);
+  if (!has_one_shape(term, asked.limits))
+    asked.refuse(std::string(form.name) + " has a shape per channel, the program one for all colours");
+  if (std::adjacent_find(term.shape.begin(), term.shape.end(), std::not_equal_to<>()) == term.shape.end())
+    term.shape.resize(1);
   for (std::size_t c = 0; c < term.weights.size(); ++c)
     for (std::size_t k = 0; k < form.weights.size(); ++k)
-      if (const double w = term.weights[c][k]; w > most)
+      if (const double w = term.weights[c][k],
+          most = form.weights[k].role == Role::specular ? asked.limits.most_lobe : asked.limits.most;
+          w > most)
         asked.refuse(std::string(form.weights[k].name) + " " + io::to_text(w) + " is above " +
                      io::to_text(most) + ", which the program clamps at");
 }
 
 }  // namespace
+
+bool is_fresnel(Role role) {
+  return role == Role::f0 || role == Role::index || role == Role::extinction;
+}
 
 bool has_lobe(const Term& term) {
   const int specular = info(term.form).weight_index(Role::specular);
@@ -82,12 +107,12 @@ Widths widths_of(const Term& term) {
   return {};
 }
 
-Wanted wanted(const Material& given, std::string_view program, double most) {
-  const Asked asked{program};
+Wanted wanted(const Material& given, const Limits& limits) {
+  const Asked asked{limits};
   Wanted out{in_order(given, asked), {}, -1};
   for (std::size_t t = 0; t < out.material.terms.size(); ++t) {
     Term& term = out.material.terms[t];
-    check_term(term, most, asked);
+    check_term(term, asked);
     if (!has_lobe(term)) continue;
     if (out.lobe >= 0)
       asked.refuse("it has one lobe beside the diffuse part, the material has those of " +
@@ -98,12 +123,12 @@ Wanted wanted(const Material& given, std::string_view program, double most) {
   for (Term& term : out.material.terms) {
     const auto [along, across] = info(term.form).axes();
     if (along < 0 || across < 0) continue;
-    double &a = term.shape[0][std::size_t(along)], &b = term.shape[0][std::size_t(across)];
-    if (a == b) continue;
+    if (term.shape[0][std::size_t(along)] == term.shape[0][std::size_t(across)]) continue;
     const Widths widths = widths_of(term);
     out.tangent = term.tangent_phi;
     if (widths.along < widths.across) {
-      std::swap(a, b);
+      for (std::vector<double>& shape : term.shape)
+        std::swap(shape[std::size_t(along)], shape[std::size_t(across)]);
       out.tangent = radians(term.tangent_phi.radians() + kPi / 2);
     }
     term.tangent_phi = {};

@@ -4,6 +4,7 @@
 
 #include "interop/reading.h"
 #include "interop/writers.h"
+#include "io/error.h"
 #include "io/json.h"
 
 namespace brdf::interop {
@@ -11,7 +12,9 @@ namespace brdf::interop {
 std::string write_gltf(const Written& w) {
   const Reading r(w);
   r.check_widths(0, 1e4, "nothing");
-  const Colour base = r.weight(Role::diffuse);
+  if (r.alpha_x() < r.alpha_y())
+    throw InputError("its wider axis lies across the tangent, and glTF widens along it");
+  const Colour base = r.colour(Role::diffuse);
   // alpha_x = alpha_y + (1 - alpha_y) strength^2
   const double strength = std::sqrt((r.alpha_x() - r.alpha_y()) / std::max(1 - r.alpha_y(), 1e-12));
   io::Json extensions;

@@ -14,16 +14,9 @@ std::string bsdf(const char* type, const std::string& attributes, const std::str
   return "  <bsdf type=\"" + std::string(type) + "\" " + attributes + ">\n" + inside + "  </bsdf>\n";
 }
 
-// Within a comment no two hyphens may meet.
-std::string comment(const std::vector<std::string>& header) {
-  std::string text = comments(header, "");
-  for (std::size_t at = 0; (at = text.find("--", at)) != text.npos;) text.replace(at, 2, "- -");
-  return "<!--\n" + text + "-->\n";
-}
-
 // There is no control of the tangent besides the mesh.
-void check_turn(const Reading& r) {
-  if (r.turn() == 0) return;
+void check_turn(const Reading& r, bool free_widths) {
+  if (r.turn() == 0 || (free_widths && r.crosswise())) return;
   throw InputError("its tangent is the mesh's: turn the texture coordinates by " + number(r.turn()) +
                    " degrees instead and export with tangent_phi 0");
 }
@@ -31,8 +24,9 @@ void check_turn(const Reading& r) {
 std::string conductor(const Reading& r, const std::string& attributes, const Colour& tint) {
   r.check_widths(1e-4, 1e4, "nothing");
   std::string inside = value("string", "distribution", "ggx");
+  const auto [along, across] = r.along_and_across();
   if (r.anisotropic())
-    inside += value("float", "alpha_u", number(r.alpha_x())) + value("float", "alpha_v", number(r.alpha_y()));
+    inside += value("float", "alpha_u", number(along)) + value("float", "alpha_v", number(across));
   else
     inside += value("float", "alpha", number(r.alpha_x()));
   inside += value("float", "eta", number(r.shape(Role::index))) +
@@ -80,10 +74,10 @@ std::string principled(const Reading& r, const std::string& id) {
 
 std::string write_mitsuba(const Written& w) {
   const Reading r(w);
-  check_turn(r);
   const std::string id = "id=\"" + identifier(w.name) + "\"";
   const bool sum = r.has_weight(Role::specular);
-  return comment(w.header) + "<scene version=\"3.0.0\">\n" + (sum ? mixed(r, id) : principled(r, id)) +
+  check_turn(r, sum);
+  return xml_comment(w.header) + "<scene version=\"3.0.0\">\n" + (sum ? mixed(r, id) : principled(r, id)) +
          "</scene>\n";
 }
 

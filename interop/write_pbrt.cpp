@@ -20,19 +20,19 @@ std::string conductor(const std::string& name, const Reading& r) {
   // "eta" must not be 0.
   Colour n = r.shape_colours(Role::index);
   for (double& x : n) x = std::max(x, 1e-3);
+  const auto [along, across] = r.along_and_across();
   return material(name, "conductor",
                   list("rgb", "eta", numbers(n, " ")) +
                       list("rgb", "k", numbers(r.shape_colours(Role::extinction), " ")) +
-                      list("float", "uroughness", number(r.alpha_x())) +
-                      list("float", "vroughness", number(r.alpha_y())) +
-                      "    \"bool remaproughness\" false\n");
+                      list("float", "uroughness", number(along)) +
+                      list("float", "vroughness", number(across)) + "    \"bool remaproughness\" false\n");
 }
 
 }  // namespace
 
 std::string write_pbrt(const Written& w) {
   const Reading r(w);
-  if (r.turn() != 0)
+  if (r.turn() != 0 && !r.crosswise())
     throw InputError("its tangent is the mesh's: turn the texture coordinates by " + number(r.turn()) +
                      " degrees instead and export with tangent_phi 0");
   const Colour kd = r.weight(Role::diffuse);

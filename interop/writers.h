@@ -16,5 +16,9 @@ std::string write_mitsuba(const Written& w);
 std::string write_pbrt(const Written& w);
 // A file with one material and its extensions.
 std::string write_gltf(const Written& w);
+// A nodegraph of pbrlib with its surface and material.
+std::string write_materialx(const Written& w);
+// A surface shader of OSL that adds closures.
+std::string write_osl(const Written& w);
 
 }  // namespace brdf::interop

@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
-"""The table of docs/interop.md: what each program loses of the shipped materials and of every family's own form.
+"""The tables of docs/interop.md: what each program loses of twenty materials, and what becomes of every form at its defaults.
 
     tools/interop_table.py [--update] BRDF docs/interop.md
 
-Without --update it fails where the document's table is another (numbers within 5 %), or where a refit is worse than copied
+Without --update it fails where one of the document's tables is another (numbers within 5 %), or where a refit is worse than copied
 parameters.
 """
+import json
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf"]
-BEGIN, END = "<!-- losses: written by tools/interop_table.py -->", "<!-- end of losses -->"
+PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf", "three", "materialx", "osl"]
+TABLES = ("mitsuba", "pbrt")  # which import RGL files
+WRITTEN = "written by tools/interop_table.py"
 FORMS = {
     "lambert": "--form lambert --set rho=0.6,0.5,0.4",
     "oren_nayar": "--form oren_nayar --set rho=0.6,0.5,0.4 --set sigma=0.4",
@@ -35,6 +37,8 @@ FORMS = {
     "cook_torrance_beckmann": "--form cook_torrance_beckmann --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.3",
     "cook_torrance_dielectric": "--form cook_torrance_dielectric --set kd=0.3,0.2,0.1 --set ks=1 --set eta=1.5 --set alpha=0.2",
     "cook_torrance_student, gamma 3": "--form cook_torrance_student --set gamma=3 --set kd=0.2 --set ks=0.8 --set f0=0.3 --set alpha=0.2",
+    "cook_torrance_conductor, gold": "--form cook_torrance_conductor --set kd=0 --set ks=1 --set n=0.18,0.42,1.37"
+                                     " --set k=3.42,2.35,1.77 --set alpha=0.2",
     "cook_torrance_vcavity": "--form cook_torrance_vcavity --set kd=0.3 --set ks=1 --set eta=1.5 --set alpha=0.2",
 }
 
@@ -52,19 +56,37 @@ def cell(brdf, words, program, scratch):
     return (f"{rms[0]:.2g} ({rms[1]:.2g})", rms[0] <= rms[1]) if len(rms) == 2 else (f"{rms[0]:.2g} (the copy)", True)
 
 
-def table(brdf):
+def losses(brdf, scratch):
     lines = ["| material | " + " | ".join(PROGRAMS) + " |", "|---" * (len(PROGRAMS) + 1) + "|"]
     worse = []
-    with tempfile.TemporaryDirectory() as folder:
-        for name, words in FORMS.items():
-            cells = []
-            for program in PROGRAMS:
-                text, good = cell(brdf, words, program, folder + "/x")
-                cells.append(text)
-                if not good:
-                    worse.append(f"{name} to {program}: {text}")
-            lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    for name, words in FORMS.items():
+        cells = []
+        for program in PROGRAMS:
+            text, good = cell(brdf, words, program, scratch)
+            cells.append(text)
+            if not good:
+                worse.append(f"{name} to {program}: {text}")
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
     return "\n".join(lines), worse
+
+
+def forms(brdf, scratch):
+    """Every form at its defaults: exact, the rms that is lost, table (an RGL file takes it) or - (nothing does)."""
+    def run(*words):
+        return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
+
+    models = json.loads(subprocess.run([brdf, "models", "--json"], check=True, text=True, capture_output=True).stdout)
+    lines = ["| form | a shader, `explorer` | rgl | " + " | ".join(PROGRAMS) + " |", "|---" * (len(PROGRAMS) + 3) + "|"]
+    for form in (m["form"] for m in models["forms"]):
+        words = ("export", "--form", form)
+        assert run(*words, "--to", "explorer").returncode == 0, form
+        table = "table" if run(*words, "--to", "rgl", "--size", "200K").returncode == 0 else "-"
+        cells = []
+        for program in PROGRAMS:
+            text = cell(brdf, f"--form {form}", program, scratch)[0]
+            cells.append((table if program in TABLES else "-") if text == "-" else text.split(" ")[0])
+        lines.append(f"| {form} | exact | {table} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
 
 
 def same(a, b):
@@ -81,15 +103,21 @@ def main():
     update = "--update" in sys.argv
     brdf, document = [a for a in sys.argv[1:] if a != "--update"]
     path = pathlib.Path(document)
-    text, (new, worse) = path.read_text(), table(brdf)
-    before, rest = text.split(BEGIN)
-    old, after = rest.split(END)
+    text, other = path.read_text(), []
+    with tempfile.TemporaryDirectory() as folder:
+        table, worse = losses(brdf, folder + "/x")
+        for name, new in (("losses", table), ("forms", forms(brdf, folder + "/x"))):
+            before, rest = text.split(f"<!-- {name}: {WRITTEN} -->")
+            old, after = rest.split(f"<!-- end of {name} -->")
+            text = f"{before}<!-- {name}: {WRITTEN} -->\n{new}\n<!-- end of {name} -->{after}"
+            if not same(old, new):
+                other.append(new)
     if update:
-        path.write_text(f"{before}{BEGIN}\n{new}\n{END}{after}")
+        path.write_text(text)
     if worse:
         sys.exit("a refit is worse than copied parameters: " + "; ".join(worse))
-    if not update and not same(old, new):
-        sys.exit(f"{document} holds another table than the program makes (--update writes it):\n{new}")
+    if other and not update:
+        sys.exit(f"{document} holds another table than the program makes (--update writes it):\n" + "\n\n".join(other))
 
 
 main()

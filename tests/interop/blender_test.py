@@ -4,12 +4,14 @@ compares every value with the target that the export says it wrote, and the loss
 import csv
 import math
 import pathlib
-import random
 import re
 import shlex
 import shutil
+import struct
 import subprocess
 import sys
+
+from measured import draw_pairs, evaluated, largest, rms, rows_of, write_directions
 
 brdf, blender, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 PAIRS = 100
@@ -29,29 +31,39 @@ MATERIALS = {
     "plastic": "--form cook_torrance --set kd=0.3,0.2,0.1 --set ks=0.5 --set f0=0.04 --set alpha=0.2",
     "turned": "--form cook_torrance --set kd=0.1 --set ks=0.9 --set f0=0.5,0.4,0.3 --set alpha_x=0.1 --set alpha_y=0.3"
               " --set tangent_phi=30",
+    "satin": "--form cook_torrance --set kd=0.05 --set ks=0.9 --set f0=0.7,0.6,0.5 --set alpha=0.4",
+    "rubber": "--form cook_torrance_dielectric --set kd=0.04 --set ks=1 --set eta=1.5 --set alpha=0.5",
     "ward": "--form ward --set kd=0.2 --set ks=0.3 --set alpha=0.2",
     "clay": "--form oren_nayar --set rho=0.6,0.5,0.4 --set sigma=0.4",
 }
 
 
-def tolerance(target):
-    """Relative, of a renderer in float: 1e-5, and what rounding n.h to float costs a narrow lobe at its peak."""
+def in_float(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def cost_of_float(alpha, pairs):
+    """What Cycles' own float costs its isotropic D = alpha^2/(pi c^4 (alpha^2 + tan^2)^2): it forms tan^2 as
+    (1 - c^2)/c^2 of a cosine c that it has from directions in float (bsdf_microfacet_ggx_eval_reflect). The largest relative
+    error at these pairs."""
+    worst, a2 = 0, alpha * alpha
+    for theta_i, phi_i, theta_o, phi_o in (map(math.radians, pair) for pair in pairs):
+        w = [(math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)) for t, p in ((theta_i, phi_i), (theta_o, phi_o))]
+        h = [a + b for a, b in zip(*w)]
+        exact = a2 + (h[0] ** 2 + h[1] ** 2) / h[2] ** 2
+        x, y, z = (in_float(in_float(a) + in_float(b)) for a, b in zip(*w))
+        length = in_float(math.sqrt(in_float(in_float(in_float(x * x) + in_float(y * y)) + in_float(z * z))))
+        c = in_float(z / length)
+        c2 = in_float(c * c)
+        rounded = a2 + in_float(in_float(1 - c2) / c2)
+        worst = max(worst, abs((exact / rounded) ** 2 - 1))
+    return worst
+
+
+def tolerance(target, pairs):
+    """Relative, of a renderer in float: 1e-5, of a narrow isotropic lobe what its rounding costs."""
     alphas = [float(a) for a in re.findall(r"alpha_[xy]=([0-9.e-]+)", target)]
-    return max(1e-5, 3e-7 / min(alphas) ** 2 if alphas else 0)
-
-
-def evaluated(words, directions):
-    """f_r of a material given in words, rows of three channels."""
-    text = subprocess.run([brdf, "eval", *shlex.split(words), str(directions)], check=True, text=True,
-                          capture_output=True).stdout
-    rows = [line.split(",")[4:] for line in text.splitlines() if not line.startswith("#")][1:]
-    return [[float(x) for x in (row if len(row) == 3 else row * 3)] for row in rows]
-
-
-def rms(ours, theirs, pairs):
-    residuals = [math.log1p(b * math.cos(math.radians(p[0]))) - math.log1p(a * math.cos(math.radians(p[0])))
-                 for x, y, p in zip(ours, theirs, pairs) for a, b in zip(x, y)]
-    return math.sqrt(sum(r * r for r in residuals) / len(residuals))
+    return max(1e-5, 1.5 * cost_of_float(alphas[0], pairs)) if alphas and alphas[0] == alphas[1] else 1e-5
 
 
 def main():
@@ -59,12 +71,9 @@ def main():
         sys.exit("no Blender: tools/setup interop installs it")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    draw = random.Random(20)
-    pairs = [[round(draw.uniform(0, high), 3) for high in (80, 360, 80, 360)] for _ in range(PAIRS)]
-    rows = "".join(",".join(map(str, pair)) + "\n" for pair in pairs)
-    (folder / "pairs.csv").write_text(rows)
-    directions = folder / "directions.csv"
-    directions.write_text("theta_i,phi_i,theta_o,phi_o\n" + rows)
+    pairs = draw_pairs(PAIRS)
+    (folder / "pairs.csv").write_text(rows_of(pairs))
+    directions = write_directions(folder / "directions.csv", pairs)
     targets, scripts = {}, []
     for name, words in MATERIALS.items():
         script = folder / f"{name}.py"
@@ -77,19 +86,21 @@ def main():
                           folder / "pairs.csv", *scripts], text=True, capture_output=True)
     if run.returncode:
         sys.exit(run.stdout + run.stderr)
-    failed = False
+    failed, within = False, 0
     for name, words in MATERIALS.items():
         with open(folder / f"{name}.csv") as file:
             seen = [[float(x) for x in row] for row in csv.reader(file)]
-        target, source = evaluated(targets[name], directions), evaluated(words, directions)
+        target, source = evaluated(brdf, targets[name], directions), evaluated(brdf, words, directions)
         assert len(seen) == len(target) == PAIRS
-        worst = max(abs(b / a - 1) for x, y in zip(target, seen) for a, b in zip(x, y))
+        worst = largest(target, seen)
         said, found = rms(source, target, pairs), rms(source, seen, pairs)
-        good = worst < tolerance(targets[name]) and abs(said - found) < 1e-4
+        good = worst < tolerance(targets[name], pairs) and abs(said - found) < 1e-4
         failed |= not good
+        within += worst < 1e-5
         print(f"{name:14} largest difference {worst:.2g}, loss said {said:.6f} seen {found:.6f}"
               f"{'' if good else '  FAILED'}")
-    sys.exit(failed)
+    print(f"{within} materials within 1e-5")
+    sys.exit(failed or within < 12)
 
 
 main()

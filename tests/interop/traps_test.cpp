@@ -1,0 +1,133 @@
+// What programs cannot all carry, for every program: written as it is, in the surface's own frame, or refused with the
+// reason; never silently another material.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "brdf/random.h"
+#include "interop/programs.h"
+#include "interop/wanted.h"
+#include "io/settings.h"
+
+namespace brdf::interop {
+namespace {
+
+using ::testing::HasSubstr;
+
+// What the export's own command line gives here: --form NAME --set a=b ...
+Material of_words(const std::string& words) {
+  io::MaterialChoice choice;
+  std::istringstream in(words);
+  for (std::string option, value; in >> option >> value;)
+    option == "--form" ? choice.form = value : choice.set.emplace_back(value);
+  return io::choose_material(choice);
+}
+
+// As a loss has it, on pairs all around the surface.
+double rms_between(const Material& a, const Material& b) {
+  Random random(5);
+  double sum = 0;
+  std::size_t count = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const auto anywhere = [&] {
+      return direction(degrees(random.uniform(0, 80)), degrees(random.uniform(0, 360)));
+    };
+    const Vec3<double> wi = anywhere();
+    // Half of them about the mirror direction.
+    Vec3<double> wo = k % 2 ? anywhere() : Vec3<double>{0.1 * random.uniform() - wi.x, -wi.y, wi.z};
+    wo = wo * (1 / std::sqrt(dot(wo, wo)));
+    std::vector<double> f(a.channels.size()), g(b.channels.size());
+    eval(a, wi, wo, f);
+    eval(b, wi, wo, g);
+    for (std::size_t c = 0; c < f.size(); ++c, ++count)
+      sum += std::pow(std::log1p(f[c] * wi.z) - std::log1p(g[g.size() == 1 ? 0 : c] * wi.z), 2);
+  }
+  return std::sqrt(sum / double(count));
+}
+
+struct Trap {
+  const char* name;
+  Material material;
+  std::map<std::string, const char*>
+      refused;  // by which programs, and what they say; "": by all that are not named
+};
+
+Material made(const std::string& form, const std::vector<std::string>& set) {
+  return io::choose_material({.form = form, .set = set});
+}
+
+std::vector<Trap> traps() {
+  Material per_channel = made("cook_torrance", {"kd=0.3,0.2,0.1", "ks=0.5", "f0=0.04", "alpha=0.2"});
+  per_channel.terms[0].shape = {{0.1, 0.1}, {0.2, 0.2}, {0.3, 0.3}};
+  Material three_terms = made("cook_torrance", {"kd=0", "ks=0.3", "f0=0.5", "alpha=0.1"});
+  three_terms.terms.push_back(made("cook_torrance", {"kd=0", "ks=0.3", "f0=0.5", "alpha=0.4"}).terms[0]);
+  three_terms.terms.push_back(made("lambert", {"rho=0.2"}).terms[0]);
+  const char *const clamped = "is above 1, which the program clamps at",
+                    *const mesh = "turn the texture coordinates by";
+  return {{"ks above 1",
+           made("blender_glossy", {"kd=0.1", "ks=1.5,0.7,0.3", "alpha=0.3"}),
+           {{"blender", clamped},
+            {"mitsuba", clamped},
+            {"pbrt", clamped},
+            {"gltf", clamped},
+            {"three", clamped},
+            {"materialx", clamped}}},
+          {"coloured ks", made("cook_torrance", {"kd=0.1", "ks=0.6,0.4,0.2", "f0=0.5", "alpha=0.3"}), {}},
+          {"a tangent of 30 degrees",
+           made("cook_torrance", {"kd=0", "ks=1", "f0=0.9", "alpha_x=0.4", "alpha_y=0.2", "tangent_phi=30"}),
+           {{"mitsuba", mesh}, {"pbrt", mesh}}},
+          {"alpha_x below alpha_y",
+           made("cook_torrance", {"kd=0", "ks=1", "f0=0.9", "alpha_x=0.2", "alpha_y=0.4"}),
+           {}},
+          {"a shape per channel", per_channel, {{"", "has a shape per channel"}}},
+          {"an index of refraction per channel",
+           made("cook_torrance_dielectric", {"kd=0.1", "ks=0.9", "eta=1.5,1.8,2.2", "alpha=0.3"}),
+           {{"blender", "has a shape per channel"},
+            {"blender-3.4", "has a shape per channel"},
+            {"mitsuba", "has a shape per channel"},
+            {"gltf", "has a shape per channel"},
+            {"three", "has a shape per channel"},
+            {"osl", "has a shape per channel"}}},
+          {"31 channels",
+           make_material(*find_form("ward"), std::vector<std::string>(31, "c")),
+           {{"", "31 channels: it takes one or three colours"}}},
+          {"three terms", three_terms, {{"", "it has one lobe beside the diffuse part"}}},
+          {"ward_duer", made("ward_duer", {}), {{"", "violates continuity"}}}};
+}
+
+const char* refusal_of(const Trap& trap, const Program& program) {
+  for (const std::string& name : {std::string(program.name), std::string()})
+    if (const auto found = trap.refused.find(name); found != trap.refused.end()) return found->second;
+  return nullptr;
+}
+
+TEST(Traps, AreCarriedAsTheyAreSaidOrRefusedWithTheReason) {
+  for (const Trap& trap : traps())
+    for (const Program& program : programs()) {
+      SCOPED_TRACE(std::string(trap.name) + " to " + std::string(program.name));
+      const char* refused = refusal_of(trap, program);
+      try {
+        // Copied, which takes no time; BRDF_REFIT in the environment refits.
+        const Exported e = export_to(program, trap.material, "thing", std::getenv("BRDF_REFIT") == nullptr);
+        EXPECT_EQ(refused, nullptr) << "was not refused";
+        const double said = e.projection.loss.rms, found = rms_between(trap.material, of_words(e.words));
+        EXPECT_LE(found, 5 * said + 1e-9) << said;
+        EXPECT_GE(found, e.projection.exact() ? 0 : said / 10);
+        EXPECT_LT(said, 0.15);  // it is that material still
+        EXPECT_THAT(e.text, HasSubstr(e.projection.exact()    ? ": exact"
+                                      : e.projection.refitted ? "refitted: largest"
+                                                              : "copied: largest"));
+      } catch (const Refused& error) {
+        ASSERT_NE(refused, nullptr) << error.what();
+        EXPECT_THAT(error.what(), HasSubstr("--to " + std::string(program.name) + ": "));
+        EXPECT_THAT(error.what(), HasSubstr(refused));
+      }
+    }
+}
+
+}  // namespace
+}  // namespace brdf::interop
