@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFilesInUnit = 16;  // where nothing else is asked for
+constexpr std::size_t kFilesInUnit = 16, kRefitsInUnit = 64;  // where nothing else is asked for
 
 // The command without its `plan`.
 std::string command_at_once() {
@@ -73,11 +73,29 @@ void divide_texels(const std::string& size, maps::Plan& plan) {
                      std::to_string(maps::kTile));
 }
 
-void divide_files(const std::string& size, maps::Plan& plan) {
-  plan.unit_height = 1;
-  plan.unit_width = size.empty() ? kFilesInUnit : count_in(size);
-  if (plan.unit_width == 0)
-    throw InputError("--unit-size " + size + ": of tables it must be a number of files, 1 or more");
+// A row of as many as there are.
+void divide(std::size_t all, const std::string& size, std::size_t usual, const char* things,
+            maps::Plan& plan) {
+  plan.width = all;
+  plan.height = plan.unit_height = 1;
+  plan.unit_width = size.empty() ? usual : count_in(size);
+  if (plan.unit_width == 0) throw InputError("--unit-size " + size + ": " + things + ", 1 or more");
+}
+
+// One table's refits.
+void divide_fit(const std::string& file, const std::string& size, const TaskOptions& options,
+                maps::Plan& plan) {
+  if (options.no_pictures)
+    throw InputError("--no-pictures is for several sample files: one file's fit draws none");
+  const auto models = fit::models_of(options.choice.form);
+  if (models.empty())
+    throw InputError("--form " + options.choice.form +
+                     ": chooses by fits one after another, which cannot be divided: name a form");
+  const fit::FitOptions fit = fit_options(options.choice, 1);
+  const std::size_t refits =
+      fit::count_refits(fit::arranged(io::read_samples(file), fit), models.size(), fit);
+  if (refits == 0) throw InputError(file + ": one direction, no folds: no work to divide");
+  divide(refits, size, kRefitsInUnit, "of one table it must be a number of refits", plan);
 }
 
 std::vector<std::string> files_of(const texel::Stack& stack, const std::string& normals) {
@@ -101,6 +119,7 @@ StackTask stack_task(const std::string& folder, const TaskOptions& options) {
 
 void add_task_options(CLI::App& verb, TaskOptions& options) {
   add_fit_options(verb, options.choice);
+  add_bootstrap_option(verb, options.choice);
   add_normals_option(verb, options.stack);
   add_pictures_option(verb, options.no_pictures);
 }
@@ -126,11 +145,14 @@ maps::Plan plan_of(const std::string& verb, const std::vector<std::string>& name
     fit_options(options.choice, 1);
     fit::models_of(options.choice.form);
     files = sample_files(named);
-    if (files.size() < 2) throw InputError(files[0] + ": one table is no work to divide: use brdf " + verb);
-    if (is_fit) fit::batch_names(files);
-    divide_files(unit_size, plan);
-    plan.width = files.size();
-    plan.height = 1;
+    if (!is_fit && options.choice.options.bootstrap > 0) throw InputError("--bootstrap is for fit");
+    if (is_fit && files.size() == 1 && !names_folder(named)) {
+      divide_fit(files[0], unit_size, options, plan);
+    } else {
+      if (files.size() < 2) throw InputError(files[0] + ": one table is no work to divide: use brdf " + verb);
+      if (is_fit) fit::batch_names(files);
+      divide(files.size(), unit_size, kFilesInUnit, "of tables it must be a number of files", plan);
+    }
   }
   for (const std::string& file : files)
     if (!utf8::is_valid(file)) throw InputError(io::shown(file) + ": names of planned inputs must be UTF-8");

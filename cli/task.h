@@ -1,4 +1,5 @@
-// What a plan plans: `fit` of a stack, `fit` or `study` of tables, with the same options as at once.
+// What a plan plans: `fit` of a stack or of the refits of one table, `fit` or `study` of tables, with the same options as at
+// once.
 #pragma once
 
 #include <optional>
@@ -48,6 +49,8 @@ class Task {
 
   StackTask stack() const;                   // precondition: it is of a stack
   std::vector<std::string> samples() const;  // precondition: it is of tables
+  // Of one table the units are of its refits, folds and bootstrap replicates.
+  bool of_refits() const { return plan_.stack.empty() && plan_.inputs.size() == 1; }
 
  private:
   std::string job_;

@@ -7,6 +7,7 @@
 
 #include "cli/fit_files.h"
 #include "cli/fit_options.h"
+#include "cli/fit_table.h"
 #include "cli/study_files.h"
 #include "io/content.h"
 #include "io/error.h"
@@ -28,13 +29,23 @@ std::vector<maps::UnitFile> files_in(const fs::path& folder) {
   return out;
 }
 
+template <class Number>
+std::string bytes_of(const std::vector<Number>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)};
+}
+
+// Precondition: made by bytes_of().
+template <class Number>
+std::vector<Number> values_in(const maps::UnitFile& file) {
+  std::vector<Number> values(file.bytes.size() / sizeof(Number));
+  std::memcpy(values.data(), file.bytes.data(), file.bytes.size());
+  return values;
+}
+
 std::vector<maps::UnitFile> files_of(const texel::Planes& planes) {
   std::vector<maps::UnitFile> files;
-  for (std::size_t k = 0; k < planes.names.size(); ++k) {
-    const std::vector<float>& values = planes.values[k];
-    files.push_back({planes.names[k], std::string(reinterpret_cast<const char*>(values.data()),
-                                                  values.size() * sizeof(float))});
-  }
+  for (std::size_t k = 0; k < planes.names.size(); ++k)
+    files.push_back({planes.names[k], bytes_of(planes.values[k])});
   return files;
 }
 
@@ -44,8 +55,7 @@ texel::Planes planes_of(const std::vector<maps::UnitFile>& files, const texel::R
     if (file.bytes.size() != region.size() * sizeof(float))
       throw InputError(file.name + ": not of the unit's size");
     planes.names.push_back(file.name);
-    std::vector<float>& values = planes.values.emplace_back(region.size());
-    std::memcpy(values.data(), file.bytes.data(), file.bytes.size());
+    planes.values.push_back(values_in<float>(file));
   }
   return planes;
 }
@@ -80,6 +90,32 @@ std::vector<maps::UnitFile> study_tables(const Task& task, const texel::Region& 
   for (const study::Row& row : study::study(task.samples(), options))
     if (row.fault == study::Fault::environment) throw EnvironmentError(row.json["error"].get<std::string>());
   return files_in(scratch.path());
+}
+
+// Refit number k of a table under the name "k", its parameters as this machine's doubles.
+std::vector<maps::UnitFile> solve_refits(const Task& task, const texel::Region& region) {
+  const fit::FitOptions options = fit_options(task.options().choice, 2);
+  const fit::RefitSolutions solutions =
+      fit::solve_refits(table_to_fit(task.samples()[0], options), fit::models_of(task.options().choice.form),
+                        options, region.x, region.width);
+  std::vector<maps::UnitFile> files;
+  for (std::size_t k = 0; k < solutions.size(); ++k)
+    files.push_back({std::to_string(region.x + k), bytes_of(solutions[k])});
+  return files;
+}
+
+Exit collect_refits(const Task& task, const CollectFiles& files) {
+  const fit::FitOptions options = fit_options(task.options().choice, 1);
+  maps::check_input(task.plan().inputs[0], true);
+  io::check_targets({{"-o", files.output}, {"--report", files.report}}, {task.samples()[0]});
+  const io::SampleTable table = table_to_fit(task.samples()[0], options);
+  fit::RefitSolutions solutions;
+  for (std::size_t k = 0; k < task.plan().units().size(); ++k)
+    if (const auto content = maps::read_unit(task.job(), task.plan(), k))
+      for (const maps::UnitFile& file : *content) solutions.push_back(values_in<double>(file));
+  const fit::FitResult result =
+      fit::fit(table, fit::models_of(task.options().choice.form), options, {}, &solutions);
+  return write_fit(result, table, options, {files.output, files.report, false});
 }
 
 Exit collect_stack(const Task& task, const CollectFiles& files) {
@@ -132,15 +168,17 @@ void do_unit(const Task& task, std::size_t unit, std::uint64_t memory, bool chec
   const texel::Region region = plan.units()[unit];
   const bool of_stack = !plan.stack.empty();
   for (std::size_t k = 0; k < plan.inputs.size(); ++k)
-    if (of_stack || (k >= region.x && k < region.x + region.width))
+    if (of_stack || task.of_refits() || (k >= region.x && k < region.x + region.width))
       maps::check_input(plan.inputs[k], check || !of_stack);
   const std::vector<maps::UnitFile> files = of_stack             ? fit_texels(task, region, memory)
+                                            : task.of_refits()   ? solve_refits(task, region)
                                             : plan.verb == "fit" ? fit_tables(task, region)
                                                                  : study_tables(task, region);
   if (!was_interrupted()) maps::write_unit(task.job(), plan, unit, files);
 }
 
 Exit put_together(const Task& task, const CollectFiles& files) {
+  if (task.of_refits()) return collect_refits(task, files);
   return task.plan().stack.empty() ? collect_tables(task, files) : collect_stack(task, files);
 }
 

@@ -10,7 +10,7 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct CollectCall {
   std::string job, output, report;
   bool missing = false, json = false;
 };
@@ -24,7 +24,7 @@ void print_json(const std::vector<maps::UnitState>& states, const std::string& m
   std::cout << io::to_text(out);
 }
 
-Exit run(const Options& o) {
+Exit run_collect(const CollectCall& o) {
   if (o.output.empty() && !o.missing && !o.json)
     throw InputError("collect needs -o FOLDER, or --missing or --json to ask for the units");
   const CollectFiles files{absolute(o.output), absolute(o.report)};
@@ -51,12 +51,13 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_collect(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  Options& o = *options;
+  auto options = std::make_shared<CollectCall>();
+  CollectCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::measure, "collect",
                             "Put the units of planned work together, or name those that lack");
   verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
-  verb->add_option("-o,--output", o.output, "Folder of the results, those of the verb at once");
+  verb->add_option("-o,--output", o.output,
+                   "Folder of the results, those of the verb at once; of one table its material file");
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_flag("--missing", o.missing,
                  "Where units lack or are damaged, print them as a job array takes them: 3,7,12-19");
@@ -64,9 +65,10 @@ void add_collect(CLI::App& app) {
   verb->footer(
       "Exit code 1 where units lack.\n"
       "Examples: brdf collect job -o maps/ --report maps.html\n"
+      "          brdf collect job -o paint.json --report paint.html\n"
       "          brdf collect job --missing\n"
       "          brdf collect job --json");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_collect(*options); });
 }
 
 }  // namespace brdf::cli

@@ -11,14 +11,14 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct WorkCall {
   std::string job;
   std::optional<std::size_t> unit;
   bool check = false;
   std::uint64_t memory = StackOptions().memory;
 };
 
-Exit run(const Options& o) {
+Exit run_work(const WorkCall& o) {
   const Task task(o.job);
   const std::size_t count = task.plan().units().size();
   if (o.unit && *o.unit >= count)
@@ -37,8 +37,8 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_work(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  Options& o = *options;
+  auto options = std::make_shared<WorkCall>();
+  WorkCall& o = *options;
   CLI::App* verb =
       add_verb(app, Purpose::measure, "work", "Do a unit of planned work; nothing where it is done");
   verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
@@ -51,7 +51,7 @@ void add_work(CLI::App& app) {
       "Examples: brdf work job --unit 3 --memory-limit 1G\n"
       "          brdf work job --check-inputs\n"
       "          seq 0 63 | parallel -j2 brdf work job --unit {}");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_work(*options); });
 }
 
 }  // namespace brdf::cli

@@ -153,6 +153,12 @@ std::vector<std::pair<std::string, std::string>> fields_of(const Making& making)
   return io::provenance_fields(made);
 }
 
+// Where what is shared has one value.
+std::string in_words_of_regions(const Making& making) {
+  return making.regions.empty() ? ", one value for the stack"
+                                : ", one value in each region of " + making.regions;
+}
+
 }  // namespace
 
 void write_maps(const std::filesystem::path& folder, const texel::Planes& maps, const Making& making,
@@ -165,6 +171,8 @@ void write_maps(const std::filesystem::path& folder, const texel::Planes& maps, 
                      {"metric", std::string(name_of(making.settings.options.metric))},
                      {"normals", making.normals},
                      {"verdicts", verdicts}};
+  if (!making.shared.empty())
+    file.attributes.emplace_back("shared", io::joined(making.shared, " ") + in_words_of_regions(making));
   for (const auto& field : fields_of(making)) file.attributes.push_back(field);
   texel::write_planes(folder / kMapsFile, file);
   io::write_file_atomically(folder / kSummaryFile, summary);
@@ -195,6 +203,8 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
               {"form", fit::name_of_sum(making.settings.forms)},
               {"metric", std::string(name_of(making.settings.options.metric))},
               {"normals", making.normals},
+              {"shared", making.shared},
+              {"regions", making.regions.empty() ? Json() : Json(making.regions)},
               {"fitted", summary.fitted},
               {"usable", summary.usable()},
               {"from_grid", summary.from_grid},
@@ -206,12 +216,15 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
   return io::to_text(out);
 }
 
-void print(std::ostream& out, const texel::Stack& stack, const Settings& settings, const Summary& summary,
+void print(std::ostream& out, const texel::Stack& stack, const Making& making, const Summary& summary,
            const std::filesystem::path& folder, std::optional<double> seconds) {
+  const Settings& settings = making.settings;
   out << stack.width << " x " << stack.height << " texels, " << stack.images.size() << " images, "
       << stack.channels.size() << " channels; " << fit::name_of_sum(settings.forms) << ", metric "
-      << name_of(settings.options.metric) << '\n'
-      << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
+      << name_of(settings.options.metric) << '\n';
+  if (!making.shared.empty())
+    out << "shared: " << io::joined(making.shared, ", ") << in_words_of_regions(making) << '\n';
+  out << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
       << " from the grid of starts\n"
       << "residual, in the middle: " << io::short_number(summary.median_error) << '\n';
   if (seconds)
@@ -221,8 +234,9 @@ void print(std::ostream& out, const texel::Stack& stack, const Settings& setting
   out << (folder / kMapsFile).string() << ", " << (folder / kSummaryFile).string() << '\n';
 }
 
-std::string html_page(const texel::Stack& stack, const Settings& settings, const Summary& summary,
+std::string html_page(const texel::Stack& stack, const Making& making, const Summary& summary,
                       const texel::Planes& maps) {
+  const Settings& settings = making.settings;
   const std::string name = io::file_name(std::filesystem::path(stack.folder / "").parent_path().string());
   io::HtmlReport html("Maps of " + name);
   const double share = double(summary.usable()) / double(std::max<std::size_t>(summary.fitted, 1));
@@ -234,7 +248,10 @@ std::string html_page(const texel::Stack& stack, const Settings& settings, const
   html.paragraph(std::to_string(stack.width) + " x " + std::to_string(stack.height) + " texels under " +
                  std::to_string(stack.images.size()) + " pairs of light and viewer, each fitted with " +
                  fit::name_of_sum(settings.forms) + " (metric " +
-                 std::string(name_of(settings.options.metric)) + "): " + counted(summary) + ".");
+                 std::string(name_of(settings.options.metric)) + "): " + counted(summary) + "." +
+                 (making.shared.empty()
+                      ? ""
+                      : " Shared: " + io::joined(making.shared, ", ") + in_words_of_regions(making) + "."));
   html.heading("Maps");
   std::vector<io::Figure> pictures;
   std::vector<std::size_t> planes = parameter_planes(maps);

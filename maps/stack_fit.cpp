@@ -7,6 +7,7 @@
 
 #include "fit/assess/metric_choice.h"
 #include "fit/assess/reported.h"
+#include "fit/assess/student.h"
 #include "io/error.h"
 #include "io/noise.h"
 #include "io/numbers.h"
@@ -16,13 +17,6 @@ namespace {
 
 constexpr std::size_t kMetricTexels = 9;  // that are asked for the metric
 constexpr const char* kNormalNames[] = {"normal.x", "normal.y", "normal.z"};
-
-Vec3<double> normal_at(const Normals* normals, std::size_t texel) {
-  if (!normals) return {0, 0, 1};
-  const auto at = [&](std::size_t k) { return double((*normals->find(kNormalNames[k]))[texel]); };
-  const Vec3<double> n{at(0), at(1), at(2)};
-  return n * (1 / std::sqrt(dot(n, n)));
-}
 
 // The names of a fit's planes in their order; the estimates' come first, each with its standard error.
 std::vector<std::string> plane_names(const fit::Model& model) {
@@ -35,27 +29,6 @@ std::vector<std::string> plane_names(const fit::Model& model) {
   if (!model.fits_normal()) names.insert(names.end(), {kNormalNames[0], kNormalNames[1]});
   names.insert(names.end(), {kNormalNames[2], "error", "images", "verdict", "grid"});
   return names;
-}
-
-std::vector<double> plane_values(const TexelFit& fit, bool fits_normal, std::size_t channels) {
-  std::vector<double> values;
-  for (const fit::Estimate& e : fit.estimates) {
-    values.push_back(e.value);
-    values.push_back(e.status == fit::Status::unidentified ? fit::kUnknown
-                     : e.status == fit::Status::free       ? e.standard_error
-                                                           : 0);
-  }
-  if (!fits_normal) values.insert(values.end(), {fit.normal.x, fit.normal.y});
-  values.insert(values.end(), {fit.normal.z, fit.error(channels), double(fit.rows), double(fit.verdict),
-                               fit.from_grid ? 1.0 : 0.0});
-  return values;
-}
-
-texel::Planes unknown_planes(std::vector<std::string> names, std::size_t width, std::size_t height) {
-  texel::Planes out{width, height, std::move(names), {}};
-  out.values.assign(out.names.size(),
-                    std::vector<float>(width * height, std::numeric_limits<float>::quiet_NaN()));
-  return out;
 }
 
 // The pixels of a unit, a band of its rows at a time, read when they are asked for.
@@ -87,6 +60,39 @@ class Bands {
 
 }  // namespace
 
+Vec3<double> normal_at(const Normals* normals, std::size_t texel) {
+  if (!normals) return {0, 0, 1};
+  const auto at = [&](std::size_t k) { return double((*normals->find(kNormalNames[k]))[texel]); };
+  const Vec3<double> n{at(0), at(1), at(2)};
+  return n * (1 / std::sqrt(dot(n, n)));
+}
+
+std::vector<double> plane_values(const TexelFit& fit, bool fits_normal, std::size_t channels) {
+  std::vector<double> values;
+  for (const fit::Estimate& e : fit.estimates) {
+    values.push_back(e.value);
+    values.push_back(e.status == fit::Status::unidentified ? fit::kUnknown
+                     : e.status == fit::Status::free       ? e.standard_error * fit::widening(e.freedom)
+                                                           : 0);
+  }
+  if (!fits_normal) values.insert(values.end(), {fit.normal.x, fit.normal.y});
+  values.insert(values.end(), {fit.normal.z, fit.error(channels), double(fit.rows), double(fit.verdict),
+                               fit.from_grid ? 1.0 : 0.0});
+  return values;
+}
+
+texel::Planes unknown_maps(const fit::Model& model, std::size_t width, std::size_t height) {
+  texel::Planes out{width, height, plane_names(model), {}};
+  out.values.assign(out.names.size(),
+                    std::vector<float>(width * height, std::numeric_limits<float>::quiet_NaN()));
+  return out;
+}
+
+void put_texel(const std::vector<double>& values, std::size_t texel, texel::Planes& maps) {
+  for (std::size_t plane = 0; plane < values.size(); ++plane)
+    maps.values[plane][texel] = float(values[plane]);
+}
+
 Normals read_normals(const std::filesystem::path& path, const texel::Stack& stack) {
   Normals normals = texel::read_planes(path);
   if (normals.width != stack.width || normals.height != stack.height)
@@ -112,11 +118,10 @@ std::vector<texel::Region> units_of(const texel::Region& grid, std::size_t width
   return units;
 }
 
-texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, const Normals* normals,
-                       const texel::Region& region, std::size_t memory) {
-  TexelFitter fitter(stack, settings);
+void fit_texels(TexelFitter& fitter, const texel::Stack& stack, const Settings& settings,
+                const Normals* normals, const texel::Region& region, std::size_t memory,
+                const BeforeTexel& before, const VisitTexel& visit) {
   Bands bands(stack, region, memory);
-  texel::Planes out = unknown_planes(plane_names(fitter.model()), region.width, region.height);
   std::vector<TexelFit> above(region.width);  // the last fit in each column of a row of tiles
   for (std::size_t k = 0; k < region.size() && !settings.options.stop(); ++k) {
     const std::size_t x = k % region.width, y = k / region.width, column = region.x + x, row = region.y + y;
@@ -125,18 +130,28 @@ texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, cons
     const bool has_left = column % kTile != 0 && !above[x - 1].empty();
     const TexelFit* neighbour = has_left ? &above[x - 1] : &above[x];
     if (neighbour->empty()) neighbour = nullptr;
-    TexelFit fit =
-        fitter.fit({bands.at(x, y), column, row}, normal_at(normals, row * stack.width + column), neighbour);
+    if (before) before(k);
+    const TexelPixels pixels{bands.at(x, y), column, row};
+    TexelFit fit = fitter.fit(pixels, normal_at(normals, row * stack.width + column), neighbour);
     if (fit.empty()) continue;
-    const std::vector<double> numbers = plane_values(fit, settings.fits_normal, stack.channels.size());
-    for (std::size_t plane = 0; plane < numbers.size(); ++plane) out.values[plane][k] = float(numbers[plane]);
+    visit(k, pixels, fit);
     above[x] = std::move(fit);
   }
+}
+
+texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, const Normals* normals,
+                       const texel::Region& region, std::size_t memory) {
+  TexelFitter fitter(stack, settings);
+  texel::Planes out = unknown_maps(fitter.model(), region.width, region.height);
+  fit_texels(fitter, stack, settings, normals, region, memory, {},
+             [&](std::size_t k, const TexelPixels&, const TexelFit& fit) {
+               put_texel(plane_values(fit, settings.fits_normal, stack.channels.size()), k, out);
+             });
   return out;
 }
 
 texel::Planes empty_maps(const texel::Stack& stack, const Settings& settings) {
-  return unknown_planes(plane_names(TexelFitter(stack, settings).model()), stack.width, stack.height);
+  return unknown_maps(TexelFitter(stack, settings).model(), stack.width, stack.height);
 }
 
 void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& maps) {

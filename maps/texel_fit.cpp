@@ -6,6 +6,7 @@
 
 #include "brdf/frame.h"
 #include "fit/assess/verdict.h"
+#include "fit/solve/columns.h"
 #include "fit/solve/equivalence.h"
 #include "fit/solve/minima.h"
 #include "fit/solve/nearby.h"
@@ -18,6 +19,7 @@ namespace brdf::maps {
 namespace {
 
 constexpr std::size_t kCoarseRows = 4096;  // of more rows than twice these a start is solved on as many
+constexpr std::size_t kNearRows = 2048;    // the same of a neighbour's solution, which is near
 constexpr std::size_t kSolvedStarts = 6;   // of a grid, those that cost least
 constexpr double kJump = 2;                // of the cost per value, from one texel to the next
 constexpr double kExact = 1e-10;           // share of a black surface's cost below which there is no noise
@@ -43,6 +45,8 @@ void check(const Settings& s) {
   if (s.options.random_starts > 0 || !s.options.start.empty())
     throw InputError(
         "--start, --starts: not for stacks, whose texels start from the grid or their neighbours");
+  if (s.options.bootstrap > 0)
+    throw InputError("--bootstrap: not for stacks, whose maps hold one standard error of each parameter");
   if (s.options.weighting == fit::Weighting::sigma)
     throw InputError("--weights sigma: a stack has no standard deviations");
 }
@@ -91,6 +95,7 @@ TexelFitter::TexelFitter(const texel::Stack& stack, const Settings& settings)
       settings_(settings),
       model_(settings.forms, stack.channels, with_normal(settings)),
       arrays_(texel::directions_at(stack, 0, 0)),
+      turned_(arrays_.size()),
       low_(model_.low()),
       high_(model_.high()),
       starts_(fit::grid_starts(model_)) {
@@ -103,30 +108,37 @@ void TexelFitter::select_rows(const Vec3<double>& normal) {
   const Directions<double> all = arrays_.view();
   const std::size_t channels = stack_.channels.size();
   const double least = io::cos_degrees(settings_.options.max_theta) - 1e-12;
-  for (auto* column :
-       {&data_.wi_x, &data_.wi_y, &data_.wi_z, &data_.wo_x, &data_.wo_y, &data_.wo_z, &data_.weight})
-    column->clear();
-  for (auto& values : data_.values) values.clear();
-  data_.row.clear();
   const bool weighted = settings_.options.weighting == fit::Weighting::solid_angle;
+  // Columns of this length, whatever of it is used: rows are written where they belong.
+  const auto resize = [&](std::size_t rows) {
+    for (auto* column : {&data_.wi_x, &data_.wi_y, &data_.wi_z, &data_.wo_x, &data_.wo_y, &data_.wo_z})
+      column->resize(rows);
+    for (auto& values : data_.values) values.resize(rows);
+    data_.weight.resize(weighted ? rows : 0);
+    data_.row.resize(rows);
+  };
+  resize(all.count);
+  fit::tilt_batch(all, normal, turned_);
+  const Directions<double> local = turned_.view(), written = settings_.fits_normal ? all : local;
+  std::size_t rows = 0;
   for (std::size_t k = 0; k < all.count; ++k) {
-    const Vec3<double> wi = in_frame_of(normal, all.wi(k)), wo = in_frame_of(normal, all.wo(k));
+    const Vec3<double> wi = local.wi(k), wo = local.wo(k);
     bool used = wi.z >= least && wo.z >= least && wi.z > 0 && wo.z > 0;
     for (std::size_t c = 0; c < channels; ++c) used = used && std::isfinite(texel_.pixels[c * all.count + k]);
     if (!used) continue;
-    const double cos_i = settings_.fits_normal ? all.wi_z[k] : wi.z;
-    if (settings_.fits_normal)
-      data_.add_directions(all.wi(k), all.wo(k));
-    else
-      data_.add_directions(wi, wo);
+    const Vec3<double> light = written.wi(k), viewer = written.wo(k);
+    data_.wi_x[rows] = light.x, data_.wi_y[rows] = light.y, data_.wi_z[rows] = light.z;
+    data_.wo_x[rows] = viewer.x, data_.wo_y[rows] = viewer.y, data_.wo_z[rows] = viewer.z;
     for (std::size_t c = 0; c < channels; ++c)
-      data_.values[c].push_back(double(texel_.pixels[c * all.count + k]) / cos_i);
-    if (weighted) data_.weight.push_back(std::hypot(wi.x, wi.y) * std::hypot(wo.x, wo.y));
-    data_.row.push_back(std::uint32_t(k));
+      data_.values[c][rows] = double(texel_.pixels[c * all.count + k]) / light.z;
+    if (weighted) data_.weight[rows] = std::hypot(wi.x, wi.y) * std::hypot(wo.x, wo.y);
+    data_.row[rows++] = std::uint32_t(k);
   }
+  resize(rows);
   data_.incidence = data_.row;
   if (fit::FitData inside = fit::within_domain(data_, settings_.options.metric); inside.rows() > 0)
     data_ = std::move(inside);
+  fit::note_value_slopes(data_, settings_.options.metric);
   normal_ = normal;
 }
 
@@ -143,7 +155,7 @@ fit::Solution TexelFitter::solve_from(const fit::FitData& data, std::span<const 
 
 fit::Solution TexelFitter::solve_from_neighbour(const TexelFit& neighbour) {
   if (data_.rows() <= 2 * kCoarseRows) return solve_from(data_, neighbour.p, kTolerance, kIterations);
-  const fit::FitData few = fit::thinned(data_, kCoarseRows);
+  const fit::FitData few = fit::thinned(data_, kNearRows);
   return solve_from(data_, solve_from(few, neighbour.p, kLoose, kIterations).p, kTolerance, kIterations);
 }
 
@@ -259,7 +271,8 @@ void TexelFitter::turn_rows(const Vec3<double>& normal, fit::FitData& data,
   }
 }
 
-fit::Misfit TexelFitter::judged(std::vector<std::vector<double>> values, const Vec3<double>& normal) const {
+// `values` of the model, turned with the rows.
+fit::Misfit TexelFitter::judged(std::vector<std::vector<double>>& values, const Vec3<double>& normal) const {
   fit::FitData turned;
   if (model_.fits_normal()) {
     turned = data_;
@@ -284,17 +297,18 @@ fit::SampleStream TexelFitter::stream_of(const fit::FitData& data) const {
 void TexelFitter::assess(const fit::Solution& s, TexelFit& out) {
   const fit::SampleStream stream = stream_of(data_);
   fit::Minimum m{s.p, s.cost, 1, s.at_bound, s.termination, s.message};
-  fit::canonicalise(model_, m);
+  if (!holds_) fit::canonicalise(model_, m);
   const std::vector<double> before = m.p;
-  const fit::NormalEquations n = fit::drop_negligible_lobes(stream, m);
-  // Without a loss the solver's matrix is that of the errors.
+  const fit::NormalEquations n = fit::drop_negligible_lobes(stream, m, &besides_);
+  // Without a loss the solver's matrices are those of the errors.
   const bool same = m.p == before && residual_.loss.kind == fit::LossFunction::Kind::none;
-  const fit::Uncertainty u = fit::uncertainty(stream, m, fit::Detail::estimates, same ? &n.hessian : nullptr);
+  const fit::KnownMatrices known{n.hessian, besides_.expected_meat};
+  const fit::Uncertainty u = fit::uncertainty(stream, m, fit::Detail::estimates, same ? &known : nullptr);
   out.normal = model_.fits_normal() ? model_.normal(m.p) : normal_;
-  out.verdict = fit::verdict_of(m, u, judged(stream.values(m.p), out.normal));
+  out.verdict = fit::verdict_of(m, u, judged(besides_.values, out.normal));
   out.estimates = u.estimates;
   out.p = m.p;
-  out.cost = m.cost;
+  out.cost = n.cost;
   out.rows = data_.rows();
 }
 
@@ -320,10 +334,28 @@ TexelFit TexelFitter::fit(const TexelPixels& texel, const Vec3<double>& normal, 
       select_rows(model_.normal(s.p));
   }
   if (!s.p.empty())
-    assess(s.termination == fit::Termination::iteration_limit || s.termination == fit::Termination::failed
+    assess(!holds_ && (s.termination == fit::Termination::iteration_limit ||
+                       s.termination == fit::Termination::failed)
                ? solve_at_length(s.p)
                : s,
            out);
+  return out;
+}
+
+void TexelFitter::hold(std::span<const std::size_t> slots, std::span<const double> values) {
+  low_ = model_.low();
+  high_ = model_.high();
+  holds_ = !slots.empty();
+  for (std::size_t k = 0; k < slots.size(); ++k) low_[slots[k]] = high_[slots[k]] = values[k];
+}
+
+TexelFitter::SharedTerms TexelFitter::shared_terms(const TexelFit& last,
+                                                   std::span<const std::size_t> slots) const {
+  const fit::SampleStream stream = stream_of(data_);
+  const fit::NormalEquations n = stream.normal_equations(last.p);
+  std::vector<double> p = last.p;
+  SharedTerms out{fit::profile(n, slots, fit::hold_at_bounds(n, p, low_, high_)), {}, n.cost};
+  out.meat = fit::congruent(out.profile.follows, stream.meat(last.p, out.profile.inverse));
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "fit/assess/assess.h"
 #include "fit/model/data.h"
 #include "fit/model/model.h"
+#include "fit/solve/profile.h"
 #include "fit/solve/sample_stream.h"
 #include "fit/solve/solve.h"
 #include "io/samples.h"
@@ -60,6 +61,17 @@ class TexelFitter {
   // `normal` is the surface's, or where it is fitted a guess.
   TexelFit fit(const TexelPixels& texel, const Vec3<double>& normal, const TexelFit* neighbour);
 
+  // From now on these of the solver's parameters have these values; none: all are free again.
+  void hold(std::span<const std::size_t> slots, std::span<const double> values);
+
+  // What the texel says of parameters that it shares with others, in the fit that was the last and is not empty.
+  struct SharedTerms {
+    fit::Profile profile;
+    fit::Matrix meat;  // of the shared ones: the sum over rows of the outer product of what they feel of each
+    double cost = 0;
+  };
+  SharedTerms shared_terms(const TexelFit& last, std::span<const std::size_t> slots) const;
+
  private:
   void select_rows(const Vec3<double>& normal);
   fit::Solution solve_from(const fit::FitData& data, std::span<const double> start, double tolerance,
@@ -73,7 +85,7 @@ class TexelFitter {
   void assess(const fit::Solution& s, TexelFit& out);
   void turn_rows(const Vec3<double>& normal, fit::FitData& data,
                  std::vector<std::vector<double>>& values) const;
-  fit::Misfit judged(std::vector<std::vector<double>> values, const Vec3<double>& normal) const;
+  fit::Misfit judged(std::vector<std::vector<double>>& values, const Vec3<double>& normal) const;
   fit::SampleStream stream_of(const fit::FitData& data) const;
 
   const texel::Stack& stack_;
@@ -81,11 +93,14 @@ class TexelFitter {
   fit::Model model_;
   fit::Residual residual_;
   DirectionArrays<double> arrays_;  // in this texel; in all of them where lights and viewers are far
+  DirectionArrays<double> turned_;  // the same in the frame of the surface's normal
   std::vector<double> low_, high_;
+  bool holds_ = false;
   std::vector<std::vector<double>> starts_;
   TexelPixels texel_;
   Vec3<double> normal_{0, 0, 1};
   fit::FitData data_;
+  fit::Besides besides_;  // at the solution
   std::shared_ptr<fit::SampleStream::Spare> spare_ = std::make_shared<fit::SampleStream::Spare>();
 };
 

@@ -15,7 +15,7 @@
 namespace brdf {
 
 struct Case {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   Material material = lacquer();
   synth::TexelOptions options;
   texel::Stack stack;
@@ -89,7 +89,7 @@ inline void expect_truth(std::size_t size, bool fits_normal, unsigned threads = 
 }
 
 // At 3 % noise, under the residual that noise of this kind asks for, which makes it even: no few pixels decide. A width is
-// decided by the few images that see the highlight, and so is its standard error: `least_of_widths`.
+// decided by the few images that see the highlight, and so is its standard error: of few texels `least_of_widths`.
 inline void expect_coverage(std::size_t size, double least_of_widths, unsigned threads = 1) {
   synth::TexelOptions o = small_stack(size, 151);
   o.noise = 0.03;

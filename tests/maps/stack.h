@@ -10,9 +10,9 @@
 #include "brdf/frame.h"
 #include "brdf/material.h"
 #include "io/settings.h"
+#include "io/temporary_folder.h"
 #include "maps/stack_fit.h"
 #include "synth/texels.h"
-#include "tests/io/temporary_folder.h"
 #include "texel/stack.h"
 
 namespace brdf {

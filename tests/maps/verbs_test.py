@@ -62,6 +62,17 @@ with tempfile.TemporaryDirectory() as name:
         assert abs(red * math.pi - (0.1 + 0.5 * share)) < 0.01 * (0.1 + 0.5 * share) + 0.002, (column, row, red * math.pi, share)
     assert "no scene: a sum of forms" in run("fit matt --form lambert+phong -o sum --jobs 2", None).stdout
 
+    # One width for all: the same in every texel, and refused where there is none.
+    run(fit + "--share alpha -o shared --jobs 2")
+    told = json.loads((folder / "shared/maps.json").read_text())
+    assert told["shared"] == ["alpha"] and told["regions"] is None, told
+    alpha = next(p for p in told["parameters"] if p["name"] == "alpha_x")
+    assert alpha["low"] == alpha["high"] and alpha["identified"] == 660, alpha
+    refused(fit + "--share kd -o maps", "--share kd: must be a shape that is fitted: alpha")
+    refused("fit stack --form lambert --share alpha -o maps", "--share alpha: must be a shape that is fitted: this fit has none")
+    refused(fit + "--regions stack/image_00000.exr -o maps", "--regions: are those of --share")
+    refused(fit + "--share alpha --regions stack/image_00000.exr -o maps", "regions must be one channel of the stack's 66 x 10")
+    refused("fit stack/lights.csv --share alpha", "--share and --regions are for a stack")
     refused("fit stack --form all -o maps", "--form all: a stack is fitted with one form")
     refused("fit stack --form ward", "a stack needs -o FOLDER")
     refused("fit stack --form ward --robust huber -o maps", "a stack needs the loss's scale")

@@ -104,7 +104,10 @@ with tempfile.TemporaryDirectory() as name:
         assert not list((place.folder / f"{verb}_job").glob("brdf_*"))
     table = (place.folder / "fit_out/summary.csv").read_text().splitlines()
     assert len(table) == 8 and sum(",error," in row for row in table) == 1, table
-    refused("plan fit measurements/paint_0000.csv --form ward -o one", "one table is no work to divide")
+    refused("plan study measurements/paint_0000.csv --form ward -o one", "one table is no work to divide")
+    refused("plan fit measurements/paint_0000.csv --form auto -o one", "--form auto: chooses by fits one after another")
+    refused("plan study measurements --form ward --bootstrap 9 -o one", "--bootstrap is for fit")
+    refused("plan fit stack --form ward --bootstrap 9 -o one", "--bootstrap: not for stacks")
     refused("plan fit measurements --form warp -o one", "warp")
     refused("plan fit measurements --form ward --normals fit -o one", "--normals is for a stack")
     refused("plan fit stack --form ward --no-pictures -o one", "--no-pictures is for tables")
@@ -112,4 +115,21 @@ with tempfile.TemporaryDirectory() as name:
     changed = place.folder / "measurements/paint_0002.csv"
     changed.write_text(changed.read_text().replace(",45,", ",46,", 1))
     refused("collect fit_job -o fit_out", "paint_0002.csv: is not what it was")
+
+    # One table's folds and bootstrap replicates.
+    one = "fit measurements/paint_0000.csv --form ward+lambert --bootstrap 20 --seed 5 "
+    at_once = run(one + "-o once.json --report once.html").stdout
+    said = run(f"plan {one}--unit-size 9 -o refits").stdout
+    assert said == "4 units: 0-3\n", said
+    for unit in (2, 0, 3):
+        run(f"work refits --unit {unit}")
+    assert run("collect refits --missing", 1).stdout == "1\n"
+    run("work refits")
+    damage(place.units("refits")[3][0])
+    run("work refits")
+    assert run("collect refits -o units.json --report units.html").stdout == at_once
+    for end in ("json", "html"):
+        assert (place.folder / f"once.{end}").read_bytes() == (place.folder / f"units.{end}").read_bytes(), end
+    material = json.loads((place.folder / "once.json").read_text())
+    assert material["fit"]["bootstrap_replicates"] == 20 and "bootstrap" in at_once
 print("units of work are what the verbs do at once")

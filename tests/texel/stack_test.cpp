@@ -7,7 +7,7 @@
 
 #include "io/error.h"
 #include "io/png.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 #include "texel/stack.h"
 
 namespace brdf::texel {
@@ -47,7 +47,7 @@ class Stacks : public testing::Test {
   const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Stacks, AreReadTexelByTexel) {

@@ -33,7 +33,7 @@ struct Cost {
 
 Cost cost_of(synth::TexelOptions o, bool fits_normal) {
   o.noise = 0.03;
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const Material material = lacquer();
   synth::write_stack(folder.path(), material, o);
   const texel::Stack stack = texel::open_stack(folder.path());
@@ -123,8 +123,20 @@ TEST(MapsSpeed, ATexelOf22801ImagesCostsATenthOfItsTable) {
   const double grid = 1e3 * seconds_of([&] { fit_all(texels - 4, false); }) / 4;
   fit::FitOptions options = settings.options;
   options.cross_validation = false;
-  const io::SampleTable table = maps::texel_table(stack, {pixels[0], 0, 0}, surface.normal(0, 0));
-  const double alone = 1e3 * seconds_of([&] { fit::fit(table, {settings.forms}, options); });
+  const io::SampleTable table = maps::texel_table(stack, {pixels[1], 1, 0}, surface.normal(1, 0));
+  fit::FitResult found;
+  const double alone = 1e3 * seconds_of([&] { found = fit::fit(table, {settings.forms}, options); });
+  const maps::TexelFit neighbour = fitter.fit({pixels[0], 0, 0}, surface.normal(0, 0), nullptr),
+                       texel = fitter.fit({pixels[1], 1, 0}, surface.normal(1, 0), &neighbour);
+  EXPECT_FALSE(texel.from_grid);
+  EXPECT_EQ(texel.verdict, found.ranking[0].verdict);
+  for (std::size_t k = 0; k < texel.estimates.size(); ++k) {
+    const fit::Estimate &a = texel.estimates[k], &b = found.ranking[0].estimates[k];
+    EXPECT_EQ(a.status, b.status) << b.name;
+    if (b.status == fit::Status::free && b.standard_error < 0.3 * std::abs(b.value)) {
+      EXPECT_NEAR(a.value, b.value, 1e-6 * std::abs(b.value)) << b.name << b.channel;
+    }
+  }
   const fit::Model model(settings.forms, stack.channels, options);
   const fit::FitData data = fit::prepare(table, options);
   const fit::SampleStream stream(data, model, fit::chosen_residual(data, options), 0);
