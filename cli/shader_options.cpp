@@ -29,6 +29,17 @@ std::string explain(const shader::ShaderReflectance& model, std::string_view che
   return "";
 }
 
+std::string explain_jump(const shader::ShaderReflectance& model, const Material& at,
+                         const shader::DirectionPair& here, const shader::DirectionPair& there) {
+  for (std::size_t c = 0; c < at.channels.size(); ++c) {
+    const std::vector<double> values = model.values_of(at.terms.front().values(c));
+    const std::string text =
+        to_text(shader::blame_jump(model.function(), values, here, there, std::min<std::size_t>(c, 2)));
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
 }  // namespace
 #endif
 
@@ -62,8 +73,13 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
                       shader::command_words(choice),
                       model->function().notes,
                       model->function().oriented,
+                      model->function().as_written.size(),
                       [model](std::string_view check, const Material& at, const Vec3<double>& wi,
-                              const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); }};
+                              const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); },
+                      [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+                              const Vec3<double>& other_wi, const Vec3<double>& other_wo) {
+                        return explain_jump(*model, at, {wi, wo}, {other_wi, other_wo});
+                      }};
   if (!quiet)
     for (const std::string& note : loaded.notes)
       std::cerr << "brdf " << verb << ": " << options.file << ": " << note << '\n';

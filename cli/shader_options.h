@@ -31,10 +31,14 @@ struct LoadedShader {
   std::string words;               // of a command line that says the same
   std::vector<std::string> notes;  // sentences on how it was read
   bool oriented = false;           // sees the tangent
+  std::size_t operations = 0;      // of an evaluation, with all calls inlined
   // The source line that what a check found comes from (validate/subject.h).
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
       explain;
+  std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+                            const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
+      explain_jump;
 };
 
 // Nothing where --shader is not given. Notes are printed on stderr unless `quiet`. Throws InputError where the file is no reflectance,

@@ -5,8 +5,10 @@
 #include <iostream>
 
 #include "cli/progress.h"
+#include "cli/shader_cost.h"
 #include "io/error.h"
 #include "io/json.h"
+#include "io/numbers.h"
 #include "io/provenance.h"
 
 #ifdef BRDF_HAS_RENDER
@@ -20,8 +22,8 @@ namespace brdf::cli {
 
 namespace {
 
-void print_json(const std::vector<render::ProofRow>& rows, const std::string& device, bool software,
-                std::uint64_t seed) {
+void print_json(const std::vector<render::ProofRow>& rows, const std::vector<ShaderCost>& costs,
+                const std::string& device, bool software, std::uint64_t seed) {
   io::Json out;
   out["device"] = device;
   out["software"] = software;
@@ -34,6 +36,8 @@ void print_json(const std::vector<render::ProofRow>& rows, const std::string& de
                            {"beyond_tolerance", row.beyond_tolerance},
                            {"seconds_to_compile", row.seconds_to_compile},
                            {"passes", render::passes(row, software)}});
+  for (const ShaderCost& c : costs)
+    out["costs"].push_back({{"name", c.name}, {"operations", c.operations}, {"driver_ns", c.driver_ns}});
   out["provenance"] = io::to_json(io::provenance(seed));
   std::cout << io::to_text(out) << '\n';
 }
@@ -55,20 +59,39 @@ void print_table(const std::vector<render::ProofRow>& rows, const std::string& d
               << '\n';
 }
 
+void print_costs(const std::vector<ShaderCost>& costs) {
+  if (costs.empty()) return;
+  std::cout << '\n'
+            << std::left << std::setw(28) << "cost of an evaluation" << std::right << std::setw(14)
+            << "operations" << std::setw(18) << "ns on the driver" << '\n';
+  for (const ShaderCost& c : costs)
+    std::cout << std::left << std::setw(28) << c.name << std::right << std::setw(14) << c.operations
+              << std::setw(18) << io::short_number(c.driver_ns, 3) << '\n';
+}
+
 }  // namespace
 
-Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json, bool of_shader) {
+Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json,
+                  const LoadedShader* shader) {
   render::Device device;
   const bool software = render::is_software(device);
   const auto progress = progress_line("brdf validate: forms probed");
   int done = 0;
   const std::vector<render::ProofRow> rows = render::shader_proof(
       device, forms, {.seed = seed}, [&](const render::ProofRow&) { progress(++done, int(forms.size())); });
-  if (json)
-    print_json(rows, device.name(), software, seed);
-  else
-    print_table(rows, device.name(), software, of_shader);
-  if (of_shader) return Exit::good;
+  std::vector<ShaderCost> costs;
+#ifdef BRDF_HAS_SHADER
+  if (shader)
+    costs =
+        shader_costs(device, forms.front(), std::string(shader->reflectance.info().name), shader->operations);
+#endif
+  if (json) {
+    print_json(rows, costs, device.name(), software, seed);
+  } else {
+    print_table(rows, device.name(), software, shader != nullptr);
+    print_costs(costs);
+  }
+  if (shader) return Exit::good;
   return std::all_of(rows.begin(), rows.end(),
                      [&](const render::ProofRow& row) { return render::passes(row, software); })
              ? Exit::good
@@ -85,7 +108,7 @@ Reflectance with_room(const Material& material) {
   return material.terms.front().form;
 }
 
-Exit validate_gpu(std::span<const Reflectance>, std::uint64_t, bool, bool) {
+Exit validate_gpu(std::span<const Reflectance>, std::uint64_t, bool, const LoadedShader*) {
   throw EnvironmentError("this build has no shaders: Vulkan was missing (see the messages of cmake)");
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "brdf/material.h"
+#include "cli/shader_options.h"
 #include "cli/verbs.h"
 
 namespace brdf::cli {
@@ -13,8 +14,9 @@ namespace brdf::cli {
 // stdout. kFailed where a software driver differs in any bit, or a hardware device by more than the
 // tolerance. Throws EnvironmentError where there is no Vulkan driver or this build has no renderer.
 // `--shader FILE --gpu`: the same of the user's function, whose float interpreter rounds every operation correctly. What differs is
-// the driver's pow, acos and the like, no fault of the shader: always kGood.
-Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json, bool of_shader = false);
+// the driver's pow, acos and the like, no fault of the shader: always kGood. Below it, what an evaluation costs beside the forms.
+Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json,
+                  const LoadedShader* shader = nullptr);
 // The reflectance with room for the shaders' arguments (render/gpu/held.h).
 Reflectance with_room(const Material& material);
 

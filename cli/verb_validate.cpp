@@ -25,7 +25,7 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct ValidateCall {
   std::vector<std::string> files, forms, pictures, require;
   bool all = false, json = false;
   std::string effort = "quick", output;
@@ -38,7 +38,7 @@ struct Options {
 };
 
 // The pictures of the report, which are PNG files.
-std::vector<validate::Picture> read_pictures(const Options& o) {
+std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
   std::vector<validate::Picture> pictures;
   for (const std::string& path : o.pictures) {
     std::string bytes = io::read_content(path).bytes;
@@ -50,12 +50,12 @@ std::vector<validate::Picture> read_pictures(const Options& o) {
 
 // A shader's function, with what its source says of what is found.
 validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
-  validate::OutsideFacts facts{shader.words, shader.oriented, shader.explain};
+  validate::OutsideFacts facts{shader.words, shader.oriented, shader.explain, shader.explain_jump};
   return validate::Subject::outside(file, shader.material, std::move(facts));
 }
 
 // --such-that, of whatever is judged over a domain.
-void restrict_all(const Options& o, std::vector<validate::Subject>& subjects) {
+void restrict_all(const ValidateCall& o, std::vector<validate::Subject>& subjects) {
   const bool domain = o.all || !o.forms.empty() || !o.shader.file.empty();
   if (!domain && !(o.such_that.empty() && o.against.empty()))
     throw InputError("--such-that and --against go with --form, --all or --shader");
@@ -66,7 +66,7 @@ void restrict_all(const Options& o, std::vector<validate::Subject>& subjects) {
 }
 
 // Forms, materials and tables with their findings.
-validate::ReportContent judged(const Options& o, const validate::CheckOptions& options) {
+validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
   content.max_theta = o.max_theta;
   if (o.all)
@@ -89,7 +89,7 @@ validate::ReportContent judged(const Options& o, const validate::CheckOptions& o
   return content;
 }
 
-void check_output(const Options& o) {
+void check_output(const ValidateCall& o) {
   if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
     throw InputError("-o " + o.output + ": must end in .html or .md");
   if (!o.pictures.empty() && !o.output.ends_with(".html"))
@@ -99,13 +99,13 @@ void check_output(const Options& o) {
   io::check_targets({{"-o", o.output}}, inputs);
 }
 
-void write_report(const Options& o, const validate::ReportContent& content) {
+void write_report(const ValidateCall& o, const validate::ReportContent& content) {
   if (o.output.empty()) return;
   io::write_file_atomically(o.output, o.output.ends_with(".md") ? validate::to_markdown(content.findings)
                                                                 : validate::to_html(content));
 }
 
-Exit run_integrators(const Options& o) {
+Exit run_integrators(const ValidateCall& o) {
   io::Json rows = io::Json::array();
   bool honest = true;
   const auto report = [&](const validate::IntegratorRow& row) {
@@ -131,7 +131,7 @@ Exit run_integrators(const Options& o) {
 }
 
 // The modes that judge the library itself take no files, and one mode is asked for at a time.
-void require_one_mode(const Options& o) {
+void require_one_mode(const ValidateCall& o) {
   const int modes = o.integrators + o.microsurface + o.numerics + o.gpu;
   if (modes > 1) throw InputError("--integrators, --microsurface, --numerics, --gpu: give one of them");
   if (modes == 1 && !o.files.empty())
@@ -146,7 +146,7 @@ void print(const std::vector<validate::Finding>& findings) {
   validate::print_findings(out, findings, colours_on(STDOUT_FILENO));
 }
 
-Exit run(const Options& o) {
+Exit run_validate(const ValidateCall& o) {
   require_one_mode(o);
   if (o.microsurface)
     return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
@@ -160,8 +160,8 @@ Exit run(const Options& o) {
   }
   if (o.gpu && !o.shader.file.empty()) {
     if (!o.forms.empty() || o.all) throw InputError("--shader and --gpu: without --form and --all");
-    return validate_gpu(std::vector{with_room(load(o.shader, "validate", o.json)->material)}, o.seed, o.json,
-                        true);
+    const auto shader = load(o.shader, "validate", o.json);
+    return validate_gpu(std::vector{with_room(shader->material)}, o.seed, o.json, &*shader);
   }
   if (o.gpu) return validate_gpu(forms_of(o.forms, o.all), o.seed, o.json);
   validate::check_max_theta(o.max_theta);
@@ -185,7 +185,7 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_validate(CLI::App& app) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ValidateCall>();
   CLI::App* verb = add_verb(app, Purpose::judge, "validate", "Judge forms, materials and measured samples");
   verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
@@ -236,7 +236,7 @@ void add_validate(CLI::App& app) {
       "          brdf validate --microsurface\n"
       "          brdf validate --form ward --gpu\n"
       "          brdf validate --shader ggx.glsl --gpu");
-  on_run(*verb, [o] { return run(*o); });
+  on_run(*verb, [o] { return run_validate(*o); });
 }
 
 }  // namespace brdf::cli

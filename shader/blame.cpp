@@ -5,74 +5,10 @@
 #include <optional>
 
 #include "io/numbers.h"
-#include "shader/program/operands.h"
+#include "shader/trace.h"
 
 namespace brdf::shader {
 namespace {
-
-// One step as it was run: its operands and which entry made each (-1: an input or a constant).
-struct Entry {
-  const Step* step;
-  double result;
-  double operand[3];
-  int from[3];
-};
-
-struct Trace {
-  std::vector<Entry> entries;
-  int last = -1;  // that made the result
-  double result = 0;
-};
-
-template <class T>
-Trace traced(const Function& f, const Program& program, const std::vector<Binding>&,
-             std::span<const double> values, const Vec3<double>& wi, const Vec3<double>& wo,
-             std::size_t component) {
-  std::vector<T> rounded;
-  for (const double v : values) rounded.push_back(Functions<T>::number(v));
-  const auto convert = [](const Vec3<double>& w) { return Vec3<T>{T(w.x), T(w.y), T(w.z)}; };
-  Runner<T, 1> runner(f);
-  runner.set_values(f, rounded);
-  runner.set_directions(f, convert(wi), convert(wo));
-  Bank<T, 1>& bank = runner.bank();
-  std::vector<int> writer(program.numbers, -1);
-  std::vector<double> before(
-      program.numbers);  // values as the steps read them: a step may overwrite its operand
-  for (std::uint32_t slot = 0; slot < program.numbers; ++slot)
-    before[slot] = Functions<T>::value(*bank.number(slot));
-  Trace trace;
-  constexpr std::size_t kMostEntries = 1u << 20;
-  run_watched<T>(program, bank, [&](const Step& step) {
-    const Operands o = operands_of(step.op);
-    const std::uint32_t slots[] = {step.a, step.b, step.c};
-    Entry e{&step, 0, {NAN, NAN, NAN}, {-1, -1, -1}};
-    for (int k = 0; k < o.count; ++k) {
-      if (o.integer[k]) continue;
-      std::uint32_t slot = slots[k];
-      if (o.indexed_load) slot += std::min(*bank.integer(step.b), step.c - 1);
-      e.operand[k] = before[slot];
-      e.from[k] = writer[slot];
-    }
-    if (o.result_integer) return;
-    std::uint32_t r = step.r;
-    if (o.indexed_store) r += std::min(*bank.integer(step.b), step.c - 1);
-    e.result = before[r] = Functions<T>::value(*bank.number(r));
-    if (step.op == Op::select) {  // what was taken
-      const bool yes = *bank.integer(step.a) != 0;
-      e.operand[0] = e.operand[yes ? 1 : 2];
-      e.from[0] = e.from[yes ? 1 : 2];
-      e.operand[1] = e.operand[2] = NAN;
-      e.from[1] = e.from[2] = -1;
-    }
-    if (trace.entries.size() >= kMostEntries) return;
-    trace.entries.push_back(e);
-    writer[r] = int(trace.entries.size()) - 1;
-  });
-  const std::uint32_t slot = program.results[std::min(component, program.results.size() - 1)];
-  trace.last = writer[slot];
-  trace.result = before[slot];
-  return trace;
-}
 
 int operands_in(const Entry& e) {
   return e.step->op == Op::select ? 1 : operands_of(e.step->op).count;
@@ -166,6 +102,34 @@ Blame made(const Function& f, const Entry* e, std::string operation = {}) {
   return b;
 }
 
+// The last step before two runs go different ways; null where they go the same.
+const Entry* first_other_way(const Trace& a, const Trace& b) {
+  const std::size_t common = std::min(a.entries.size(), b.entries.size());
+  for (std::size_t k = 1; k < common; ++k) {
+    const Step &x = *a.entries[k].step, &y = *b.entries[k].step;
+    if (x.op != y.op || x.r != y.r || x.line != y.line) return &a.entries[k - 1];
+  }
+  return nullptr;
+}
+
+// Back from the result of two runs of the same steps: where they differ, and what is read differs far less; -1: nowhere.
+int where_they_part(const Trace& a, const Trace& b) {
+  const auto error = [&](int entry) {
+    const double x = a.entries[std::size_t(entry)].result, y = b.entries[std::size_t(entry)].result;
+    return x == y ? 0 : std::abs(x - y) / std::max(std::abs(y), 1e-300);
+  };
+  int e = a.last;
+  while (e >= 0) {
+    const Entry& entry = a.entries[std::size_t(e)];
+    int worst = -1;
+    for (const int from : entry.from)
+      if (from >= 0 && (worst < 0 || error(from) > error(worst))) worst = from;
+    if (worst < 0 || !(error(worst) > 0.3 * error(e))) break;
+    e = worst;
+  }
+  return e;
+}
+
 // Float and double of the same steps, side by side; where they part, what they part at.
 Blame lost_digits(const Function& f, std::span<const double> values, const Vec3<double>& wi,
                   const Vec3<double>& wo, std::size_t component) {
@@ -174,29 +138,11 @@ Blame lost_digits(const Function& f, std::span<const double> values, const Vec3<
   for (const double v : values) at.push_back(rounded(v));
   const Vec3<double> i{rounded(wi.x), rounded(wi.y), rounded(wi.z)},
       o{rounded(wo.x), rounded(wo.y), rounded(wo.z)};
-  const Trace single = traced<float>(f, f.as_written, f.bindings, at, i, o, component),
-              wide = traced<double>(f, f.as_meant, f.bindings_as_meant, at, i, o, component);
+  const Trace single = traced<float>(f, at, i, o, component), wide = traced<double>(f, at, i, o, component);
   if (!std::isfinite(single.result)) return made(f, follow(single, not_finite_operand));
-  const std::size_t common = std::min(single.entries.size(), wide.entries.size());
-  const auto same_step = [](const Entry& a, const Entry& b) {
-    return a.step->op == b.step->op && a.step->r == b.step->r && a.step->line == b.step->line;
-  };
-  for (std::size_t k = 0; k < common; ++k)
-    if (!same_step(single.entries[k], wide.entries[k]))
-      return made(f, k > 0 ? &single.entries[k] : nullptr, "float goes another way than double");
-  const auto error = [&](int entry) {
-    const double a = single.entries[std::size_t(entry)].result, b = wide.entries[std::size_t(entry)].result;
-    return a == b ? 0 : std::abs(a - b) / std::max(std::abs(b), 1e-300);
-  };
-  int e = single.last;
-  while (e >= 0) {
-    const Entry& entry = single.entries[std::size_t(e)];
-    int worst = -1;
-    for (const int from : entry.from)
-      if (from >= 0 && (worst < 0 || error(from) > error(worst))) worst = from;
-    if (worst < 0 || !(error(worst) > 0.3 * error(e))) break;
-    e = worst;
-  }
+  if (const Entry* other = first_other_way(single, wide))
+    return made(f, other, "float goes another way than double");
+  const int e = where_they_part(single, wide);
   if (e < 0) return {};
   const Entry& entry = single.entries[std::size_t(e)];
   return made(
@@ -210,7 +156,7 @@ template <class T>
 Blame blame(const Function& f, Fault fault, std::span<const double> values, const Vec3<double>& wi,
             const Vec3<double>& wo, std::size_t component) {
   if (fault == Fault::loses_digits) return lost_digits(f, values, wi, wo, component);
-  const Trace trace = traced<T>(f, f.program<T>(), f.bound<T>(), values, wi, wo, component);
+  const Trace trace = traced<T>(f, values, wi, wo, component);
   if (fault == Fault::not_finite)
     return std::isfinite(trace.result) ? Blame{} : made(f, follow(trace, not_finite_operand));
   return trace.result < 0 ? made(f, follow(trace, negative_operand)) : Blame{};
@@ -219,6 +165,31 @@ template Blame blame<float>(const Function&, Fault, std::span<const double>, con
                             const Vec3<double>&, std::size_t);
 template Blame blame<double>(const Function&, Fault, std::span<const double>, const Vec3<double>&,
                              const Vec3<double>&, std::size_t);
+
+Blame blame_jump(const Function& f, std::span<const double> values, const DirectionPair& here,
+                 const DirectionPair& there, std::size_t component) {
+  const Trace a = traced<double>(f, values, here.wi, here.wo, component),
+              b = traced<double>(f, values, there.wi, there.wo, component);
+  const std::size_t common = std::min(a.decisions.size(), b.decisions.size());
+  for (std::size_t k = 0; k < common; ++k) {
+    const Decision &x = a.decisions[k], &y = b.decisions[k];
+    if (x.step != y.step) break;
+    if (x.result == y.result) continue;
+    Blame blame;
+    blame.line = x.step->line;
+    blame.expression = line_of_text(f.source.text, blame.line);
+    const bool two = operands_of(x.step->op).count > 1;
+    blame.operation = two ? io::short_number(x.operand[0], 6) + " passes " + io::short_number(x.operand[1], 6)
+                          : io::short_number(x.operand[0], 6) + " becomes another integer";
+    return blame;
+  }
+  if (first_other_way(a, b)) return {};
+  const int e = where_they_part(a, b);
+  if (e < 0) return {};
+  return made(f, &a.entries[std::size_t(e)],
+              operation_text(a.entries[std::size_t(e)]) + ", and beside it " +
+                  io::short_number(b.entries[std::size_t(e)].result, 6));
+}
 
 std::string to_text(const Blame& b) {
   if (b.operation.empty()) return "";

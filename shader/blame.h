@@ -31,6 +31,14 @@ extern template Blame blame<float>(const Function&, Fault, std::span<const doubl
 extern template Blame blame<double>(const Function&, Fault, std::span<const double>, const Vec3<double>&,
                                     const Vec3<double>&, std::size_t);
 
+// Of two pairs of directions that lie beside one another and have different values: the comparison that one passes and the other does
+// not, else the operation that jumps.
+struct DirectionPair {
+  Vec3<double> wi, wo;
+};
+Blame blame_jump(const Function& function, std::span<const double> values, const DirectionPair& here,
+                 const DirectionPair& there, std::size_t component);
+
 // "line 12, `D = a2 / d;`: 0.25 / 0 = inf"; empty of no blame.
 std::string to_text(const Blame& blame);
 

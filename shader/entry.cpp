@@ -8,6 +8,7 @@
 #include "io/error.h"
 #include "io/numbers.h"
 #include "io/text.h"
+#include "shader/front/definitions.h"
 #include "shader/front/roles.h"
 
 namespace brdf::shader {
@@ -23,22 +24,23 @@ spirv::Id pointee(const Module& m, spirv::Id type) {
 }
 
 // What main() calls is no part of something larger.
-bool is_main(const Function& f) {
-  return f.name == "main" || f.name == "brdf_own_main" || f.name == "brdf_main" || f.name == "mainImage";
+bool is_main(const std::string& name) {
+  return name == "main" || name == "brdf_own_main" || name == "brdf_main" || name == "mainImage";
 }
 
 // Functions of the file's own, by name, without what the program adds.
 std::vector<const Function*> own_functions(const Module& module) {
   std::vector<const Function*> out;
   for (const auto& [id, f] : module.functions)
-    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") && !is_main(f)) out.push_back(&f);
+    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") && !is_main(f.name))
+      out.push_back(&f);
   return out;
 }
 
 std::set<spirv::Id> called_by_others(const Module& module) {
   std::set<spirv::Id> called;
   for (const auto& [id, f] : module.functions) {
-    if (is_main(f)) continue;
+    if (is_main(f.name)) continue;
     for (const spirv::Block& b : f.blocks)
       for (const spirv::Instruction& i : b.code)
         if (i.code == spv::OpFunctionCall && !i.words.empty() && i.words[0] != id) called.insert(i.words[0]);
@@ -106,6 +108,31 @@ const Function* outermost(const std::vector<const Function*>& same, const std::s
   });
 }
 
+bool is_called_brdf(const std::string& function) {
+  const std::string name = io::lower_case(function);
+  return name.find("brdf") != name.npos || name.find("bsdf") != name.npos || name.find("bxdf") != name.npos;
+}
+
+// Says why the first of those functions is not there.
+template <class Is>
+void require_compiled(std::span<const LeftOut> left_out, Is&& is) {
+  for (const LeftOut& f : left_out)
+    if (is(f.name)) throw InputError(f.why);
+}
+
+// What a function of the file's that does not compile calls is part of it: a line that says so, where its name is a reflectance's.
+void require_whole(const Source& source, std::span<const LeftOut> left_out, const std::string& chosen) {
+  const std::string text = without_comments(source.text);
+  for (const Definition& d : definitions_of(text)) {
+    const auto out =
+        std::find_if(left_out.begin(), left_out.end(), [&](const LeftOut& f) { return f.name == d.name; });
+    if (out == left_out.end() || !is_called_brdf(d.name)) continue;
+    const std::string body = text.substr(d.begin, d.end - d.begin);
+    if (std::regex_search(body, std::regex("\\b" + chosen + "\\s*\\(")))
+      throw InputError(out->why + "; or take a function that it calls, with --entry " + chosen);
+  }
+}
+
 constexpr const char* kHelp =
     ": put it into a function such as `vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness)`, or name one with "
     "--entry NAME or a line "
@@ -136,7 +163,7 @@ std::vector<std::string> free_directions(const Module& module, const Source& sou
   return out;
 }
 
-Chosen choose_entry(const Module& module, const Source& source) {
+Chosen choose_entry(const Module& module, const Source& source, std::span<const LeftOut> left_out) {
   const std::vector<const Function*> all = own_functions(module);
   const std::set<spirv::Id> called = called_by_others(module);
   const std::vector<std::string> free = free_directions(module, source);
@@ -162,6 +189,11 @@ Chosen choose_entry(const Module& module, const Source& source) {
   if (source.entry) {
     const auto same = named([&](const Function* f) { return f->name == source.entry->name; });
     if (same.empty())
+      require_compiled(left_out, [&](const std::string& name) { return name == source.entry->name; });
+    if (same.empty() && is_main(source.entry->name))
+      throw InputError(source.name + ": " + source.entry->name +
+                       "() takes no directions and returns no reflectance" + kHelp);
+    if (same.empty())
       throw InputError(source.name + ": has no function " + source.entry->name +
                        (all.empty() ? "" : " (it has " + listed(module, all) + ")"));
     return with_results(outermost(same, called));
@@ -171,36 +203,42 @@ Chosen choose_entry(const Module& module, const Source& source) {
     const auto returned = module.type(f->type).kind;
     return !results.parts.empty() && (returned == Kind::number || returned == Kind::vector || results.named);
   };
+  require_compiled(left_out, [](const std::string& name) { return io::lower_case(name) == "brdf"; });
   const auto exact = named([&](const Function* f) {
     return io::lower_case(f->name) == "brdf" && !results_of(module, *f, source).parts.empty();
   });
   if (!exact.empty()) return with_results(outermost(exact, called));
-  const auto is_called_brdf = [](const Function* f) {
-    const std::string name = io::lower_case(f->name);
-    return name.find("brdf") != name.npos || name.find("bsdf") != name.npos || name.find("bxdf") != name.npos;
-  };
   // A factor of one is none, whatever it takes.
   const auto is_factor = [&](const Function* f) {
     const std::string name = io::lower_case(f->name);
     const auto has = [&](const char* word) { return name.find(word) != name.npos; };
-    return !is_called_brdf(f) &&
+    return !is_called_brdf(f->name) &&
            (has("geometry") || has("smith") || has("visib") || has("fresnel") || has("distribution") ||
             has("mask") || has("shadow") || has("normal") || name.starts_with("g_") ||
-            name.starts_with("v_") || name.starts_with("d_") || name.starts_with("f_") ||
+            name.starts_with("v_") || name.starts_with("d_") || f->name.starts_with("F_") ||
             name.starts_with("vis_"));
   };
-  const auto could_be = [&](const Function* f) { return gives(f) && takes_directions(module, *f, free); };
+  // Those that draw a direction, or say how densely, know both and are no value.
+  const auto draws = [](const Function* f) {
+    const std::string name = io::lower_case(f->name);
+    return name.find("sample") != name.npos || name.find("pdf") != name.npos ||
+           name.find("albedo") != name.npos;
+  };
+  const auto could_be = [&](const Function* f) {
+    return gives(f) && !draws(f) && takes_directions(module, *f, free);
+  };
   auto likely =
       named([&](const Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
   if (likely.empty())  // one of the file's others may call it
-    likely = named([&](const Function* f) { return could_be(f) && is_called_brdf(f); });
+    likely = named([&](const Function* f) { return could_be(f) && is_called_brdf(f->name); });
   if (likely.empty())  // a shading function of the file's calls it
     likely = named([&](const Function* f) { return could_be(f) && !is_factor(f); });
   if (likely.size() > 1) {
     auto by_name = likely;
-    std::erase_if(by_name, [&](const Function* f) { return !is_called_brdf(f); });
+    std::erase_if(by_name, [&](const Function* f) { return !is_called_brdf(f->name); });
     if (by_name.size() == 1) likely = by_name;
   }
+  if (likely.size() == 1) require_whole(source, left_out, likely[0]->name);
   if (likely.size() == 1)
     return with_results(likely[0], "the reflectance is " + signature(module, *likely[0]) +
                                        ", by its name and arguments; --entry NAME takes another");
@@ -209,6 +247,7 @@ Chosen choose_entry(const Module& module, const Source& source) {
                      ": has several functions that could be the reflectance; say which with --entry NAME or "
                      "a line `//: entry NAME`: " +
                      listed(module, likely));
+  require_compiled(left_out, [](const std::string&) { return true; });
   const bool has_main = without_comments(source.text).find("main") != std::string::npos;
   std::string what = source.name + ": has ";
   what += has_main ? "main() and no function brdf of directions" : "no function brdf of directions";

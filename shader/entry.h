@@ -1,9 +1,11 @@
 // Which of a file's functions is the reflectance.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "shader/front/glslang.h"
 #include "shader/front/source.h"
 #include "shader/results.h"
 #include "shader/spirv/module.h"
@@ -18,7 +20,9 @@ struct Chosen {
 
 // The one that `entry` names; else the only one called brdf or BRDF; else the only one that takes directions and that no other one
 // calls. Throws InputError that lists what there is.
-Chosen choose_entry(const spirv::Module& module, const Source& source);
+// `left_out`: functions that are not there because they do not compile.
+Chosen choose_entry(const spirv::Module& module, const Source& source,
+                    std::span<const LeftOut> left_out = {});
 
 // Global variables that are directions by their names and that the text declares without a value: what a file around this one would
 // set.

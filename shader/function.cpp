@@ -47,7 +47,7 @@ class Binder {
   Binder(Function& function, const std::vector<Declared>& declared) : f_(function), declared_(declared) {}
 
   std::vector<Binding> bind(const Program& program) {
-    const auto read = read_slots(program);
+    read_ = read_slots(program);
     std::vector<Binding> out;
     // Arguments first; globals in the order of the file where that declares them.
     std::vector<Input> inputs = program.inputs;
@@ -60,7 +60,7 @@ class Binder {
                      [&](const Input& a, const Input& b) { return place(a) < place(b); });
     for (const Input& input : inputs) {
       const bool used = std::any_of(input.slots.begin(), input.slots.end(), [&](std::uint32_t slot) {
-        return read.contains({input.integer, slot});
+        return read_.contains({input.integer, slot});
       });
       add(input, input.integer, used, out);
     }
@@ -115,8 +115,7 @@ class Binder {
       return;
     }
     if (input.type.ends_with("]") || input.type.starts_with("mat") || (integer && input.slots.size() > 1))
-      throw InputError(f_.source.name + ": " + name + " of " + f_.entry + " is a " + input.type +
-                       "; parameters are floats, bools, ints, colours (vec3, vec4) and pairs (vec2)");
+      return add_numbers(input, name, declared, out);
     if (input.type == "vec4") {  // a colour and what covers it
       Input colour = input;
       out.push_back({Binding::From::one, colour.slots[3]});
@@ -124,12 +123,37 @@ class Binder {
       return add_parameter(colour, name, declared, false, out);
     }
     if (input.type == "vec2") {
-      for (int k = 0; k < 2; ++k)
-        add_parameter({input.name, "float", {input.slots[std::size_t(k)]}, false, input.argument},
-                      name + (k ? "_y" : "_x"), declared, false, out);
+      for (int k = 0; k < 2; ++k) {
+        const std::string element = name + (k ? "_y" : "_x");
+        const Declared* const own = declaration(element);
+        add_parameter({input.name, "float", {input.slots[std::size_t(k)]}, false, input.argument}, element,
+                      own ? own : declared, false, out);
+      }
       return;
     }
     add_parameter(input, name, declared, integer, out);
+  }
+
+  // Of an array or a matrix each number that is read, NAME_0 and so on.
+  void add_numbers(const Input& input, const std::string& name, const Declared* declared,
+                   std::vector<Binding>& out) {
+    constexpr std::size_t kMost = 16;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < input.slots.size(); ++k) {
+      if (!read_.contains({input.integer, input.slots[k]})) {
+        out.push_back({Binding::From::zero, input.slots[k], input.integer});
+        continue;
+      }
+      if (++count > kMost)
+        throw InputError(f_.source.name + ": " + name + " of " + f_.entry + " is a " + input.type +
+                         ", of which more than " + std::to_string(kMost) +
+                         " numbers are used: write its values into the file");
+      const std::string element = name + "_" + std::to_string(k);
+      const Declared* const own = declaration(element);
+      add_parameter(
+          {input.name, input.integer ? "int" : "float", {input.slots[k]}, input.integer, input.argument},
+          element, own ? own : declared, input.integer, out);
+    }
   }
 
   void add_meaning(const Meaning& m, const Input& input, std::vector<Binding>& out) {
@@ -203,7 +227,8 @@ class Binder {
     std::smatch match;
     const std::string text = without_comments(f_.source.text);
     double value;
-    if (std::regex_search(text, match,
+    if (text.find("uniform") != text.npos &&
+        std::regex_search(text, match,
                           std::regex("\\buniform\\s+\\w+\\s+" + name + "\\s*=\\s*([-+0-9.eE]+)")) &&
         io::parse_number(match[1].str(), value))
       return value;
@@ -214,6 +239,7 @@ class Binder {
   const std::vector<Declared>& declared_;
   std::map<std::string, std::size_t> known_;  // first value of an input of that name
   std::set<std::string> used_;
+  std::set<std::pair<bool, std::uint32_t>> read_;  // slots of the program that is bound
 };
 
 std::string undeclared(const Function& f) {
@@ -223,6 +249,13 @@ std::string undeclared(const Function& f) {
   if (names.empty()) return "";
   return "range 0 to 1 taken for " + io::joined(names) +
          "; give others with --param NAME=MIN:MAX or a line `//: param NAME MIN MAX DEFAULT`";
+}
+
+std::string without_functions(const std::vector<LeftOut>& left_out) {
+  std::vector<std::string> names;
+  for (const LeftOut& f : left_out) names.push_back(f.name + "()");
+  return "without " + io::joined(names) + ", which do" + (names.size() > 1 ? "" : "es") +
+         " not compile here (" + left_out.front().why + ")";
 }
 
 Program lowered(const spirv::Module& module, const spirv::Function& entry, const LowerOptions& options,
@@ -249,15 +282,16 @@ Function make_function(const ShaderChoice& choice) {
   return make_function(read_source(choice.file), choice);
 }
 
-Function make_function(Source source, const ShaderChoice& choice) {
+namespace {
+
+Function function_of(Source source, const ShaderChoice& choice, const Compiled& compiled) {
   static std::atomic<std::uint64_t> count{0};
   if (!choice.entry.empty()) source.entry = parse_entry(choice.entry);
   if (!choice.returns.empty()) source.returns = parse_returns(choice.returns);
   for (const std::string& text : choice.parameters) source.parameters.push_back(parse_parameter(text));
   Function f;
-  const Compiled compiled = compile(source);
   const spirv::Module module = spirv::parse(compiled.spirv);
-  const Chosen chosen = choose_entry(module, source);
+  const Chosen chosen = choose_entry(module, source, compiled.left_out);
   LowerOptions options;
   for (const Declared& d : source.parameters) options.parameters.insert(d.name);
   for (const std::string& name : free_directions(module, source)) options.parameters.insert(name);
@@ -284,6 +318,7 @@ Function make_function(Source source, const ShaderChoice& choice) {
           (axis == Axis::tangent || axis == Axis::bitangent))
         f.oriented = f.oriented || read.contains({b.integer, b.slot});
   f.notes = compiled.notes;
+  if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
   for (const std::string& note : {chosen.note, chosen.results.note, undeclared(f)})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
@@ -291,6 +326,18 @@ Function make_function(Source source, const ShaderChoice& choice) {
         "float only: it operates on the bits of a float, which in other precisions are those of its float "
         "value");
   return f;
+}
+
+}  // namespace
+
+Function make_function(Source source, const ShaderChoice& choice) {
+  const Compiled compiled = compile(source);
+  return function_of(std::move(source), choice, compiled);
+}
+
+Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler) {
+  const Compiled compiled = compiler.compile(source);
+  return function_of(std::move(source), choice, compiled);
 }
 
 }  // namespace brdf::shader

@@ -10,6 +10,7 @@
 
 #include "brdf/geometry.h"
 #include "brdf/parameter.h"
+#include "shader/front/compile.h"
 #include "shader/front/roles.h"
 #include "shader/front/source.h"
 #include "shader/program/program.h"
@@ -72,6 +73,7 @@ struct ShaderChoice {
 };
 Function make_function(const ShaderChoice& choice);
 Function make_function(Source source, const ShaderChoice& choice = {});
+Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler);
 
 // A function's bank for runs of W directions, filled by its parameters' values.
 template <class T, int W>
@@ -145,12 +147,24 @@ class Runner {
       }
     }
   }
-  void set_directions(const Function& function, const Vec3<T>& wi, const Vec3<T>& wo)
+  static Lanes lanes_of(const Vec3<T>& w)
     requires(W == 1)
   {
-    set_directions(function, Lanes{{{wi.x}, {wi.y}, {wi.z}}}, Lanes{{{wo.x}, {wo.y}, {wo.z}}});
+    return {{{w.x}, {w.y}, {w.z}}};
   }
-  void run(int lanes) { shader::run<T, W>(*program_, bank_, lanes); }
+  // Throws EndlessLoop, with what the runner was given.
+  void run(int lanes, std::span<const T> values, const Lanes& wi, const Lanes& wo) {
+    try {
+      shader::run<T, W>(*program_, bank_, lanes);
+    } catch (EndlessLoop& loop) {
+      for (const T& v : values) loop.values.push_back(Functions<T>::value(v));
+      for (std::size_t k = 0; k < 3; ++k) {
+        loop.wi[k] = Functions<T>::value(wi[k][std::size_t(loop.lane)]);
+        loop.wo[k] = Functions<T>::value(wo[k][std::size_t(loop.lane)]);
+      }
+      throw;
+    }
+  }
   // What the function returned; `component` of a colour.
   const T& result(int lane, std::size_t component) const {
     return bank_.number(program_->results[std::min(component, program_->results.size() - 1)])[lane];
@@ -178,9 +192,10 @@ T reflectance_of_returned(Returns returns, const T& value, const T& cos_i, const
 template <class T>
 T evaluate(const Function& function, Runner<T, 1>& runner, std::span<const T> values, const Vec3<T>& wi,
            const Vec3<T>& wo, std::size_t component) {
+  const auto i = runner.lanes_of(wi), o = runner.lanes_of(wo);
   runner.set_values(function, values);
-  runner.set_directions(function, wi, wo);
-  runner.run(1);
+  runner.set_directions(function, i, o);
+  runner.run(1, values, i, o);
   return reflectance_of_returned<T>(function.returns, runner.result(0, component), wi.z, wo.z, false);
 }
 

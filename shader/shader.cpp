@@ -133,6 +133,8 @@ std::vector<T> ShaderReflectance::values_of(const ParameterValues<T>& p) const {
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const Parameter& parameter = function_.parameters[weights_[k]];
     for (std::size_t c = 0; c < (parameter.colour ? 3u : 1u); ++c) values[parameter.first + c] = p.weights[k];
+    // What mixes channels may look at the first's weights whichever is asked for.
+    if (info_.mixes_channels && parameter.colour) values[parameter.first] = p.first[k];
   }
   for (std::size_t k = 0; k < shape_.size(); ++k) {
     values[function_.parameters[shape_[k]].first] = p.shape[k];
@@ -144,8 +146,17 @@ template std::vector<float> ShaderReflectance::values_of(const ParameterValues<f
 
 void ShaderReflectance::endless(const EndlessLoop& loop) const {
   const std::string where = function_.source.name + (loop.line > 0 ? ":" + std::to_string(loop.line) : "");
+  const auto direction = [](const std::array<double, 3>& w) {
+    return "(" + io::short_number(w[0], 4) + ", " + io::short_number(w[1], 4) + ", " +
+           io::short_number(w[2], 4) + ")";
+  };
+  std::vector<std::string> input{"light " + direction(loop.wi), "viewer " + direction(loop.wo)};
+  for (const Parameter& p : function_.parameters)
+    if (p.first < loop.values.size())
+      input.push_back(p.name + "=" + io::short_number(loop.values[p.first], 4));
   throw InputError(where + ": the loop here does not end: more than " + std::to_string(kMostStepsRun) +
-                   " operations in one evaluation (" + line_of_text(function_.source.text, loop.line) + ")");
+                   " operations in one evaluation (" + line_of_text(function_.source.text, loop.line) +
+                   "), for " + io::joined(input));
 }
 
 template <class T, int W>
@@ -166,7 +177,7 @@ void ShaderReflectance::evaluate_block(const std::vector<T>& values, const Direc
       wi[2][l] = wo[2][l] = T(1);
     }
     runner.set_directions(function_, wi, wo);
-    runner.run(lanes);
+    runner.run(lanes, values, wi, wo);
     for (int l = 0; l < lanes; ++l) {
       const std::size_t k = first + std::size_t(l);
       const bool below = smaller(d.wi_z[k], d.wo_z[k]) < T(0);
@@ -266,8 +277,9 @@ void ShaderReflectance::derivatives(const std::vector<double>& values, const std
       D value(0.0);
       if (!below) {
         const Vec3<D> wi = turning(d.wi(k)), wo = turning(d.wo(k));
-        runner.set_directions(function_, wi, wo);
-        runner.run(1);
+        const auto i = runner.lanes_of(wi), o = runner.lanes_of(wo);
+        runner.set_directions(function_, i, o);
+        runner.run(1, variables, i, o);
         value = reflectance_of_returned<D>(function_.returns, runner.result(0, component), wi.z, wo.z, false);
       }
       for (std::size_t j = begin; j < std::min(begin + kPartials, count); ++j)

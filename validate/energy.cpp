@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kExact = 1e-9;  // tolerance of the albedo that is told
 constexpr long kMostToCompare = 20000;
-constexpr double kSlack = 1e-9;  // an albedo of exactly 1 may come out this much above
+// An albedo of exactly 1 may come out this much above; of code in float, whose constants are rounded to it, by more.
+constexpr double kSlack = 1e-9, kOutsideSlack = 1e-6;
 
 // The elevation at x in [0, 1]: from the normal to max_theta, closer together towards grazing.
 double elevation_at(double x, double max_theta) {
@@ -26,6 +27,9 @@ struct WorstAlbedo {
   std::size_t channel = 0;
   std::vector<double> weights;  // of a form, where they were chosen here
   long evaluations = 0;
+
+  // Somebody's f may be no number, or infinite, within the hemisphere.
+  bool is_known() const { return std::isfinite(value) && std::isfinite(bound); }
 };
 
 // Largest albedo over the weights that a form may have. Albedo is linear in each weight, so the worst weights
@@ -100,9 +104,12 @@ class EnergySearch {
       search.steps = search.steps * int(kFew) / int(dimensions);
     }
     const auto to = [&](double tolerance) -> Objective {
-      return [this, tolerance](std::span<const double> point) { return albedo(point, tolerance).value; };
+      return [this, tolerance](std::span<const double> point) {
+        const WorstAlbedo found = albedo(point, tolerance);
+        return found.is_known() || found.value == HUGE_VAL ? found.value : -HUGE_VAL;
+      };
     };
-    return judge(maximise(to(1e-3), dimensions, search, corners(dimensions), to(1e-5)).point);
+    return judge(maximise(to(1e-3), dimensions, search, corners(dimensions), to(1e-5)));
   }
 
  private:
@@ -151,15 +158,18 @@ class EnergySearch {
     return found;
   }
 
-  Finding judge(const std::vector<double>& point) {
-    const WorstAlbedo worst = albedo(point, kExact);
+  Finding judge(const Best& best) {
+    const std::vector<double>& point = best.point;
+    WorstAlbedo worst = albedo(point, kExact);
+    for (const double tolerance : {1e-5, 1e-3})  // as good as it can be had
+      if (!worst.is_known()) worst = albedo(point, tolerance);
     Finding finding{subject_.name(), "energy"};
     finding.value = worst.value;
     finding.bound = 1;
-    const bool above = worst.value - worst.bound > 1 + kSlack;
+    const bool above = worst.value - worst.bound > 1 + (subject_.is_outside() ? kOutsideSlack : kSlack);
     const double theta = 90 - radians(elevation(point)).degrees(), phi = radians(azimuth(point)).degrees();
     Material at = subject_.at(padded(point));
-    if (linear_) at.terms.front().weights.front() = worst.weights;
+    if (linear_ && !worst.weights.empty()) at.terms.front().weights.front() = worst.weights;
     Witness w;
     w.parameters = subject_.parameters(at);
     w.angles = {{"theta", theta}, {"phi", phi}};
@@ -167,6 +177,8 @@ class EnergySearch {
     w.command = subject_.command(
         "albedo", at, "--theta " + io::to_text(theta) + " --phi " + io::to_text(phi) + " --tolerance 1e-9");
     finding.witness = w;
+    finding.evaluations = evaluations_;
+    if (!worst.is_known()) return unknown(std::move(finding), best.value);
     const std::string size = io::short_number(worst.value, 7) + " (+-" + io::short_number(worst.bound, 2) +
                              ") up to " + io::to_text(options_.max_theta) + " degrees";
     finding.conclude(!above, "albedo at most " + size, "reflects up to " + size);
@@ -176,10 +188,24 @@ class EnergySearch {
     return finding;
   }
 
+  // Where no integral has a value that is a number.
+  static Finding unknown(Finding finding, double value) {
+    finding.value = value;
+    if (value == HUGE_VAL) {
+      finding.conclude(false, "", "reflects without limit: f cos has no finite integral over the hemisphere");
+    } else {
+      finding.outcome = Outcome::undecided;
+      finding.statement =
+          "f is not finite within the hemisphere at any parameters tried: what it reflects has no value";
+    }
+    return finding;
+  }
+
   // Where the worst angle is the limit, what happens beyond it: E ~ cos^-p.
   std::string growth(const std::vector<double>& point, double here) {
     if (point[parameters_] < 1 || options_.max_theta >= 90) return "";
     const double nearer = albedo(point, 1e-6, 0.01).value, nearest = albedo(point, 1e-6, 1e-4).value;
+    if (!std::isfinite(nearest)) return "; beyond, it grows without limit";
     const double power = std::log(nearest / nearer) / std::log(100.0);
     if (power > 0.05) return "; beyond, it grows as 1/cos^" + io::short_number(power, 2) + " without limit";
     return "; beyond, it tends to " + io::short_number(nearest, 5) + (nearest > here ? "" : " (no higher)");

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "brdf/forms.h"
+#include "validate/extended.h"
 
 namespace brdf::validate {
 
@@ -47,6 +48,9 @@ std::vector<Truth> exact_eval(const Reflectance& form,
 template std::vector<double> exact_eval(const Reflectance&, std::span<const std::vector<double>>,
                                         std::span<const double>, const Vec3<double>&, const Vec3<double>&,
                                         double);
+template std::vector<Extended> exact_eval(const Reflectance&, std::span<const std::vector<Extended>>,
+                                          std::span<const Extended>, const Vec3<Extended>&,
+                                          const Vec3<Extended>&, double);
 template std::vector<Exact> exact_eval(const Reflectance&, std::span<const std::vector<Exact>>,
                                        std::span<const Exact>, const Vec3<Exact>&, const Vec3<Exact>&,
                                        double);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "brdf/material.h"
 
@@ -140,7 +141,7 @@ LobeWidth lobe_width(const ReflectanceInfo& form, const std::vector<double>& sha
 
 template <class T>
 Vec3<T> nearly_unit(const Vec3<double>& w) {
-  using Wide = long double;
+  using Wide = std::conditional_t<std::is_same_v<T, float>, double, long double>;
   const std::array<double, 3> c{w.x, w.y, w.z};
   std::size_t solved = 0;
   for (std::size_t k = 1; k < 3; ++k)
@@ -155,11 +156,12 @@ Vec3<T> nearly_unit(const Vec3<double>& w) {
   };
   std::array<T, 3> best{T(c[0]), T(c[1]), T(c[2])};
   Wide least = 1;
-  for (int i = -reach(a, b); i <= reach(a, b); ++i)
+  for (int i = -reach(a, b); i <= reach(a, b); ++i) {
+    const T x = moved(a, i);
     for (int j = -reach(b, a); j <= reach(b, a); ++j) {
-      const T x = moved(a, i), y = moved(b, j);
+      const T y = moved(b, j);
       const Wide rest = Wide(x) * Wide(x) + Wide(y) * Wide(y);
-      const T z = T(std::sqrt(1 - rest));
+      const T z = T(std::sqrt(double(1 - rest)));  // sqrt of long double takes five times as long
       const Wide off = std::abs(rest + Wide(z) * Wide(z) - 1);
       if (off < least) {
         least = off;
@@ -168,6 +170,7 @@ Vec3<T> nearly_unit(const Vec3<double>& w) {
         best[solved] = c[solved] < 0 ? -z : z;
       }
     }
+  }
   return {best[0], best[1], best[2]};
 }
 template Vec3<float> nearly_unit<float>(const Vec3<double>&);

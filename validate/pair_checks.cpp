@@ -5,6 +5,7 @@
 #include "io/numbers.h"
 #include "validate/checks.h"
 #include "validate/degrees.h"
+#include "validate/jump_search.h"
 #include "validate/pair_search.h"
 
 namespace brdf::validate {
@@ -39,6 +40,20 @@ Finding from_best(const Subject& subject, std::string check, const Best& best, d
   finding.bound = bound;
   finding.evaluations = best.calls * evals * long(subject.channels().size());
   finding.witness = pair_witness(subject, subject.at(best.point), pair_of(subject, best.point));
+  return finding;
+}
+
+// Of code that is not ours: a step of f within the hemisphere is told first.
+Finding with_jump(Finding finding, const Subject& subject, const CheckOptions& options) {
+  const auto jump = largest_jump(subject, options, finding.bound, finding.evaluations);
+  if (!jump) return finding;
+  const std::string horizon = finding.outcome == Outcome::fail ? "; " + finding.statement : "";
+  finding.value = jump->value;
+  finding.witness = pair_witness(subject, jump->at, jump->here, false, &jump->there);
+  finding.conclude(false, "",
+                   "f jumps from " + io::short_number(jump->before, 4) + " to " +
+                       io::short_number(jump->after, 4) + " /sr within the hemisphere" +
+                       subject.explained_jump(*jump) + horizon);
   return finding;
 }
 
@@ -178,7 +193,7 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
   finding.witness = pair_witness(subject, subject.at(best.point), pair);
   finding.conclude(!(finding.value > finding.bound), "reflected light fades out as the light sets",
                    "reflected light does not fade out as the light sets: it jumps to 0 at the horizon");
-  return finding;
+  return outside ? with_jump(std::move(finding), subject, options) : finding;
 }
 
 }  // namespace brdf::validate

@@ -78,7 +78,8 @@ Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckO
   return maximise(objective, pair_dimensions(subject), search, grid);
 }
 
-Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders) {
+Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders,
+                     const Pair* other) {
   Witness w;
   w.parameters = subject.parameters(at);
   w.angles = {
@@ -90,6 +91,7 @@ Witness pair_witness(const Subject& subject, const Material& at, const Pair& pai
   };
   std::string rows = row({pair.theta_i, pair.phi_i, pair.theta_o, pair.phi_o});
   if (both_orders) rows += row({pair.theta_o, pair.phi_o, pair.theta_i, pair.phi_i});
+  if (other) rows += row({other->theta_i, other->phi_i, other->theta_o, other->phi_o});
   if (const std::string eval = subject.command("eval", at, "pair.csv"); !eval.empty())
     w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + rows + "' > pair.csv && " + eval;
   return w;

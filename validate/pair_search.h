@@ -37,7 +37,8 @@ using PairMeasure = std::function<double(const Material&, const Pair&)>;
 // graded cosines, the mirror plane among the azimuths), a cover, and climbs from the best.
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options);
 
-// With the command that prints f there, and with light and viewer exchanged if both orders are asked for.
-Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders = false);
+// With the command that prints f there, and with light and viewer exchanged if both orders are asked for, or at another pair as well.
+Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders = false,
+                     const Pair* other = nullptr);
 
 }  // namespace brdf::validate

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "brdf/material.h"
 #include "validate/extremes.h"
@@ -12,8 +11,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kBody = 1e-6, kFaint = 1e-12, kTail = 1e-30;  // of the lobe's peak
-constexpr double kLeastLobe = 0.01;  // a lobe with f0 is judged as if its F were at least that
+constexpr double kNearRecord = 0.95;  // of the largest error so far
 
 template <class To, class From>
 std::vector<To> convert(const std::vector<From>& values) {
@@ -31,44 +29,23 @@ void append(std::string& text, std::span<const ParameterInfo> table, const std::
   }
 }
 
-// |a - b| over the scale.
-template <class Truth>
-double relative(const Truth& a, const Truth& b, const Truth& scale) {
-  using std::abs;
-  return a == b ? 0.0 : double(Truth(abs(Truth(a - b)) / scale));
-}
-
-template <class T>
-double mirror_cosine(const Vec3<T>& wi, const Vec3<T>& wo) {
-  return double(wi.z) * double(wo.z) - double(wi.x) * double(wo.x) - double(wi.y) * double(wo.y);
-}
-
 }  // namespace
 
 template <class T>
-Rounding<T>::Rounding(const Reflectance& form) : form_(form), info_(info(form)) {
+Rounding<T>::Rounding(const Reflectance& form) : form_(form), info_(info(form)), first_(form), exact_(form) {
   row_.form = info_.name;
   row_.scalar = std::is_same_v<T, float> ? "float" : "double";
-  row_.may_be_negative = signed_;
-  if (info_.accuracy)
-    row_.stated = std::is_same_v<T, float> ? info_.accuracy->in_float : info_.accuracy->in_double;
+  row_.may_be_negative = info_.violates("non_negative");
+  row_.stated = stated_accuracy<T>(info_);
 }
 
 template <class T>
 void Rounding<T>::set(const std::vector<std::vector<double>>& weights, const std::vector<double>& shape) {
   weights_.clear();
-  truth_weights_.clear();
-  for (const auto& w : weights) {
-    weights_.push_back(convert<T>(w));
-    truth_weights_.push_back(convert<Truth>(weights_.back()));
-  }
-  for (std::size_t k = 0; f0_ >= 0 && k < weights.size(); ++k) {
-    std::vector<Truth> full = truth_weights_[k];
-    full[std::size_t(f0_)] = Truth(1);
-    truth_weights_.push_back(std::move(full));
-  }
+  for (const auto& w : weights) weights_.push_back(convert<T>(w));
   shape_ = convert<T>(shape);
-  truth_shape_ = convert<Truth>(shape_);
+  first_.set(weights_, shape_);
+  exact_.set(weights_, shape_);
 }
 
 template <class T>
@@ -88,97 +65,39 @@ template <class T>
 double Rounding<T>::judge(const Vec3<double>& light, const Vec3<double>& view,
                           const std::vector<double>& peaks) {
   const Vec3<T> wi = nearly_unit<T>(light), wo = view == light ? wi : nearly_unit<T>(view);
-  const auto truths = [&](const Vec3<Truth>& i, const Vec3<Truth>& o) {
-    return exact_eval<Truth>(form_, truth_weights_, truth_shape_, i, o, kMinCosine<T>);
-  };
-  const auto as_it_stands = [](const Vec3<T>& w) { return Vec3<Truth>{Truth(w.x), Truth(w.y), Truth(w.z)}; };
-  const std::vector<Truth> unit = truths(exact_direction<Truth>(wi), exact_direction<Truth>(wo));
-  std::vector<Truth> stored;
-  double worst = 0;
+  std::vector<T> f;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
-    const T f = evaluate(wi, wo, k, false);
-    count(f);
+    f.push_back(evaluate(wi, wo, k, false));
+    count(f.back());
     count(evaluate(wi, wo, k, true));
-    if (!std::isfinite(f)) continue;
-    Judged judged = compare(wi, wo, f, unit, k, peaks[k]);
-    if (noticeable(judged, judged.error) || exceeds_statement(judged)) {
-      if (stored.empty()) stored = truths(as_it_stands(wi), as_it_stands(wo));
-      if (due_to_storing(judged, relative(stored[k], unit[k], judged.scale))) {
-        judged = compare(wi, wo, f, stored, k, peaks[k]);
-        ++row_.as_stored;
-      }
-    }
-    worst = std::max(worst, record(judged, wi, wo, k));
+  }
+  std::vector<Deviation> deviations = first_.of(wi, wo, f, peaks);
+  const bool record = std::any_of(deviations.begin(), deviations.end(),
+                                  [&](const Deviation& d) { return perhaps_a_record(d); });
+  if (record) deviations = exact_.of(wi, wo, f, peaks);
+  double worst = 0;
+  for (std::size_t k = 0; k < deviations.size(); ++k) {
+    const Deviation& d = deviations[k];
+    if (!d.band) continue;
+    row_.as_stored += d.as_stored;
+    if (record) keep(d, wi, wo, k);
+    const double stated = row_.stated ? *row_.stated.*d.band : 0;
+    worst = std::max(worst, d.error / (stated > 0 ? stated : numerics_budget(row_.scalar).*d.band));
   }
   return worst;
 }
 
 template <class T>
-bool Rounding<T>::due_to_storing(const Judged& judged, double storing) const {
-  if (noticeable(judged, storing)) return noticeable(judged, judged.error);
-  return exceeds_statement(judged) && storing > *row_.stated.*judged.band / 4;
+bool Rounding<T>::perhaps_a_record(const Deviation& d) const {
+  return d.band && !(d.error < kNearRecord * row_.errors.*d.band);
 }
 
 template <class T>
-bool Rounding<T>::exceeds_statement(const Judged& judged) const {
-  const double stated = judged.band && row_.stated ? *row_.stated.*judged.band : 0;
-  return stated > 0 && judged.error > stated;
-}
-
-template <class T>
-auto Rounding<T>::compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths,
-                          std::size_t set, double peak) const -> Judged {
-  const double size = std::max(std::abs(double(truths[set])), std::abs(double(f))), share = size / peak;
-  if (!(share >= kTail && size >= kTiny)) return {};
-  const Band band = share >= kBody    ? &Accuracy::Errors::body
-                    : share >= kFaint ? &Accuracy::Errors::faint
-                                      : &Accuracy::Errors::tail;
-  Judged judged{band, numerics_budget(row_.scalar).*band, scale_of(wi, wo, truths, set, peak), 0};
-  judged.error = relative(Truth(f), truths[set], judged.scale);
-  if (noticeable(judged, judged.error) && info_.kink == Kink::mirror_edge && mirror_cosine(wi, wo) < 0.5) {
-    const auto [least, most] = range_at_edge(wi, wo, set);
-    judged.error = relative(std::clamp(Truth(f), least, most), Truth(f), judged.scale);
-  }
-  return judged;
-}
-
-template <class T>
-double Rounding<T>::record(const Judged& judged, const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set) {
-  if (!judged.band) return 0;
-  double& largest = row_.errors.*judged.band;
-  if (judged.error > largest) {
-    largest = judged.error;
-    if (judged.band == &Accuracy::Errors::body) row_.where = where(wi, wo, set);
-  }
-  const double stated = row_.stated ? *row_.stated.*judged.band : 0;
-  return judged.error / (stated > 0 ? stated : judged.budget);
-}
-
-// The truth with r.o smaller and larger by some ulp, of cosines that are raised already.
-template <class T>
-auto Rounding<T>::range_at_edge(const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set) const
-    -> std::pair<Truth, Truth> {
-  const Geometry<Truth> g = geometry(exact_direction<Truth>(wi), exact_direction<Truth>(wo), kMinCosine<T>);
-  const Vec3<Truth> towards =
-      Vec3<Truth>{-g.wi.x, -g.wi.y, g.wi.z} * Truth(4 * std::numeric_limits<T>::epsilon());
-  const auto f = [&](const Vec3<Truth>& view) {
-    return exact_eval<Truth>(form_, {&truth_weights_[set], 1}, truth_shape_, g.wi, view, 0)[0];
-  };
-  return {f(g.wo - towards), f(g.wo + towards)};
-}
-
-// What the error is relative to; see NumericsRow.
-template <class T>
-typename Rounding<T>::Truth Rounding<T>::scale_of(const Vec3<T>& wi, const Vec3<T>& wo,
-                                                  const std::vector<Truth>& truths, std::size_t set,
-                                                  double peak) const {
-  using std::abs;
-  const Truth size = abs(truths[set]);
-  if (signed_)  // a direct term that changes sign
-    return size +
-           (diffuse_ >= 0 ? Truth(truth_weights_[set][std::size_t(diffuse_)] / Truth(kPi)) : Truth(peak));
-  if (f0_ >= 0) return larger(size, Truth(Truth(kLeastLobe) * abs(truths[weights_.size() + set])));
-  return info_.kink == Kink::mirror_edge && mirror_cosine(wi, wo) < 0.5 ? Truth(peak) : size;
+void Rounding<T>::keep(const Deviation& d, const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set) {
+  double& largest = row_.errors.*d.band;
+  if (!(d.error > largest)) return;
+  largest = d.error;
+  if (d.band == &Accuracy::Errors::body) row_.where = where(wi, wo, set);
 }
 
 template <class T>

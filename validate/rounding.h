@@ -3,8 +3,7 @@
 
 #include <type_traits>
 
-#include "validate/exact.h"
-#include "validate/numerics.h"
+#include "validate/deviation.h"
 
 namespace brdf::validate {
 
@@ -12,8 +11,6 @@ namespace brdf::validate {
 template <class T>
 class Rounding {
  public:
-  using Truth = std::conditional_t<std::is_same_v<T, float>, double, Exact>;
-
   explicit Rounding(const Reflectance& form);
 
   // The parameters of what follows: sets of weights that share a shape.
@@ -26,40 +23,22 @@ class Rounding {
   const NumericsRow& row() const { return row_; }
 
  private:
-  using Band = double Accuracy::Errors::*;
-  struct Judged {
-    Band band = nullptr;  // null: too small a value to be judged
-    double budget = 0;
-    Truth scale{};
-    double error = 0;
-  };
-  // More than a quarter of the body's budget.
-  bool noticeable(const Judged& judged, double error) const {
-    return judged.band && !(error < numerics_budget(row_.scalar).body / 4);
-  }
-  bool exceeds_statement(const Judged& judged) const;
-  // An error that is noticeable, or more than is stated, of which this much comes from directions that are not quite unit vectors
-  // as they are stored.
-  bool due_to_storing(const Judged& judged, double storing) const;
-  Judged compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths, std::size_t set,
-                 double peak) const;
-  double record(const Judged& judged, const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set);
-  std::pair<Truth, Truth> range_at_edge(const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set) const;
-  Truth scale_of(const Vec3<T>& wi, const Vec3<T>& wo, const std::vector<Truth>& truths, std::size_t set,
-                 double peak) const;
+  using Truth = std::conditional_t<std::is_same_v<T, float>, double, Exact>;
+  // 50 digits are slow: only what may be larger than the errors before is judged by them.
+  using FirstLook = std::conditional_t<std::is_same_v<T, double> && kExtendedIsFiner, Extended, Truth>;
+
+  bool perhaps_a_record(const Deviation& d) const;
+  void keep(const Deviation& d, const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set);
   T evaluate(const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set, bool cosine) const;
   void count(T f);
   NumericsRow::Where where(const Vec3<T>& wi, const Vec3<T>& wo, std::size_t set) const;
 
   Reflectance form_;
   const ReflectanceInfo& info_;
-  int diffuse_ = info_.weight_index(Role::diffuse), f0_ = info_.weight_index(Role::f0);
-  bool signed_ = info_.violates("non_negative");
+  Deviations<T, FirstLook> first_;
+  Deviations<T, Truth> exact_;
   std::vector<std::vector<T>> weights_;
-  // Those sets; where there is an f0, then the same at f0 = 1.
-  std::vector<std::vector<Truth>> truth_weights_;
   std::vector<T> shape_;
-  std::vector<Truth> truth_shape_;
   NumericsRow row_;
 };
 

@@ -8,6 +8,7 @@
 #include "io/shell.h"
 #include "io/text.h"
 #include "validate/checks.h"
+#include "validate/jump_search.h"
 
 namespace brdf::validate {
 
@@ -167,6 +168,14 @@ std::string Subject::selector(const Material& at) const {
 std::string Subject::explained(std::string_view check, const Material& at, const Vec3<double>& wi,
                                const Vec3<double>& wo) const {
   const std::string text = outside_ && outside_->explain ? outside_->explain(check, at, wi, wo) : "";
+  return text.empty() ? "" : "; " + text;
+}
+
+std::string Subject::explained_jump(const Jump& jump) const {
+  const std::string text =
+      outside_ && outside_->explain_jump
+          ? outside_->explain_jump(jump.at, jump.here.wi, jump.here.wo, jump.there.wi, jump.there.wo)
+          : "";
   return text.empty() ? "" : "; " + text;
 }
 

@@ -20,7 +20,13 @@ struct OutsideFacts {
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
       explain = {};
+  // The same of a step between two pairs that lie beside one another.
+  std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+                            const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
+      explain_jump = {};
 };
+
+struct Jump;
 
 // Parameters are searched on the unit cube. Diffuse and specular weights share
 // the light: their sum is at most 1. The others cover their tables up to 1; a
@@ -59,6 +65,7 @@ class Subject {
   // "; " and what the code's source says of it; empty where nothing is known.
   std::string explained(std::string_view check, const Material& at, const Vec3<double>& wi,
                         const Vec3<double>& wo) const;
+  std::string explained_jump(const Jump& jump) const;
   // Which weights share the light: positions in the table.
   const std::vector<std::size_t>& shared_weights() const { return shared_; }
 

@@ -12,7 +12,7 @@ namespace {
 struct Names {
   Axis axis;
   std::string_view letter;  // in products: n of NdotL
-  std::array<std::string_view, 26> words;
+  std::array<std::string_view, 28> words;
 };
 
 // Without underscores, in small letters.
@@ -39,6 +39,7 @@ constexpr Names kNamesOf[] = {
       "win",
       "surfacetolight",
       "lvec",
+      "woutputl",
       "i"}},
     {Axis::view,
      "v",
@@ -66,6 +67,7 @@ constexpr Names kNamesOf[] = {
       "toeye",
       "wout",
       "surfacetoview",
+      "winputl",
       "o",
       "vvec"}},
     {Axis::normal,
@@ -125,6 +127,8 @@ std::optional<std::pair<Axis, Axis>> product_of(const std::string& word) {
   if (word.size() == 2 && std::string_view("nlvh").find(word[0]) != std::string_view::npos &&
       std::string_view("nlvh").find(word[1]) != std::string_view::npos)
     return pair(std::string_view(word).substr(0, 1), std::string_view(word).substr(1));
+  if (word == "mui") return std::pair(Axis::normal, Axis::light);
+  if (word == "muo") return std::pair(Axis::normal, Axis::view);
   for (const std::string_view begin : {"costheta", "cos"}) {
     if (!word.starts_with(begin)) continue;
     const std::string_view rest = std::string_view(word).substr(begin.size());
@@ -147,9 +151,9 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
   if (word == "lightcolor" || word == "lightcolour" || word == "radiance" || word == "lightintensity" ||
       word == "lightradiance" || word == "attenuation" || word == "lightattenuation" || word == "occlusion" ||
       word == "ao" || word == "falloff" || word == "shadow" || word == "shadowattenuation" ||
-      word == "shadowfactor" || word == "distanceattenuation" ||
-      (before.find("light") != before.npos &&
-       (word == "color" || word == "colour" || word == "intensity" || word == "colorintensity")))
+      word == "shadowfactor" || word == "distanceattenuation" || word == "lightstrength" ||
+      (before.find("light") != before.npos && (word == "color" || word == "colour" || word == "intensity" ||
+                                               word == "colorintensity" || word == "strength")))
     return Meaning{Meaning::Kind::white};
   if (!vector) {
     for (const std::string_view begin : {"", "shading", "clamped", "saturated", "abs"})
@@ -169,8 +173,8 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
                                        "shading", "surface", "local", "pixel"})
     if (word.size() > begin.size() + 2 && word.starts_with(begin))
       if (const auto axis = axis_of(word.substr(begin.size()))) return Meaning{Meaning::Kind::vector, *axis};
-  for (const std::string_view end : {"ws", "vs", "es", "ts", "os", "cs"})
-    if (word.size() > end.size() + 3 && word.ends_with(end))
+  for (const std::string_view end : {"ws", "vs", "es", "ts", "os", "cs", "local", "world"})
+    if (word.size() > end.size() + (end.size() > 2 ? 1 : 3) && word.ends_with(end))
       if (const auto axis = axis_of(word.substr(0, word.size() - end.size())))
         return Meaning{Meaning::Kind::vector, *axis};
   return std::nullopt;

@@ -205,6 +205,54 @@ bool has_word(const std::string& text, std::string_view word) {
   return false;
 }
 
+// Blanks in place of all characters outside the parts; lines stay.
+void keep_parts(std::string& text, const std::vector<std::pair<std::size_t, std::size_t>>& parts) {
+  std::size_t at = 0;
+  const auto blank_to = [&](std::size_t stop) {
+    for (; at < stop && at < text.size(); ++at)
+      if (text[at] != '\n') text[at] = ' ';
+  };
+  for (const auto& [begin, end] : parts) blank_to(begin), at = std::max(at, end);
+  blank_to(text.size());
+}
+
+// What stands within a script's backticks, or within CGPROGRAM and ENDCG; of a text that has neither all.
+void keep_shaders(std::string& text) {
+  std::vector<std::pair<std::size_t, std::size_t>> parts;
+  if (has_word(text, "export") || has_word(text, "const") || has_word(text, "glsl"))
+    for (std::size_t open = text.find('`'); open != text.npos;) {
+      const std::size_t close = text.find('`', open + 1);
+      if (close == text.npos) break;
+      parts.emplace_back(open + 1, close);
+      open = text.find('`', close + 1);
+    }
+  for (const auto& [begin, end] : {std::pair("HLSLPROGRAM", "ENDHLSL"), std::pair("HLSLINCLUDE", "ENDHLSL"),
+                                   std::pair("CGPROGRAM", "ENDCG"), std::pair("CGINCLUDE", "ENDCG")})
+    for (std::size_t open = text.find(begin); open != text.npos; open = text.find(begin, open + 1)) {
+      const std::size_t first = open + std::string_view(begin).size(), close = text.find(end, first);
+      if (close != text.npos) parts.emplace_back(first, close);
+    }
+  std::sort(parts.begin(), parts.end());
+  if (!parts.empty()) keep_parts(text, parts);
+}
+
+// Languages that look like a shader's and are none of those read.
+void check_language(const std::string& name, const std::string& text) {
+  const auto has = [&](std::string_view part) { return text.find(part) != text.npos; };
+  const auto refuse = [&](const std::string& language) {
+    throw InputError(
+        name + ": is " + language +
+        ", which is not read: write the function in GLSL or HLSL, as `vec3 brdf(vec3 L, vec3 V, vec3 N, "
+        "float roughness) { ... }`");
+  };
+  if (has("-> vec3<f") || has("-> vec3f") || has(": vec3<f") || has(": vec3f")) refuse("WGSL");
+  if (has("metal_stdlib") || has("using namespace metal")) refuse("Metal's language");
+  if (has("closure color")) refuse("Open Shading Language");
+  if (has_word(text, "shader_type")) refuse("Godot's language");
+  if (has("glm::vec") || has("__device__") || has_word(text, "__kernel") || has("std::"))
+    refuse("C++ or a dialect of it");
+}
+
 // By the words of one language alone, else by the file's suffix: engines call both kinds .fx, .shader or .txt.
 Language language_of(const std::string& text, const std::string& suffix) {
   const auto any = [&](std::initializer_list<std::string_view> words) {
@@ -298,7 +346,11 @@ Source parse_source(std::string name, std::string text, std::filesystem::path fo
   if (source.text.find('\0') != source.text.npos) throw InputError(source.name + ": is no text");
   std::erase(source.text, '\r');
   const std::string kind = io::lower_case(std::filesystem::path(source.name).extension().string());
-  source.language = language_of(without_comments(source.text), kind);
+  keep_shaders(source.text);
+  const std::string bare = without_comments(source.text);
+  check_language(source.name, bare);
+  source.language = language_of(bare, kind);
+  source.compute = source.language == Language::glsl && has_word(bare, "local_size_x");
   std::uint32_t number = 0;
   for (std::size_t at = 0; at < source.text.size();) {
     const std::size_t stop = std::min(source.text.find('\n', at), source.text.size());

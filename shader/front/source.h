@@ -51,6 +51,7 @@ struct Source {
   std::optional<EntryLine> entry = {};
   std::optional<Returns> returns = {};
   bool explorer = false;  // a .brdf file
+  bool compute = false;   // of a compute shader
 };
 
 constexpr std::size_t kLargestShader = 1u << 18;
@@ -58,7 +59,8 @@ constexpr std::size_t kLargestShader = 1u << 18;
 // Throws InputError where the file cannot be read, is too large or nested too deeply, or a `//:` line or a block is not understood.
 Source read_source(const std::filesystem::path& path);
 // The same of a text under that name; HLSL is told by its words (float3, cbuffer), else by the name's
-// end (.hlsl, .hlsli, .fx, .usf); a text with ::begin is a .brdf file.
+// end (.hlsl, .hlsli, .fx, .usf); a text with ::begin is a .brdf file. Of a script that holds shaders in backticks, and of Unity's
+// ShaderLab, the shaders alone are read. Other languages are refused by name.
 Source parse_source(std::string name, std::string text, std::filesystem::path folder = {});
 
 // "NAME=MIN:MAX" or "NAME=MIN:MAX:DEFAULT", with ":log" after it; as the command line has it.

@@ -4,6 +4,10 @@
 #include <regex>
 #include <set>
 
+#include "io/numbers.h"
+#include "shader/front/definitions.h"
+#include "shader/front/usual.h"
+
 namespace brdf::shader {
 namespace {
 
@@ -27,61 +31,38 @@ constexpr const char* kOldWords =
     "brdf_fragment_colour\n"
     "vec4 brdf_fragment_colour;\n";
 
-// What snippets take from the files around them.
-constexpr const char* kUsual =
-    "#ifndef PI\n#define PI 3.14159265358979\n#endif\n#define M_PI 3.14159265358979\n#define INV_PI "
-    "0.31830988618379\n"
-    "#define M_PI_INV 0.31830988618379\n#define RECIPROCAL_PI 0.31830988618379\n#define TWO_PI "
-    "6.28318530717959\n#define EPSILON 1e-6\n";
-
-std::string usual_functions(const std::string& text) {
-  std::string out = kUsual;
-  std::string kept;
-  // Not those that the file defines itself.
-  for (std::size_t at = 0; at < out.size();) {
-    const std::size_t stop = out.find('\n', at) + 1;
-    const std::string line = out.substr(at, stop - at);
-    std::smatch match;
-    const bool define = line.starts_with("#define ");
-    const std::string name = define ? line.substr(8, line.find(' ', 8) - 8) : "";
-    if (define && !std::regex_search(text, std::regex("\\b" + name + "\\b\\s*(=|[0-9(])"))) kept += line;
-    at = stop;
+// What only Vulkan's dialect lets a layout say; blanks in its place.
+std::string without_vulkan(const std::string& text) {
+  static const std::regex layout(R"(\blayout\s*\([^()]*\))"),
+      own(R"(\b(set|constant_id|input_attachment_index)\s*=\s*\w+\s*,?)");
+  std::string out = text;
+  if (text.find("layout") == text.npos) return out;
+  for (std::sregex_iterator at(text.begin(), text.end(), layout), end; at != end; ++at) {
+    std::string inside = at->str();
+    for (std::smatch match; std::regex_search(inside, match, own);)
+      inside.replace(std::size_t(match.position()), std::size_t(match.length()), std::size_t(match.length()),
+                     ' ');
+    if (const std::size_t place = inside.find("push_constant"); place != inside.npos)
+      inside.replace(place, 13, "std140       ");
+    // A comma that is left alone, and brackets with nothing between.
+    const std::size_t open = inside.find('('), last = inside.find_last_not_of(" \t\n)");
+    if (last != inside.npos && inside[last] == ',') inside[last] = ' ';
+    if (inside.find_first_not_of(" \t\n", open + 1) == inside.size() - 1)
+      for (char& c : inside)
+        if (c != '\n') c = ' ';
+    out.replace(std::size_t(at->position()), inside.size(), inside);
   }
-  if (!std::regex_search(text, std::regex(R"((float|vec3|define)\s+saturate\b)")))
-    kept += "#define saturate(x) clamp(x, 0.0, 1.0)\n";
-  if (!std::regex_search(text, std::regex(R"((float|vec3|define)\s+pow2\b)")))
-    kept += "#define pow2(x) ((x) * (x))\n";
-  // What a page of Shadertoy gives every shader.
-  for (const auto& [name, type] :
-       {std::pair("iTime", "float"), std::pair("iResolution", "vec3"), std::pair("iMouse", "vec4"),
-        std::pair("iFrame", "int"), std::pair("iTimeDelta", "float")})
-    if (std::regex_search(text, std::regex(std::string("\\b") + name + "\\b")) &&
-        !std::regex_search(text, std::regex(std::string("uniform\\s+\\w+\\s+") + name)))
-      kept += std::string(type) + " " + name + ";\n";
-  return kept;
+  return out;
 }
 
 }  // namespace
 
 std::vector<Shadow> shadowed_builtins(const Source& source) {
-  static const std::regex definition(
-      R"(\b(?:void|bool|u?int|float[234]?|half[234]?|double|[biu]?vec[234]|mat[234])\s+(\w+)\s*\()");
-  const std::string text = without_comments(source.text);
   std::vector<Shadow> found;
-  int depth = 0;
-  std::size_t counted = 0;
-  std::uint32_t line = 1;
-  for (std::sregex_iterator at(text.begin(), text.end(), definition), end; at != end; ++at) {
-    const std::size_t place = std::size_t(at->position());
-    for (; counted < place; ++counted) {
-      depth += (text[counted] == '{') - (text[counted] == '}');
-      line += text[counted] == '\n';
-    }
-    const std::string name = (*at)[1];
-    if (depth == 0 && builtins().contains(name) &&
-        std::none_of(found.begin(), found.end(), [&](const Shadow& s) { return s.name == name; }))
-      found.push_back({name, line});
-  }
+  for (const Definition& d : definitions_of(without_comments(source.text)))
+    if (builtins().contains(d.name) &&
+        std::none_of(found.begin(), found.end(), [&](const Shadow& s) { return s.name == d.name; }))
+      found.push_back({d.name, d.first_line});
   return found;
 }
 
@@ -91,7 +72,7 @@ std::vector<Attempt> attempts(const Source& source) {
   std::smatch match;
   static const std::regex version(R"(#\s*version\s+(\d{3})(?!\s*es))");
   const std::string text = without_comments(source.text);
-  if (!hlsl && std::regex_search(text, match, version)) {
+  if (!hlsl && text.find("version") != text.npos && std::regex_search(text, match, version)) {
     const int number = std::stoi(match[1]);
     if (number >= 330 && number <= 460) versions.push_back(number);
   }
@@ -108,21 +89,26 @@ std::vector<Attempt> attempts(const Source& source) {
                     : named + " shadows the built-in function of that name; here the file's own is called";
   const std::string base = std::string("#define main brdf_own_main\n") + (hlsl ? "" : kOldWords);
   std::vector<Attempt> out;
-  for (const int v : versions) {
-    if (!renames.empty()) out.push_back({v, base + renames, own});
-    out.push_back({v, base, own});
-  }
-  const std::string usual =
-      "PI, saturate() and their like, which the file does not define, are taken as usual";
-  out.push_back(
-      {versions[0], base + renames + usual_functions(text), own.empty() ? usual : own + "; " + usual});
+  // What the file leaves to others, as usual; a file that it includes may have it.
+  const Usual known = usual_of(text, source.language);
+  if (!known.names.empty() && text.find("include") != text.npos)
+    for (const int v : versions) out.push_back({v, base + renames, own});
+  std::string note = own;
+  if (!known.names.empty())
+    note += (own.empty() ? "" : "; ") + io::joined(known.names) +
+            (known.names.size() > 1 ? ", which the file does not define, are"
+                                    : ", which the file does not define, is") +
+            " taken as usual";
+  for (const int v : versions) out.push_back({v, base + renames + known.preamble, note, true});
+  if (!renames.empty())
+    for (const int v : versions) out.push_back({v, base + known.preamble, note});
   return out;
 }
 
 std::string with_entry(const Source& source) {
   if (source.language == Language::hlsl)
     return source.text + "\nfloat4 brdf_main() : SV_Target { return float4(0.0, 0.0, 0.0, 0.0); }\n";
-  return source.text + "\n#undef main\nvoid main() {}\n";
+  return without_vulkan(source.text) + "\n#undef main\nvoid main() {}\n";
 }
 
 }  // namespace brdf::shader

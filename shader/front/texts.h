@@ -13,6 +13,7 @@ struct Attempt {
   int version;           // of GLSL
   std::string preamble;  // before the text
   std::string note;      // a sentence of what it assumes; may be empty
+  bool usual = false;    // with all that files leave to others
 };
 
 // Functions of the file that have the name of a built-in one, with their lines.

@@ -1,6 +1,8 @@
 // GLSL's own functions (GLSL.std.450), the geometric ones as the formulas that define them.
 #include <glslang/SPIRV/GLSL.std.450.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "io/error.h"
@@ -69,6 +71,14 @@ Slots Lowering::scaled(const Slots& a, Slot by) {
   return out;
 }
 
+// What the slot holds, where that is a constant and a whole number from 1 to 16; else 0.
+std::uint32_t Lowering::whole_exponent(Slot slot) const {
+  const auto constant = std::find_if(program_.constants.begin(), program_.constants.end(),
+                                     [&](const Program::Constant& c) { return c.slot == slot; });
+  const double value = constant == program_.constants.end() ? 0 : constant->value;
+  return value >= 1 && value <= 16 && value == std::floor(value) ? std::uint32_t(value) : 0;
+}
+
 Slots Lowering::function(Frame& frame, const spirv::Instruction& i) {
   if (i.words.size() < 3 || i.words[0] != module_.extended) refuse("calls a function that is not known here");
   const std::uint32_t which = i.words[1];
@@ -88,7 +98,8 @@ Slots Lowering::function(Frame& frame, const spirv::Instruction& i) {
       out.push_back(emit(Op::min, emit(Op::max, at(0), at(1)), at(2)));
       continue;
     }
-    out.push_back(emit(found->second, at(0), at(1), at(2)));
+    out.push_back(
+        emit(found->second, at(0), at(1), found->second == Op::pow ? whole_exponent(at(1)) : at(2)));
   }
   return out;
 }

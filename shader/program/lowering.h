@@ -103,6 +103,7 @@ class Lowering {
   // lower_functions.cpp: GLSL's own
   Slots function(Frame& frame, const spirv::Instruction& i);
   Slots geometric(Frame& frame, const spirv::Instruction& i, std::uint32_t which);
+  std::uint32_t whole_exponent(Slot slot) const;
   Slot dot(const Slots& a, const Slots& b);
   Slots scaled(const Slots& a, Slot by);
 

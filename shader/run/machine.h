@@ -6,27 +6,39 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
+#include <vector>
 
 #include "brdf/clones.h"
 #include "shader/run/step.h"
 
 namespace brdf::shader {
 
-// A loop that does not end: thrown where an evaluation takes more steps than allowed.
+// A loop that does not end: thrown where an evaluation takes more steps than allowed. Who filled the bank adds what it was told.
 struct EndlessLoop {
   std::uint32_t line;
   int lane;
+  std::vector<double> values = {};  // of all parameters
+  std::array<double, 3> wi = {}, wo = {};
 };
 
 constexpr std::size_t kMostStepsRun = 200'000;  // of one evaluation
 
 namespace detail {
 
-// The steps of a stretch, compiled for each generation of the CPU.
+// The steps of a stretch, compiled for each generation of the CPU where lanes are plain numbers. Of other scalars g++ leaves
+// the operations out of the clones, and each call between code of two generations costs some 100 ns.
 template <class T, int W>
-BRDF_CLONES void run_all(const Step* steps, std::size_t count, Bank<T, W>& bank) {
+BRDF_CLONES void run_clone(const Step* steps, std::size_t count, Bank<T, W>& bank) {
   for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, AllLanes<W>{});
+}
+template <class T, int W>
+void run_all(const Step* steps, std::size_t count, Bank<T, W>& bank) {
+  if constexpr (std::floating_point<T>)
+    run_clone(steps, count, bank);
+  else
+    for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, AllLanes<W>{});
 }
 template <class T, int W>
 void run_some(const Step* steps, std::size_t count, Bank<T, W>& bank, const SomeLanes& lanes) {
@@ -53,7 +65,7 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
       if (at[std::size_t(l)] == here) active[std::size_t(count++)] = std::uint8_t(l);
     const Stretch& stretch = program.stretches[here];
     taken += stretch.steps.size() + 1;
-    if (taken > most) throw EndlessLoop{stretch.line, active[0]};
+    if (taken > most) throw EndlessLoop{stretch.line, active[0], {}, {}, {}};
     // Lanes beyond the last are computed along: nobody reads them.
     if (count == lanes)
       detail::run_all(stretch.steps.data(), stretch.steps.size(), bank);
@@ -79,7 +91,7 @@ void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch,
       watch(step);
     }
     taken += stretch.steps.size() + 1;
-    if (taken > most_steps) throw EndlessLoop{stretch.line, 0};
+    if (taken > most_steps) throw EndlessLoop{stretch.line, 0, {}, {}, {}};
     if (stretch.end == End::stop) return;
     here = stretch.next[stretch.end == End::branch && bank.integer(stretch.condition)[0] == 0 ? 1 : 0];
   }

@@ -35,9 +35,11 @@ class Parser {
     if (k >= w.size()) fail("an instruction is too short");
     return w[k];
   }
-  static std::string text(Words w) {
+  // What stands from word k on.
+  static std::string text(Words w, std::size_t k) {
+    if (k > w.size()) fail("an instruction is too short");
     std::string out;
-    for (const std::uint32_t four : w)
+    for (const std::uint32_t four : w.subspan(k))
       for (int byte = 0; byte < 4; ++byte) {
         const char c = char(four >> (8 * byte) & 0xff);
         if (c == 0) return out;
@@ -49,11 +51,11 @@ class Parser {
   void read(std::uint32_t code, Words w) {
     switch (code) {
       case spv::OpName:
-        module_.names[word(w, 0)] = text(w.subspan(1));
+        module_.names[word(w, 0)] = text(w, 1);
         return;
       case spv::OpMemberName:
         word(w, 1);
-        module_.member_names[w[0]][w[1]] = text(w.subspan(2));
+        module_.member_names[w[0]][w[1]] = text(w, 2);
         return;
       case spv::OpLine:
         line_ = word(w, 1);
@@ -65,8 +67,8 @@ class Parser {
         module_.entry = word(w, 1);
         return;
       case spv::OpExtInstImport:
-        if (text(w.subspan(1)) == "GLSL.std.450") module_.extended = word(w, 0);
-        if (text(w.subspan(1)).starts_with("NonSemantic.")) debug_ = word(w, 0);
+        if (text(w, 1) == "GLSL.std.450") module_.extended = word(w, 0);
+        if (text(w, 1).starts_with("NonSemantic.")) debug_ = word(w, 0);
         return;
       default:
         break;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brdf/reflectance.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {
@@ -21,7 +22,7 @@ nlohmann::json finding(const std::string& out, const std::string& check) {
 }
 
 TEST(OwnShader, ASoundOnePasses) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   const Outcome o = run_brdf("validate --shader " + kShaders +
                                  "sound.glsl' --such-that 'kd + ks <= 1' --require "
                                  "finite,non_negative,reciprocity,energy,isotropy,float --json",
@@ -36,7 +37,7 @@ TEST(OwnShader, ASoundOnePasses) {
 }
 
 TEST(OwnShader, AClampedProductIsFoundWithTheCommandThatShowsIt) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   const Outcome o =
       run_brdf("validate --shader " + kShaders + "clamped_dot.glsl' --max-theta 85 --json", folder.path());
   EXPECT_EQ(o.exit_code, 1);
@@ -50,7 +51,7 @@ TEST(OwnShader, AClampedProductIsFoundWithTheCommandThatShowsIt) {
 }
 
 TEST(OwnShader, FaultsNameTheirLine) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   const auto judged = [&](const std::string& text, const std::string& check) {
     std::ofstream(folder.path() / "s.glsl") << text;
     const Outcome o = run_brdf("validate --shader s.glsl --json", folder.path());
@@ -72,8 +73,59 @@ TEST(OwnShader, FaultsNameTheirLine) {
                              HasSubstr("/ 0 = inf")));
 }
 
+TEST(OwnShader, StepsWithinTheHemisphereHaveAPlace) {
+  io::TemporaryFolder folder;
+  const auto judged = [&](const std::string& text) {
+    std::ofstream(folder.path() / "s.glsl") << text;
+    return finding(run_brdf("validate --shader s.glsl --json", folder.path()).out, "continuity");
+  };
+  const auto edge = judged(
+      "//: param edge 0.3 0.9 0.6\nfloat brdf(vec3 L, vec3 V, vec3 N, float edge) {\n  vec3 H = normalize(L "
+      "+ V);\n"
+      "  return dot(N, H) > edge ? 0.3 : 0.1;\n}\n");
+  EXPECT_EQ(edge["verdict"], "fail");
+  EXPECT_NEAR(edge["value"].get<double>(), 2.0 / 3, 1e-6);
+  EXPECT_THAT(edge["statement"].get<std::string>(),
+              testing::AllOf(HasSubstr("within the hemisphere; line 4, `return dot(N, H) > edge"),
+                             HasSubstr(" passes ")));
+  // The two directions that the command prints lie on both sides.
+  const std::string command = edge["witness"]["command"];
+  const std::size_t eval = command.find("brdf eval");
+  ASSERT_NE(eval, command.npos);
+  ASSERT_EQ(std::system(("cd '" + folder.path().string() + "' && " + command.substr(0, eval - 4)).c_str()),
+            0);
+  const Outcome shown = run_brdf(command.substr(eval + 5), folder.path());
+  EXPECT_THAT(shown.out, testing::AllOf(HasSubstr("0.1"), HasSubstr("0.3"))) << shown.err;
+  EXPECT_THAT(
+      judged(
+          "float brdf(vec3 L, vec3 V, vec3 N) {\n  float c = dot(N, L) * dot(N, V);\n  return 0.1 + 0.05 * "
+          "floor(4.0 * c);\n}\n")["statement"]
+          .get<std::string>(),
+      HasSubstr("line 3"));
+  EXPECT_EQ(
+      judged("float brdf(vec3 L, vec3 V) { return L.y * V.x - L.x * V.y < 0.0 ? 0.1 : 0.2; }\n")["verdict"],
+      "fail");
+  // Narrow and steep is no step.
+  EXPECT_EQ(judged("float brdf(vec3 L, vec3 V, vec3 N) { return 0.01 * exp(-1e5 * (1.0 - dot(N, normalize(L "
+                   "+ V)))); }\n")["verdict"],
+            "pass");
+}
+
+TEST(OwnShader, ThatHasNoAlbedoIsNotSound) {
+  io::TemporaryFolder folder;
+  const auto energy = [&](const std::string& value) {
+    std::ofstream(folder.path() / "s.glsl")
+        << "float brdf(vec3 L, vec3 V, vec3 N) { return " << value << "; }\n";
+    return finding(run_brdf("validate --shader s.glsl --json", folder.path()).out, "energy");
+  };
+  EXPECT_EQ(energy("pow(dot(N, L) * dot(N, V), -2.0)")["verdict"], "fail");
+  EXPECT_EQ(energy("sqrt(-1.0 - L.z)")["verdict"], "undecided");
+  // Constants are float's: what reflects all of it by them reflects no more.
+  EXPECT_EQ(energy("1.0 / 3.14159265")["verdict"], "pass");
+}
+
 TEST(OwnShader, IsRefusedWithOneSentence) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   std::ofstream(folder.path() / "main.frag")
       << "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
   std::ofstream(folder.path() / "loop.glsl")
@@ -88,7 +140,7 @@ TEST(OwnShader, IsRefusedWithOneSentence) {
 }
 
 TEST(OwnShader, ThatTurnsWithItsTangentIsJudged) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   std::ofstream(folder.path() / "s.glsl") << "//: violates energy\nfloat brdf(vec3 L, vec3 V, vec3 N, vec3 "
                                              "X) { return 0.3 * (1.0 + dot(L, X) * dot(V, X)); }\n";
   const Outcome o = run_brdf("validate --shader s.glsl --json", folder.path());
@@ -100,7 +152,7 @@ TEST(OwnShader, ThatTurnsWithItsTangentIsJudged) {
 }
 
 TEST(OwnShader, IsDrawnAsItIsEvaluated) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   std::ofstream(folder.path() / "many.glsl")
       << "float brdf(vec3 L, vec3 V, vec3 N, float a, float b, float c, float d, int n) {\n  float t[3] = "
          "float[3](0.1, 0.2, 0.3), s = 0.0;\n  for (int k = 0; k < n + 2; ++k) { if (k == 1 && d > 0.2) "
@@ -119,8 +171,27 @@ TEST(OwnShader, IsDrawnAsItIsEvaluated) {
   EXPECT_EQ(picture.exit_code, 0) << picture.err;
 }
 
+TEST(OwnShader, CostStandsBesideTheForms) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "plain.glsl")
+      << "float brdf(vec3 L, vec3 V, vec3 N, float k) { return k * (0.25 + 0.5 * L.z * V.z); }\n";
+  const Outcome o = run_brdf("validate --shader plain.glsl --gpu --json", folder.path());
+  if (o.exit_code == 3) GTEST_SKIP() << o.err;
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const auto json = nlohmann::json::parse(o.out);
+  EXPECT_EQ(json["rows"][0]["differing"], 0);
+  const auto& costs = json["costs"];
+  ASSERT_EQ(costs.size(), 1 + catalogue().size());
+  EXPECT_EQ(costs[0]["name"], "plain");
+  // Two products, a sum and a product; a copy of the result, and the end.
+  EXPECT_EQ(costs[0]["operations"], 6);
+  for (const auto& c : costs) EXPECT_GT(c["driver_ns"].get<double>(), 0) << c;
+  for (std::size_t k = 2; k < costs.size(); ++k)
+    EXPECT_LE(costs[k - 1]["operations"], costs[k]["operations"]);
+}
+
 TEST(OwnShader, IsComparedWithAForm) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   const Outcome o =
       run_brdf("validate --shader " + kShaders +
                    "sound.glsl' --against cook_torrance --map 'alpha=roughness*roughness' --json",
@@ -134,7 +205,7 @@ TEST(OwnShader, IsComparedWithAForm) {
 }
 
 TEST(OwnShader, IsFittedToTheSamplesThatItMade) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   const std::string shader = "--shader " + kShaders + "wrong_norm.brdf'";
   ASSERT_EQ(run_brdf("synth " + shader +
                          " --set kd=0.2 --set ks=0.6 --set exponent=37 --grid in_plane --noise 0 -o s.csv",

@@ -16,7 +16,7 @@ bool compiles(const std::filesystem::path& file, const std::string& stage) {
 }
 
 TEST(ExportedShader, OfEveryFormCompilesAsItIs) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   for (const Reflectance& form : catalogue()) {
     const std::string name(form.info().name);
     ASSERT_EQ(run_brdf("export --form " + name + " --to glsl -o form.glsl", folder.path()).exit_code, 0);
@@ -25,7 +25,7 @@ TEST(ExportedShader, OfEveryFormCompilesAsItIs) {
 }
 
 TEST(ExportedShader, OfAMaterialCompilesInEveryStageAndWithinAnotherShader) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   const std::string command = "export --form ward --set alpha_x=0.1 --set tangent_phi=17 --to glsl -o m.glsl";
   ASSERT_EQ(run_brdf(command, folder.path()).exit_code, 0);
   for (const char* stage : {"vert", "frag", "comp"})
@@ -41,7 +41,7 @@ TEST(ExportedShader, OfAMaterialCompilesInEveryStageAndWithinAnotherShader) {
 #endif
 
 TEST(ExportedShader, ForBrowsersIsWrittenInTheirDialect) {
-  TemporaryFolder folder;
+  io::TemporaryFolder folder;
   ASSERT_EQ(run_brdf("export --form ward --set alpha_x=0.1 --to glsl-es -o m.glsl", folder.path()).exit_code,
             0);
   const std::string text = file_text(folder.path() / "m.glsl");

@@ -10,14 +10,14 @@
 
 #include "io/error.h"
 #include "io/material_json.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::fuzz {
 namespace {
 
 // Links with every suffix that was asked for, to the one file in memory.
 const std::filesystem::path& folder() {
-  static const TemporaryFolder folder;
+  static const io::TemporaryFolder folder;
   return folder.path();
 }
 
@@ -64,6 +64,11 @@ std::string text_of(const io::SampleTable& table) {
 
 std::map<std::string, Target, std::less<>>& targets() {
   static std::map<std::string, Target, std::less<>> all;
+  return all;
+}
+
+std::map<std::string, Mutator, std::less<>>& mutators() {
+  static std::map<std::string, Mutator, std::less<>> all;
   return all;
 }
 

@@ -14,8 +14,14 @@ namespace brdf::fuzz {
 
 using Target = void (*)(std::string_view input);
 std::map<std::string, Target, std::less<>>& targets();
+// A change of an input that its target sees more of than of changed bytes.
+using Mutator = std::string (*)(std::string_view input, std::uint32_t seed);
+std::map<std::string, Mutator, std::less<>>& mutators();
 struct Registered {
-  Registered(const char* name, Target target) { targets().emplace(name, target); }
+  Registered(const char* name, Target target, Mutator mutator = nullptr) {
+    targets().emplace(name, target);
+    if (mutator) mutators().emplace(name, mutator);
+  }
 };
 // One input through a target. Aborts on a finding.
 void run(Target target, std::string_view input);

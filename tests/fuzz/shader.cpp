@@ -1,5 +1,6 @@
 // A shader's text through the front end and the interpreter (the name in its first line, after //, says the language), and SPIR-V
-// that no compiler wrote through the rest.
+// that no compiler wrote through the rest. Both are changed word by word as well as byte by byte: most bytes make a text that no compiler
+// takes, and the checker, the flattening and the interpreter would see few.
 #include <cmath>
 #include <cstring>
 
@@ -8,6 +9,7 @@
 #include "shader/program/lower.h"
 #include "shader/shader.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/mutate.h"
 
 namespace brdf::fuzz {
 namespace {
@@ -17,38 +19,77 @@ template <class T>
 void run_once(const shader::Program& program) {
   shader::Bank<T, 4> bank(program);
   try {
-    shader::run<T, 4>(program, bank, 4, 5000);
+    shader::run<T, 4>(program, bank, 4, 2000);
   } catch (const shader::EndlessLoop&) {
   }
 }
 
-const Registered text("shader", [](std::string_view input) {
-  const std::string_view first = input.substr(0, input.find('\n'));
-  const std::string name = first.find("hlsl") != first.npos ? "fuzz.hlsl" : "fuzz.glsl";
-  const auto shader = std::make_shared<const shader::ShaderReflectance>(
-      shader::make_function(shader::parse_source(name, std::string(input))));
+// The function at its defaults, in every lane, or says that it does not end.
+template <class T, int W>
+void run_function(const shader::Function& f) {
+  shader::Runner<T, W> runner(f);
+  std::vector<T> values;
+  for (const double v : f.defaults()) values.push_back(shader::Functions<T>::number(v));
+  runner.set_values(f, values);
+  typename shader::Runner<T, W>::Lanes wi, wo;
+  for (std::size_t l = 0; l < W; ++l) {
+    const Vec3<double> i = direction(degrees(5.0 * double(l)), {}),
+                       o = direction(degrees(40), degrees(11.0 * double(l)));
+    wi[0][l] = T(i.x), wi[1][l] = T(i.y), wi[2][l] = T(i.z);
+    wo[0][l] = T(o.x), wo[1][l] = T(o.y), wo[2][l] = T(o.z);
+  }
+  runner.set_directions(f, wi, wo);
+  constexpr std::size_t kMostSteps = 5000;  // that there is no end costs the more the later it is found
+  try {
+    shader::run<T, W>(f.program<T>(), runner.bank(), W, kMostSteps);
+  } catch (const shader::EndlessLoop&) {
+  }
+}
+
+// As a reflectance, whose tables take a thousand evaluations: one text of sixteen.
+void make_reflectance(shader::Function f) {
+  const auto shader = std::make_shared<const shader::ShaderReflectance>(std::move(f));
   const Material m = shader->material(shader);
-  std::vector<double> f(m.channels.size());
-  eval(m, direction(degrees(30), {}), direction(degrees(40), degrees(170)), f);
+  std::vector<double> value(m.channels.size());
+  eval(m, direction(degrees(30), {}), direction(degrees(40), degrees(170)), value);
   require(shader->info().weights.size() + shader->info().shape.size() == shader->function().parameters.size(),
           "every parameter is in a table");
-});
+}
 
-const Registered spirv("spirv", [](std::string_view input) {
-  std::vector<std::uint32_t> words(input.size() / 4);
-  std::memcpy(words.data(), input.data(), words.size() * 4);
-  const shader::spirv::Module module = shader::spirv::parse(words);
-  for (const auto& [id, function] : module.functions) {
-    shader::Program program;
-    try {
-      program = shader::lower(module, function, {.most_steps = 2000});
-    } catch (const InputError&) {
-      continue;
-    }
-    run_once<float>(program);
-    run_once<double>(program);
-  }
-});
+const Registered text(
+    "shader",
+    [](std::string_view input) {
+      const std::string_view first = input.substr(0, input.find('\n'));
+      const std::string name = first.find("hlsl") != first.npos ? "fuzz.hlsl" : "fuzz.glsl";
+      static shader::Compiler compiler;
+      shader::Function f =
+          shader::make_function(shader::parse_source(name, std::string(input)), {}, compiler);
+      run_function<float, 16>(f);
+      run_function<double, 1>(f);
+      run_function<Dual<double, 4>, 1>(f);
+      if (std::hash<std::string_view>{}(input) % 16 == 0) make_reflectance(std::move(f));
+    },
+    mutate_shader);
+
+const Registered spirv(
+    "spirv",
+    [](std::string_view input) {
+      std::vector<std::uint32_t> words(input.size() / 4);
+      if (words.empty()) return;
+      std::memcpy(words.data(), input.data(), words.size() * 4);
+      const shader::spirv::Module module = shader::spirv::parse(words);
+      for (const auto& [id, function] : module.functions) {
+        shader::Program program;
+        try {
+          program = shader::lower(module, function, {.most_steps = 2000});
+        } catch (const InputError&) {
+          continue;
+        }
+        run_once<float>(program);
+        run_once<double>(program);
+      }
+    },
+    mutate_spirv);
 
 }  // namespace
 }  // namespace brdf::fuzz

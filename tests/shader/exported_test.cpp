@@ -5,7 +5,9 @@
 #include <map>
 
 #include "brdf/random.h"
+#include "brdf/targets.h"
 #include "io/glsl.h"
+#include "io/shader_texts.h"
 #include "tests/shader/texts.h"
 
 namespace brdf::shader {
@@ -16,6 +18,10 @@ std::shared_ptr<const ShaderReflectance> exported(const Reflectance& form) {
   auto& shader = known[form.info().name];
   if (!shader) shader = shader_of(io::glsl_source(make_material(form), {.material = false}));
   return shader;
+}
+
+std::shared_ptr<const ShaderReflectance> exported_as_hlsl(const Reflectance& form) {
+  return shader_of(io::shader_text(make_material(form), io::ShaderLanguage::hlsl, false, "x"), {}, "x.hlsl");
 }
 
 struct Drawn {
@@ -36,36 +42,46 @@ Vec3<double> somewhere(Random& random) {
   return direction(degrees(random.uniform(0, 92)), degrees(random.uniform(0, 360)));
 }
 
-TEST(ExportedForm, IsTheFloatLibraryBitForBit) {
-  for (const Reflectance& form : catalogue()) {
-    const auto shader = exported(form);
-    Random random(1);
-    for (int set = 0; set < 6; ++set) {
-      const Drawn p = draw(form.info(), random);
-      constexpr std::size_t kCount = 300;
-      DirectionArrays<float> d(kCount);
-      const auto to_float = [](const Vec3<double>& w) {
-        return Vec3<float>{float(w.x), float(w.y), float(w.z)};
-      };
-      for (std::size_t k = 0; k < kCount; ++k) {
-        const Vec3<double> wi = somewhere(random),
-                           wo = k % 2 ? somewhere(random)
-                                      : Vec3<double>{-wi.x + random.uniform(0, 0.02), -wi.y, wi.z};
-        d.set(k, to_float(wi), to_float(wo));
-      }
-      const ParameterValues<float> values{p.weights, p.weights, p.shape};
-      std::vector<float> library(kCount), interpreted(kCount), alone(kCount);
-      form->eval(values, d.view(), library.data());
-      shader->eval(values, d.view(), interpreted.data());
-      for (std::size_t k = 0; k < kCount; ++k) shader->eval(values, d.view().part(k, 1), &alone[k]);
-      for (std::size_t k = 0; k < kCount; ++k) {
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(library[k]), std::bit_cast<std::uint32_t>(interpreted[k]))
-            << form.info().name << ' ' << k;
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(library[k]), std::bit_cast<std::uint32_t>(alone[k]))
-            << form.info().name << ' ' << k;
-      }
+constexpr std::size_t kPairs = 300;
+
+DirectionArrays<float> draw_directions(Random& random) {
+  DirectionArrays<float> d(kPairs);
+  const auto to_float = [](const Vec3<double>& w) { return Vec3<float>{float(w.x), float(w.y), float(w.z)}; };
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Vec3<double> wi = somewhere(random),
+                       wo = k % 2 ? somewhere(random)
+                                  : Vec3<double>{-wi.x + random.uniform(0, 0.02), -wi.y, wi.z};
+    d.set(k, to_float(wi), to_float(wo));
+  }
+  return d;
+}
+
+void expect_same_bits(const Reflectance& form, const ShaderReflectance& shader, int sets) {
+  Random random(1);
+  for (int set = 0; set < sets; ++set) {
+    const Drawn p = draw(form.info(), random), first = draw(form.info(), random);
+    const DirectionArrays<float> d = draw_directions(random);
+    const ParameterValues<float> values{p.weights, first.weights, p.shape, 1};
+    std::vector<float> library(kPairs), interpreted(kPairs), alone(kPairs);
+    form->eval(values, d.view(), library.data());
+    shader.eval(values, d.view(), interpreted.data());
+    for (std::size_t k = 0; k < kPairs; ++k) shader.eval(values, d.view().part(k, 1), &alone[k]);
+    for (std::size_t k = 0; k < kPairs; ++k) {
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(library[k]), std::bit_cast<std::uint32_t>(interpreted[k]))
+          << form.info().name << ' ' << k;
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(library[k]), std::bit_cast<std::uint32_t>(alone[k]))
+          << form.info().name << ' ' << k;
     }
   }
+}
+
+TEST(ExportedForm, IsTheFloatLibraryBitForBit) {
+  for (const Reflectance& form : catalogue()) expect_same_bits(form, *exported(form), 6);
+}
+
+TEST(ExportedForm, IsTheFloatLibraryBitForBitInHlsl) {
+  for (const auto list : {catalogue(), targets()})
+    for (const Reflectance& form : list) expect_same_bits(form, *exported_as_hlsl(form), 2);
 }
 
 TEST(ExportedForm, HasTheFormsTablesAndLobes) {

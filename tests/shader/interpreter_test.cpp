@@ -74,6 +74,7 @@ TEST(Interpreter, AnEndlessLoopEndsWithItsLine) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("the loop here does not end"));
+    EXPECT_THAT(e.what(), testing::ContainsRegex(R"(for light \(.*\), viewer \(.*\), k=)"));
     EXPECT_TRUE(std::string(e.what()).starts_with("test.glsl:4") ||
                 std::string(e.what()).starts_with("test.glsl:5"))
         << e.what();
@@ -97,6 +98,31 @@ TEST(Interpreter, FloatRoundsEveryOperation) {
     shader->eval(ParameterValues<float>{{}, {}, shape}, one_pair(up, up), &value);
     ASSERT_EQ(value, expected) << a << ' ' << b;
   }
+}
+
+TEST(Interpreter, WholePowersAreRoundedOnce) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N, float a) { return pow(a, 5.0) + pow(a, 16.0) * pow(1.0 - a, 2.0); "
+      "}",
+      {.file = "", .parameters = {"a=-1:40:1"}});
+  Random random(5);
+  const Vec3<float> up{0, 0, 1};
+  const auto value = [&](float a) {
+    const std::vector<float> shape{a};
+    float f;
+    shader->eval(ParameterValues<float>{{}, {}, shape}, one_pair(up, up), &f);
+    return f;
+  };
+  for (int k = 0; k < 2000; ++k) {
+    const float a = float(random.uniform(0, 1));
+    const auto f = [](double x) { return float(x); };
+    const float expected =
+        f(std::pow(double(a), 5)) + f(std::pow(double(a), 16)) * f(std::pow(double(1 - a), 2));
+    ASSERT_EQ(value(a), expected) << a;
+  }
+  EXPECT_TRUE(std::isnan(value(-0.5f)));
+  EXPECT_TRUE(std::isnan(value(2)));  // of 1 - a
+  EXPECT_EQ(value(0), 0);
 }
 
 TEST(Interpreter, ConstantsAreWhatTheSourceSays) {
@@ -135,6 +161,16 @@ TEST(Blame, DivisionByZeroInFloatOnly) {
   EXPECT_EQ(b.line, 4u);
   EXPECT_THAT(b.operation, HasSubstr("/ 0 = inf"));
   EXPECT_TRUE(blame<double>(shader->function(), Fault::not_finite, {}, w, w, 0).operation.empty());
+}
+
+TEST(Blame, TheComparisonThatIsPassed) {
+  const auto shader = shader_of(
+      "float brdf(vec3 L, vec3 V, vec3 N) {\n  float c = dot(N, L);\n  if (c > 0.5)\n    return 0.1;\n  "
+      "return 0.2;\n}");
+  const auto at = [](double theta) { return direction(degrees(theta), {}); };
+  const Blame b = blame_jump(shader->function(), {}, {at(59.999), {0, 0, 1}}, {at(60.001), {0, 0, 1}}, 0);
+  EXPECT_EQ(b.line, 3u);
+  EXPECT_THAT(b.operation, HasSubstr("passes"));
 }
 
 TEST(Blame, TheOperationThatLosesDigits) {

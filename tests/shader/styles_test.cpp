@@ -104,6 +104,15 @@ float3 BRDF(float3 L, float3 V, float3 N) {
   EXPECT_NEAR(value_at(shader, 40, 0, 40, 180), 0.25, 1e-7);
 }
 
+TEST(Style, OfArraysAndMatricesTheNumbersThatAreRead) {
+  const auto shader = shader_of(
+      "cbuffer Frame { float4 gParams[4]; float4x4 gView; };\n"
+      "float3 BRDF(float3 L, float3 V, float3 N) { return gParams[1].xxx * gView[2][1]; }",
+      {.file = "", .parameters = {"gParams_4=0:3:2", "gView_9=0:1:0.25"}}, "a.hlsl");
+  EXPECT_EQ(shader->info().weights.size() + shader->info().shape.size(), 2u);
+  EXPECT_NEAR(value_at(shader, 40, 0, 40, 180), 0.5, 1e-12);
+}
+
 TEST(Style, TheCosineMayBeIn) {
   const std::string text = "float brdf(vec3 L, vec3 V, vec3 N) { return 0.25 * dot(N, L); }";
   EXPECT_NEAR(value_at(shader_of(text), 60, 0, 0, 0), 0.125, 1e-12);
@@ -212,10 +221,85 @@ TEST(Style, KnownViolationsAreDeclared) {
               HasSubstr("violates what?"));
 }
 
+TEST(Style, AScriptsShadersStandInBackticks) {
+  const auto shader = shader_of(
+      "export default /* glsl */`\nfloat schlick(float f0, float dotVH) { return f0 + (1.0 - f0) * pow5(1.0 "
+      "- dotVH); }\n"
+      "vec3 BRDF_Lit(const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 "
+      "tint) {\n"
+      "  return saturate(tint) * RECIPROCAL_PI * pow2(2.0);\n}\n`;\n",
+      {}, "chunk.glsl.js");
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.5 / kPi * 4, 1e-6);
+  EXPECT_THAT(
+      shader->function().notes,
+      testing::Contains(HasSubstr("RECIPROCAL_PI, saturate, pow2, pow5, which the file does not define")));
+}
+
+TEST(Style, FunctionsThatDoNotCompileAreLeftOut) {
+  // A texture in main() that nobody declared, a type that another file has, and what calls that.
+  const std::string text =
+      "float helper(float x) { return 2.0 * x; }\n"
+      "vec3 eval_lobe(vec3 wi_local, vec3 wo_local, vec3 tint) { return tint * helper(0.25); }\n"
+      "float trouble(Other o) { return o.x; }\n"
+      "float more_trouble(vec3 wi_local, vec3 wo_local) { return trouble(1.0); }\n"
+      "float pdf_lobe(vec3 wi_local, vec3 wo_local) { return 1.0; }\n"
+      "void main() { gl_FragColor = texture2D(nowhere, vec2(0.0)); }\n";
+  const auto shader = shader_of(text);
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.25, 1e-12);
+  EXPECT_THAT(shader->function().notes,
+              testing::Contains(testing::AllOf(HasSubstr("without trouble(), more_trouble(), main()"),
+                                               HasSubstr("test.glsl:3: the type Other is not defined"))));
+  // Asked for, it is refused for its own reason; and so is a part of something that calls itself a reflectance.
+  EXPECT_THAT(refusal(text, {.file = "", .entry = "trouble"}), HasSubstr("test.glsl:3: the type Other"));
+  const std::string part =
+      "float lobe(vec3 L, vec3 V) { return 3.0; }\n"
+      "float sheet_bsdf(vec3 L, vec3 V, Closure c) { return lobe(L, V) / 10.0; }\n";
+  EXPECT_THAT(refusal(part), testing::AllOf(HasSubstr("test.glsl:2: the type Closure is not defined"),
+                                            HasSubstr("with --entry lobe")));
+  EXPECT_NEAR(value_at(shader_of(part, {.file = "", .entry = "lobe"}), 30, 0, 30, 180), 3, 1e-12);
+}
+
+TEST(Style, VulkansLayoutsAndComputeShaders) {
+  const auto shader = shader_of(
+      "#version 450\nlayout(local_size_x = 64) in;\n"
+      "layout(std430, set = 0, binding = 0) readonly buffer Dirs { vec4 dirs[]; };\n"
+      "layout(push_constant) uniform Push { float k; vec3 tint; } pc;\n"
+      "layout(constant_id = 3) const int kind = 2;\n"
+      "vec3 brdf(vec3 wi, vec3 wo) { return kind == 2 ? pc.tint * pc.k : vec3(7.0); }\n"
+      "void main() { dirs[gl_GlobalInvocationID.x]; }\n",
+      {}, "a.comp");
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.25, 1e-12);
+}
+
+TEST(Style, UnitysLabHoldsAShader) {
+  const auto shader = shader_of(
+      "Shader \"Own/Plain\" {\n  Properties { _Tint (\"Tint\", Color) = (1,1,1,1) }\n  SubShader { Pass {\n  "
+      "CGPROGRAM\n"
+      "  half3 _Tint;\n  half3 Shade_BRDF(half3 normalWS, half3 lightDirWS, half3 viewDirWS) { return _Tint "
+      "* UNITY_INV_PI; "
+      "}\n  ENDCG\n  } }\n}\n",
+      {}, "plain.shader");
+  EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.5 / kPi, 1e-6);
+}
+
+TEST(Refused, OtherLanguagesByName) {
+  EXPECT_THAT(refusal("fn brdf(L: vec3<f32>, V: vec3<f32>) -> vec3<f32> { return L; }"),
+              HasSubstr("is WGSL"));
+  EXPECT_THAT(refusal("#include <metal_stdlib>\nfloat3 brdf(float3 L, float3 V) { return L; }"),
+              HasSubstr("Metal"));
+  EXPECT_THAT(refusal("shader a(output closure color c = 0) { c = diffuse(N); }"),
+              HasSubstr("Open Shading Language"));
+  EXPECT_THAT(refusal("shader_type spatial;\nvoid light() { DIFFUSE_LIGHT += vec3(1.0); }"),
+              HasSubstr("Godot"));
+  EXPECT_THAT(refusal("glm::vec3 brdf(glm::vec3 L, glm::vec3 V) { return L; }"), HasSubstr("C++"));
+}
+
 TEST(Refused, WithTheSentenceThatHelps) {
   const std::string only_main = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
   EXPECT_THAT(refusal(only_main), HasSubstr("test.glsl: has main() and no function brdf"));
   EXPECT_THAT(refusal(only_main), HasSubstr("//: entry NAME"));
+  EXPECT_THAT(refusal(only_main, {.file = "", .entry = "main"}),
+              testing::AllOf(HasSubstr("main() takes no directions"), HasSubstr("//: entry NAME")));
   EXPECT_THAT(
       refusal("uniform sampler2D lut;\nfloat brdf(vec3 L, vec3 V) {\n return texture(lut, L.xy).r; }"),
       HasSubstr("test.glsl:3: reads the texture lut; give what it holds as a parameter"));
@@ -252,6 +336,16 @@ TEST(Refused, AFileOutsideTheShadersFolder) {
     return load_shader({(folder / "inside" / "a.glsl").string()});
   };
   EXPECT_EQ(value_at(read("part.glsl"), 10, 0, 10, 0), 1);
+  // As a library counts from a folder further up.
+  EXPECT_EQ(value_at(read("library/inside/part.glsl"), 10, 0, 10, 0), 1);
+  // One that nobody needs is left away.
+  std::ofstream(folder / "inside" / "b.glsl")
+      << "#include \"unneeded.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return k; }\n";
+  const auto without = load_shader({(folder / "inside" / "b.glsl").string()});
+  EXPECT_EQ(value_at(without, 10, 0, 10, 0), 0.5);
+  EXPECT_THAT(
+      without->function().notes,
+      testing::Contains(HasSubstr("'unneeded.glsl' is no file of the shader's own folder, and left away")));
   for (const std::string name : {"../outside.glsl", "/etc/passwd", "missing.glsl"}) {
     try {
       read(name);
@@ -278,6 +372,24 @@ TEST(Refused, WhatAsksForMoreThanItsShare) {
   }
   EXPECT_THAT(refusal(calls + "float brdf(vec3 L, vec3 V) { return f29(L.x); }"),
               HasSubstr("larger than 200000 operations"));
+}
+
+TEST(Compiler, TakesManyTextsAndGoesOnAfterOneThatEndsIt) {
+  Compiler compiler;
+  const auto value = [&](const std::string& text) {
+    const auto shader = std::make_shared<const ShaderReflectance>(
+        make_function(parse_source("test.glsl", text), {}, compiler));
+    return value_at(shader, 10, 0, 10, 0);
+  };
+  for (int k = 1; k <= 20; ++k)
+    EXPECT_EQ(value("float brdf(vec3 L, vec3 V) { return " + std::to_string(k) + ".0; }"), k);
+  EXPECT_THROW(value("float brdf(vec3 L, vec3 V) { return missing; }"), InputError);
+  std::string bomb = "#define A0 1.0\n";
+  for (int k = 1; k < 40; ++k)
+    bomb +=
+        "#define A" + std::to_string(k) + " A" + std::to_string(k - 1) + "+A" + std::to_string(k - 1) + "\n";
+  EXPECT_THROW(value(bomb + "float brdf(vec3 L, vec3 V) { return A39; }"), InputError);
+  EXPECT_EQ(value("float brdf(vec3 L, vec3 V) { return 5.0; }"), 5);
 }
 
 TEST(Energy, AClampedProductReflectsMoreThanItReceives) {

@@ -1,0 +1,120 @@
+#include "shader/front/usual.h"
+
+#include <set>
+#include <string_view>
+
+namespace brdf::shader {
+namespace {
+
+enum class Of { both, glsl, hlsl };
+
+struct Known {
+  const char *name, *rest;  // "#define NAME" and what follows
+  Of of = Of::both;
+};
+
+constexpr Known kKnown[] = {
+    {"PI", " 3.14159265358979"},
+    {"M_PI", " 3.14159265358979"},
+    {"UNITY_PI", " 3.14159265358979"},
+    {"INV_PI", " 0.31830988618379"},
+    {"M_PI_INV", " 0.31830988618379"},
+    {"M_1_PI", " 0.31830988618379"},
+    {"ONE_OVER_PI", " 0.31830988618379"},
+    {"RECIPROCAL_PI", " 0.31830988618379"},
+    {"UNITY_INV_PI", " 0.31830988618379"},
+    {"TWO_PI", " 6.28318530717959"},
+    {"PI2", " 6.28318530717959"},
+    {"HALF_PI", " 1.57079632679490"},
+    {"EPSILON", " 1e-6"},
+    {"FLT_EPSILON", " 1.1920929e-7"},
+    {"M_FLOAT_EPS", " 1e-8"},
+    {"HALF_MIN", " 6.103515625e-5"},
+    {"saturate", "(x) clamp(x, 0.0, 1.0)", Of::glsl},
+    {"saturateMediump", "(x) min(x, 65504.0)"},
+    {"lerp", "(a, b, t) mix(a, b, t)", Of::glsl},
+    {"rcp", "(x) (1.0 / (x))", Of::glsl},
+    {"sq", "(x) ((x) * (x))"},
+    {"sqr", "(x) ((x) * (x))"},
+    {"square", "(x) ((x) * (x))"},
+    {"Square", "(x) ((x) * (x))"},
+    {"pow2", "(x) ((x) * (x))"},
+    {"Pow2", "(x) ((x) * (x))"},
+    {"pow3", "(x) ((x) * (x) * (x))"},
+    {"pow4", "(x) ((x) * (x) * ((x) * (x)))"},
+    {"Pow4", "(x) ((x) * (x) * ((x) * (x)))"},
+    {"pow5", "(x) ((x) * (x) * ((x) * (x)) * (x))"},
+    {"Pow5", "(x) ((x) * (x) * ((x) * (x)) * (x))"},
+    {"transposeMat3", "(m) transpose(m)", Of::glsl},
+    {"SafeNormalize", "(v) normalize(v)"},
+    {"SmoothnessToPerceptualRoughness", "(s) (1.0 - (s))"},
+    {"PerceptualRoughnessToRoughness", "(r) ((r) * (r))"},
+    {"DotClamped", "(a, b) saturate(dot(a, b))", Of::hlsl},
+};
+
+// What a page of Shadertoy gives every shader.
+constexpr Known kOfThePage[] = {{"iTime", "float", Of::glsl},
+                                {"iResolution", "vec3", Of::glsl},
+                                {"iMouse", "vec4", Of::glsl},
+                                {"iFrame", "int", Of::glsl},
+                                {"iTimeDelta", "float", Of::glsl}};
+
+// The text's words, and those of them that it defines: macros, constants, variables and functions.
+struct Words {
+  std::set<std::string_view> used = {}, defined = {};
+};
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
+}
+
+// "float", "half3", "min16float3", "define": what stands before a name that is defined.
+bool declares(std::string_view word) {
+  while (!word.empty() && ((word.back() >= '0' && word.back() <= '9') || word.back() == 'x'))
+    word.remove_suffix(1);
+  for (const std::string_view end : {"define", "float", "half", "real", "vec", "mat", "int", "bool", "FLOAT"})
+    if (word.ends_with(end)) return true;
+  return false;
+}
+
+Words words_of(const std::string& text) {
+  Words out;
+  std::string_view before;
+  for (std::size_t at = 0; at < text.size();) {
+    if (!is_letter(text[at])) {
+      if (text[at] != ' ' && text[at] != '\n' && text[at] != '\t') before = {};
+      ++at;
+      continue;
+    }
+    const std::size_t begin = at;
+    while (at < text.size() && is_letter(text[at])) ++at;
+    const auto word = std::string_view(text).substr(begin, at - begin);
+    out.used.insert(word);
+    const std::size_t next = text.find_first_not_of(" \n\t", at);
+    const bool is_set = next != text.npos && text[next] == '=' && text.compare(next, 2, "==") != 0;
+    if (declares(before) || is_set) out.defined.insert(word);
+    before = word;
+  }
+  return out;
+}
+
+}  // namespace
+
+Usual usual_of(const std::string& text, Language language) {
+  Usual out;
+  const Words words = words_of(text);
+  const auto wanted = [&](const Known& k) {
+    const bool other = k.of == (language == Language::hlsl ? Of::glsl : Of::hlsl);
+    return !other && words.used.contains(k.name) && !words.defined.contains(k.name);
+  };
+  for (const Known& k : kKnown) {
+    if (!wanted(k)) continue;
+    out.preamble += std::string("#define ") + k.name + k.rest + "\n";
+    out.names.push_back(k.name);
+  }
+  for (const Known& k : kOfThePage)
+    if (wanted(k)) out.preamble += std::string(k.rest) + " " + k.name + ";\n";
+  return out;
+}
+
+}  // namespace brdf::shader
