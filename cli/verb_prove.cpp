@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
+#include "io/material_file.h"
 #include "io/output.h"
 #include "io/settings.h"
 #include "prove/check/certificate.h"
@@ -14,8 +15,8 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
-  std::vector<std::string> forms, properties, require;
+struct ProveCall {
+  std::vector<std::string> materials, forms, properties, require;
   bool all = false, json = false;
   double seconds = 20, gap = prove::Options().gap;
   std::string output, check;
@@ -31,8 +32,9 @@ std::vector<prove::Property> properties_of(const std::string& option, const std:
   return properties;
 }
 
-Exit run_check(const Options& o) {
-  if (o.all || !o.forms.empty()) throw InputError("--check " + o.check + ": takes no --form and no --all");
+Exit run_check(const ProveCall& o) {
+  if (o.all || !o.forms.empty() || !o.materials.empty())
+    throw InputError("--check " + o.check + ": takes no material, no --form and no --all");
   const prove::Checked checked = prove::check(io::read_content(o.check));
   if (o.json) {
     io::Json json = io::to_json(io::provenance());
@@ -46,7 +48,7 @@ Exit run_check(const Options& o) {
   return checked.faults.empty() ? Exit::good : Exit::failed;
 }
 
-Exit run(const Options& o) {
+Exit run_prove(const ProveCall& o) {
   if (!o.check.empty()) return run_check(o);
   io::check_targets({{"-o", o.output}});
   prove::Options options;
@@ -58,8 +60,17 @@ Exit run(const Options& o) {
   if (!(o.gap > 0)) throw InputError("--gap: must be above 0");
   options.search.seconds = o.seconds;
   options.gap = o.gap;
-  const std::vector<Reflectance> forms = forms_of(o.forms, o.all);
+  if (!o.output.empty() && !o.materials.empty())
+    throw InputError("-o " + o.output + ": a certificate is of forms, not of materials (" +
+                     o.materials.front() + ")");
+  std::vector<Material> materials;
+  for (const std::string& file : o.materials) materials.push_back(io::read_material(file));
   std::vector<prove::Proof> proofs;
+  for (std::size_t k = 0; k < materials.size(); ++k)
+    for (prove::Proof& p : prove::prove(materials[k], o.materials[k], options))
+      proofs.push_back(std::move(p));
+  std::vector<Reflectance> forms;
+  if (o.all || !o.forms.empty() || materials.empty()) forms = forms_of(o.forms, o.all);
   const auto progress = progress_line("brdf prove: forms");
   for (const Reflectance& form : forms) {
     for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
@@ -81,9 +92,10 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_prove(CLI::App& app) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ProveCall>();
   CLI::App* verb =
       add_verb(app, Purpose::judge, "prove", "Prove properties of forms over their whole domain");
+  verb->add_option("MATERIALS", o->materials, "materials (JSON), each channel at its parameters");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
   verb->add_flag("--all", o->all, "every form");
   offer_names<prove::Property>(
@@ -106,8 +118,9 @@ void add_prove(CLI::App& app) {
       "Examples: brdf prove --all --property finite,non_negative -o certificate.json\n"
       "          brdf prove --check certificate.json\n"
       "          brdf prove --form oren_nayar --property energy --gap 1e-3\n"
+      "          brdf prove material.json --property energy\n"
       "          brdf prove --form ward --require finite,reciprocity --seconds 5 --json");
-  on_run(*verb, [o] { return run(*o); });
+  on_run(*verb, [o] { return run_prove(*o); });
 }
 
 }  // namespace brdf::cli

@@ -11,9 +11,6 @@
 namespace brdf::prove {
 namespace {
 
-// 1/pi rounded, times pi.
-constexpr double kRoundedConstants = 1e-15;
-
 std::string open_boxes(const Cover& cover) {
   return std::to_string(cover.open) + (cover.open == 1 ? " box is" : " boxes are") + " open";
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "brdf/reflectance.h"
+#include "brdf/material.h"
 #include "prove/scalar/claim.h"
 #include "prove/search.h"
 
@@ -27,6 +27,7 @@ struct Witness {
 struct Proof {
   Claim claim{};
   std::string form{};
+  std::string material{}, channel{};  // the file, of a material's proof
   Verdict verdict = Verdict::no_method;
   std::string arithmetic{};  // in which numbers it holds
   std::string statement{};   // one sentence
@@ -47,6 +48,10 @@ struct Options {
 
 // All that is asked for of a form of the catalogue; finite and non_negative in float and in double.
 std::vector<Proof> prove(const Reflectance& form, const Options& options);
+
+// The same of a material's channels at their parameters; energy: its largest directional albedo to 1e-3, where the integral
+// is known. `file` is named in what is said.
+std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options);
 
 // Where a declared violation shows: a direction in which f is negative, an albedo above 1 by more than the integral's error
 // bound. None where none is declared or found.

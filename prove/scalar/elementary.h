@@ -14,6 +14,8 @@ Bounds log_at(double x);                      // x > 0 and normal
 Bounds log1p_at(double x);                    // x > -1
 Bounds erfcx_at(double x);                    // exp(x^2) erfc(x), 0 <= x <= 11
 Bounds angle_at(double sine, double cosine);  // of the point (cosine, sine), both >= 0, not both 0: 0 to pi/2
+Bounds sin_at(double x);                      // 0 <= x <= 1.6
+Bounds cos_at(double x);                      // the same
 
 // pi lies between these neighbours.
 inline constexpr Bounds kPiBounds{3.14159265358979311600, 3.14159265358979356009};

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "prove/scalar/facet_albedo.h"
 #include "prove/scalar/graph.h"
 #include "prove/scalar/majorants.h"
 #include "prove/scalar/on_box.h"
@@ -19,6 +20,12 @@ template <class F>
 inline constexpr bool kIndexed = requires(typename F::template Shape<double> s) { s.eta; } &&
                                  std::is_same_v<typename F::template Weights<double>, LobeWeights<double>>;
 
+template <class F>
+inline constexpr bool kMetal = requires(typename F::template Shape<double> s) {
+  s.n;
+  s.k;
+} && std::is_same_v<typename F::template Weights<double>, LobeWeights<double>>;
+
 template <class T>
 Roughness<T> widths_of(const Roughness<T>& shape) {
   return shape;
@@ -35,20 +42,27 @@ P recorded() {
   return p;
 }
 
-// Whether the form's lobes are those that `author` writes, in every case of its comparisons.
-template <class F, class Author>
-bool is_written_as(F, const Author& author) {
+// Whether `same` holds of recorded geometry in every case of its comparisons.
+template <class Same>
+bool holds_in_every_case(const Same& same) {
   Graph graph;
   const Graph::Scope scope(graph);
   const Vec3<Recorded> wi{Recorded::input(".ix"), Recorded::input(".iy"), Recorded::input(".iz")},
       wo{Recorded::input(".ox"), Recorded::input(".oy"), Recorded::input(".oz")};
-  const auto shape = recorded<typename F::template Shape<Recorded>>();
   long cases = 0;
   do {
-    const auto g = geometry(wi, wo);
-    if (!(F::lobes(shape, g) == author(shape, g))) return false;
+    if (!same(geometry(wi, wo))) return false;
   } while (++cases < 1000 && graph.next_case());
   return cases < 1000;
+}
+
+// Whether the form's lobes are those that `author` writes.
+template <class F, class Author>
+bool is_written_as(F, const Author& author) {
+  return holds_in_every_case([&](const auto& g) {
+    const auto shape = recorded<typename F::template Shape<Recorded>>();
+    return F::lobes(shape, g) == author(shape, g);
+  });
 }
 
 template <class F, class Majorant>
@@ -58,6 +72,8 @@ bool has_majorant(F form) {
     const R lobe = Majorant::lobe(widths_of(shape), g);
     if constexpr (kSchlick<F>)
       return std::array{R(1 / kPi), lobe, lobe * schlick(g)};
+    else if constexpr (kMetal<F>)
+      return std::array{R(1 / kPi), lobe * brdf::fresnel_conductor(shape.n, shape.k, at_most(g.cos_d, R(1)))};
     else
       return std::array{R(1 / kPi), lobe * fresnel_dielectric(shape.eta, g.cos_d)};
   });
@@ -95,10 +111,42 @@ Bounds enclose_facets(std::span<const Bounds> box) {
     if constexpr (kSchlick<F>)
       return schlick_fresnel(f0, g);
     else
-      return dielectric_fresnel<I>();
+      return most_fresnel<I>();
   }();
   const I r = fresnel * Majorant::ratio(widths, g);
   return {r.lo, r.hi};
+}
+
+template <class F>
+auto lobe_weights(std::span<const Bounds> weights) {
+  std::size_t at = 0;
+  return parameters_from<typename F::template Weights<I>, I>(weights, at).linear();
+}
+
+// The lobes' weights times their albedos: 1 of the diffuse one.
+template <class F, class Majorant>
+std::optional<Bounds> albedo_of_facets(std::span<const Bounds> shape, std::span<const Bounds> weights,
+                                       Bounds turn, double accuracy) {
+  std::size_t at = 0;
+  const auto s = parameters_from<typename F::template Shape<I>, I>(shape, at);
+  const double alpha = s.alpha_x.lo;
+  if (!s.alpha_x.is(alpha) || !s.alpha_y.is(alpha)) return std::nullopt;
+  const auto w = lobe_weights<F>(weights);
+  const Bounds facets = [&] {
+    if constexpr (kSchlick<F>) {
+      return facet_albedo<typename Majorant::Cell>(
+          alpha, [&](const auto& c) { return schlick_at(c) * w[2] + w[1]; }, turn, accuracy);
+    } else {
+      const double eta = s.eta.lo;
+      return facet_albedo<typename Majorant::Cell>(
+          alpha, [&](const auto& c) { return dielectric_at(eta, c) * w[1]; }, turn, accuracy);
+    }
+  }();
+  I most = w[1];  // F G2/G1 beside the density of visible normals, see majorants.h
+  if constexpr (kSchlick<F>) most = most + w[2];
+  const I lobe = I::of(std::min(facets.lo, most.hi), std::min(facets.hi, most.hi));
+  const I all = w[0] * I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi) + lobe;
+  return Bounds{all.lo, all.hi};
 }
 
 template <class F, class Majorant>
@@ -120,6 +168,7 @@ std::optional<EnergyMethod> facets(F form) {
   }
   add_directions(m.domain);
   m.enclose = enclose_facets<F, Majorant>;
+  if constexpr (requires { typename Majorant::Cell; } && !kMetal<F>) m.albedo = albedo_of_facets<F, Majorant>;
   return m;
 }
 
@@ -137,26 +186,68 @@ Bounds enclose_rough(std::span<const Bounds> box) {
   return {r.lo, r.hi};
 }
 
+template <class F>
+std::optional<Bounds> albedo_of_one_lobe(std::span<const Bounds> shape, std::span<const Bounds> weights,
+                                         Bounds turn, double) {
+  Bounds lobe{};
+  if (shape.empty()) {
+    lobe = enclose_constant({});
+  } else {
+    const std::array box{shape[0], turn};
+    lobe = enclose_rough(box);
+  }
+  const I all = lobe_weights<F>(weights)[0] * I::of(lobe.lo, lobe.hi);
+  return Bounds{all.lo, all.hi};
+}
+
+// rho, r and the turn.
+Bounds enclose_given_back(std::span<const Bounds> box) {
+  I cosine, sine;
+  circle(box[2], cosine, sine);
+  const I r = given_back_albedo(I::of(box[0].lo, box[0].hi), I::of(box[1].lo, box[1].hi), sine, cosine);
+  return {r.lo, r.hi};
+}
+template <class F>
+bool gives_back(F form) {
+  return holds_in_every_case([&](const auto& g) {
+    const auto shape = recorded<typename F::template Shape<Recorded>>();
+    const auto weights = recorded<typename F::template Weights<Recorded>>();
+    const auto only = [](const auto& p) { return p.*(std::remove_cvref_t<decltype(p)>::fields()[0].member); };
+    const auto value = given_back_value(only(weights), only(shape), g);
+    return eval(form, weights, weights, shape, g) == select(g.lowest < Recorded(0), Recorded(0), value);
+  });
+}
+
 template <Form F>
 std::optional<EnergyMethod> method_of(F form) {
   if constexpr (LinearForm<F>) {
     if constexpr (lobe_count<F> == 1) {
       using Shape = typename F::template Shape<double>;
       if (is_written_as(form, [](const auto&, const auto&) { return std::array{Recorded(1 / kPi)}; }))
-        return EnergyMethod{"f is constant", {}, enclose_constant};
+        return EnergyMethod{"f is constant", {}, enclose_constant, albedo_of_one_lobe<F>};
       if constexpr (std::is_same_v<Shape, SlopeDeviation<double>>) {
         if (is_written_as(
                 form, [](const auto& s, const auto& g) { return std::array{oren_nayar_lobe(s.sigma, g)}; })) {
-          EnergyMethod m{"its integral in closed form", {}, enclose_rough};
+          EnergyMethod m{"its integral in closed form", {}, enclose_rough, albedo_of_one_lobe<F>};
           add(m.domain, Shape::fields()[0].info, std::string(Shape::fields()[0].info.name));
           m.domain.variables.push_back({"turn_from_normal", 0, 1, Variable::Cut::middle});
           return m;
         }
       }
-    } else if constexpr (FacetForm<F> && (kSchlick<F> || kIndexed<F>)) {
+    } else if constexpr (FacetForm<F> && (kSchlick<F> || kIndexed<F> || kMetal<F>)) {
       for (const auto& found : {facets<F, GgxSmith>(form), facets<F, BeckmannSmith>(form),
                                 facets<F, BeckmannCavities>(form), facets<F, GgxSchlick>(form)})
         if (found) return found;
+    }
+  } else if constexpr (F::template Weights<double>::fields().size() == 1 &&
+                       F::template Shape<double>::fields().size() == 1) {
+    if (gives_back(form)) {
+      EnergyMethod m{"its integral in closed form", {}, enclose_given_back};
+      for (const ParameterInfo& p :
+           {F::template Weights<double>::fields()[0].info, F::template Shape<double>::fields()[0].info})
+        add(m.domain, p, std::string(p.name));
+      m.domain.variables.push_back({"turn_from_normal", 0, 1, Variable::Cut::middle});
+      return m;
     }
   }
   return std::nullopt;

@@ -179,6 +179,19 @@ Interval<B> cos_lambda_beckmann(const Roughness<Interval<B>>& alpha, const Vec3<
 // The polynomial R of Student's masking over its whole domain, x and y in [-1, 1] and a little more.
 Bounds student_polynomial();
 
+// A conductor's reflectance lies in [0, 1], as meant and as computed in either precision: s and p are quotients of sums of
+// squares, so not below 0; the two sums of p differ by a sign between terms that are not negative; the end is cut at 1; what is
+// divided by is kept above the floor, or not chosen. Nothing reaches 1e20 where n and k stay below 1e4.
+template <class B>
+Interval<B> fresnel_conductor(const Interval<B>& n, const Interval<B>& k, const Interval<B>& c) {
+  const Interval<B> op_by_op = brdf::fresnel_conductor<Interval<B>>(n, k, c);
+  const auto within = [](const Interval<B>& x, double high) {
+    return !x.poisoned() && x.lo >= 0 && x.hi <= high;
+  };
+  if (!within(n, 1e4) || !within(k, 1e4) || !within(c, 1)) return op_by_op;
+  return op_by_op.poisoned() ? Interval<B>::of(0, 1) : cut(op_by_op, 0, 1);
+}
+
 }  // namespace brdf::prove
 
 namespace brdf {

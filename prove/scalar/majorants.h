@@ -8,6 +8,7 @@
 
 #include "brdf/fresnel.h"
 #include "brdf/microfacet.h"
+#include "prove/scalar/facet_albedo.h"
 #include "prove/scalar/lemmas.h"
 
 namespace brdf::prove {
@@ -19,6 +20,7 @@ T smith_ratio(const T& lambda_o, const T& lambda_i) {
 }
 
 struct GgxSmith {
+  using Cell = GgxSmithCell;
   static constexpr bool tied = false;
   template <class S, class G>
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {
@@ -55,6 +57,7 @@ struct BeckmannSmith {
 
 // Torrance and Sparrow's cavities mask as G1 = min(1, 2 cos_h cos/cos_d) and G2 = min(G1(wi), G1(wo)).
 struct BeckmannCavities {
+  using Cell = BeckmannCavityCell;
   static constexpr bool tied = false;
   template <class S, class G>
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {
@@ -94,8 +97,10 @@ T schlick_fresnel(const T& f0, const Geometry<T>& g) {
 }
 // F = s^2 (1 + p^2)/2 with g = sqrt(eta^2 - 1 + c^2), s = (g - c)/(g + c) and p = (c (g + c) - 1)/(c (g - c) + 1) is at most 1
 // for eta >= 1 and c <= 1: s = 1 - 2 c/(g + c), and p = 1 - 2 (1 - c^2)/(c (g - c) + 1) = -1 + 2 c g/(c (g - c) + 1).
+// A conductor's, of index N and w = sqrt(N^2 - 1 + c^2), Re w >= 0: |(c - w)/(c + w)|^2 and |(N^2 c - w)/(N^2 c + w)|^2 are at
+// most 1 where c Re w and c Re(N^2 conj w) are not negative, and the latter is c Re w (|w|^2 + 1 - c^2).
 template <class T>
-T dielectric_fresnel() {
+T most_fresnel() {
   return T(1);
 }
 
@@ -122,6 +127,41 @@ T oren_nayar_albedo_of(const T& sigma, const T& sine, const T& cosine) {
   const T inner = sine * (angle - sine * cosine) +
                   T(2.0 / 3) * sine * cosine * ((T(1) + sine + square(sine)) / (T(1) + sine));
   return a + b * T(1 / kPi) * inner;
+}
+
+// --- The energy-preserving diffuse form --------------------------------------------------------------------------------------
+
+// A (1 + r s/t), then what it misses given back over both directions: the recorded formula.
+template <class W, class S, class G>
+S given_back_value(const W& weight, const S& r, const Geometry<G>& g) {
+  constexpr double c1 = 0.5 - 2 / (3 * kPi), c2 = 2.0 / 3 - 28 / (15 * kPi);
+  const auto missed = [](const Vec3<G>& w, const G& c) {
+    const G sine_w = sine(w), series = G(1) + sine_w + sine_w * sine_w;
+    return G(kPi / 2 - 2.0 / 3) * (c * c) / (G(1) + sine_w) + sine_w * math::angle(c, sine_w) +
+           sine_w * sine_w * c - G(2.0 / 3) * sine_w * c * series / (G(1) + sine_w);
+  };
+  const G s = tangential_product(g),
+          below = G(0.5) * (square(g.h.x) + square(g.h.y) + square(g.cos_i) + square(g.cos_o));
+  const S first = select(s < G(0), (S(1) - r) + r * below, S(1) + r * (s / larger(g.cos_i, g.cos_o)));
+  const S a = S(1) / (S(1) + S(c1) * r), average = a * (S(1) + S(c2) * r);
+  const S again = square(weight) * average / (S(1) - weight * (a * r * S(c1 - c2)));
+  const G both = missed(g.wi, g.cos_i) * missed(g.wo, g.cos_o) * G(1 / (kPi * kPi * (c1 - c2)));
+  return S(1 / kPi) * a * (weight * first + again * r * both);
+}
+
+// Its albedo. The first term's is rho (1 - m), m = A r M/pi, with M = pi c1 - G(theta) >= 0: from 1 - s = c^2/(1 + s),
+//   M = kappa + (1 - s)(theta - 2/3 - s c (s + 2)/(3 (1 + s))),  kappa = pi/2 - theta,
+// and the other gives back rho q m, where 1 - q = (1 - rho)/(1 - rho (1 - E_avg)) >= 0: rho (1 - m (1 - q)) is at most rho.
+template <class T>
+T given_back_albedo(const T& rho, const T& r, const T& sine, const T& cosine) {
+  const T c1(0.5 - 2 / (3 * kPi)), rest(0.5 - 2 / (3 * kPi) - (2.0 / 3 - 28 / (15 * kPi)));
+  const T theta = math::angle(sine, cosine), kappa = math::angle(cosine, sine);
+  const T missing = kappa + square(cosine) / (T(1) + sine) *
+                                (theta - T(2.0 / 3) - sine * cosine * (sine + T(2)) / (T(3) * (T(1) + sine)));
+  const T ar = r / (T(1) + c1 * r);
+  const T lost = ar * missing * T(1 / kPi);
+  const T kept = (T(1) - rho) / (T(1) - rho * (ar * rest));
+  return rho * (T(1) - lost * kept);
 }
 
 }  // namespace brdf::prove

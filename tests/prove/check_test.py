@@ -42,6 +42,15 @@ with tempfile.TemporaryDirectory() as folder:
 
 assert run(brdf, "prove", "--form", "ward", "--property", "finite", "--require", "reciprocity").returncode == 0
 assert run(brdf, "prove", "--form", "phong", "--require", "energy").returncode == 1  # nothing is known
+with tempfile.TemporaryDirectory() as folder:
+    white = pathlib.Path(folder, "white.json")
+    white.write_text('{"format": "brdf-material", "version": 1, "form": "lambert", "channels": ["r", "g"], "weights": {"rho": [0.25, 2]}, "shape": {}}')
+    done = run(brdf, "prove", white, "--property", "energy", "--json")
+    assert done.returncode == 1, done.stderr  # 2 is above 1
+    said = json.loads(done.stdout)["results"]
+    assert [r["verdict"] for r in said] == ["proved", "refuted"] and [r["channel"] for r in said] == ["r", "g"]
+    assert all(abs(r["high"] - v) < 1e-3 and r["low"] <= v <= r["high"] + 1e-15 for r, v in zip(said, (0.25, 2)))
+    assert "-o" in run(brdf, "prove", white, "-o", "c.json", cwd=folder).stderr and run(brdf, "prove", white, "-o", "c.json", cwd=folder).returncode == 2
 for words in (["--form", "ward", "--property", "beauty"], ["--all", "--check", "x"], [], ["--form", "ward", "--seconds", "0"]):
     assert run(brdf, "prove", *words).returncode == 2, words
 print("certificates, witnesses and exit codes hold")

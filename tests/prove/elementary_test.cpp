@@ -68,6 +68,15 @@ TEST(Elementary, ErfcxHoldsTheTruth) {
   expect(BRDF_POINTS / 10, between(0.9, 1.1), erfcx_at, truth, 5e-13);
 }
 
+TEST(Elementary, SineAndCosineHoldTheTruth) {
+  const auto sine = [](const Exact& x) { return Exact(sin(x)); };
+  const auto cosine = [](const Exact& x) { return Exact(cos(x)); };
+  expect(BRDF_POINTS, between(0, 1.6), sin_at, sine, 2e-14);
+  expect(BRDF_POINTS, between(0, 1.5), cos_at, cosine, 1e-13);
+  expect(BRDF_POINTS, scales(-12, 0), sin_at, sine, 2e-14);
+  expect(BRDF_POINTS, between(1.5, 1.6), cos_at, cosine, 1e-6);  // beside its zero: absolute
+}
+
 TEST(Elementary, TheAngleHoldsTheTruth) {
   Engine e(9);
   Worst worst;

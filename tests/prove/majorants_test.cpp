@@ -167,5 +167,27 @@ TEST(Majorants, ClosedIntegralIsWhatQuadratureFinds) {
   EXPECT_EQ(compared, 20);
 }
 
+TEST(Majorants, WhatIsGivenBackIsWhatQuadratureFinds) {
+  int compared = 0;
+  for (int k = 0; k < int(catalogue().size()); ++k) {
+    const EnergyMethod* method = energy_method(k);
+    if (method == nullptr || method->domain.variables.size() != 3) continue;
+    Term term = make_term(catalogue()[std::size_t(k)], 1);
+    for (const double rho : {0.3, 0.9, 1.0})
+      for (const double roughness : {0.1, 1.0})
+        for (const double theta : {0.0, 50.0, 85.0}) {
+          term.weights[0][0] = rho;
+          term.shape[0][0] = roughness;
+          const AlbedoResult numeric =
+              directional_albedo(term, 0, degrees(theta), degrees(0), {.tolerance = 1e-9});
+          const double t = theta * kPi / 180;
+          EXPECT_NEAR(given_back_albedo(rho, roughness, std::sin(t), std::cos(t)), numeric.value, 1e-8)
+              << rho << ' ' << roughness << ' ' << theta;
+          ++compared;
+        }
+  }
+  EXPECT_EQ(compared, 18);
+}
+
 }  // namespace
 }  // namespace brdf::prove
