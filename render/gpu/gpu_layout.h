@@ -14,8 +14,13 @@ enum class Target { albedo, normal, specular, position, roughness, tangent, bita
 inline constexpr int kTargetCount = 7;
 
 inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold these
-// Parameters that the targets, and the shaders' arguments, have room for.
-inline constexpr std::size_t kMostWeights = 3, kMostShape = 3;
+// Parameters that the shaders' arguments have room for. In the targets the fourth of a shape lies where a third weight's red
+// would: what has one of the two has no room for the other.
+inline constexpr std::size_t kMostWeights = 3, kMostShape = 4;
+constexpr std::size_t most_shape(std::size_t weights) {
+  return weights < kMostWeights ? kMostShape : kMostShape - 1;
+}
+inline constexpr int kFourthShape = 16;  // GpuItem::form.y: there is one
 // 16-bit targets hold the digits of the normal that rounding takes, times this, along tangent and bitangent.
 inline constexpr int kRemainderScale = 4096;
 // What GpuFrame::counts.y says of the background: one colour, a sky, a backdrop.

@@ -88,6 +88,7 @@ GpuItem gpu_item(const Item& item, const TextureSet& textures, const Reflectance
     out.shape[int(k)] = item.shape[k];
     out.shape_rules[int(k)] = int(item.shape_rules[k]);
   }
+  if (shape == kMostShape) out.form.y |= kFourthShape;
   out.weights[0].a = item.cos_turn;
   out.weights[1].a = item.sin_turn;
   out.weights[2].a = item.extent;

@@ -15,7 +15,7 @@ class Held final : public ReflectanceModel {
     info_.name = all.name;
     info_.family = all.family;
     info_.weights = all.weights.first(std::min(all.weights.size(), kMostWeights));
-    info_.shape = all.shape.first(std::min(all.shape.size(), kMostShape));
+    info_.shape = all.shape.first(std::min(all.shape.size(), most_shape(all.weights.size())));
     info_.channels = all.channels;
     info_.mixes_channels = all.mixes_channels;
     info_.has_glsl = all.has_glsl;
@@ -24,12 +24,16 @@ class Held final : public ReflectanceModel {
   const ReflectanceInfo& info() const override { return info_; }
   using ReflectanceModel::eval;
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
-    const auto filled = [](std::span<const double> given, std::vector<double> all) {
-      std::copy(given.begin(), given.end(), all.begin());
+    // What is given may be longer than the table: a shader's slots are.
+    const auto filled = [](std::span<const double> given, std::size_t count, std::vector<double> all) {
+      std::copy_n(given.begin(), std::min(given.size(), count), all.begin());
       return all;
     };
-    const std::vector<double> weights = filled(p.weights, weights_[std::min(p.channel, weights_.size() - 1)]),
-                              first = filled(p.first, weights_.front()), shape = filled(p.shape, shape_);
+    const std::size_t free = info_.weights.size();
+    const std::vector<double> weights =
+                                  filled(p.weights, free, weights_[std::min(p.channel, weights_.size() - 1)]),
+                              first = filled(p.first, free, weights_.front()),
+                              shape = filled(p.shape, info_.shape.size(), shape_);
     inner_->eval({weights, first, shape, p.channel}, d, out);
   }
   std::string glsl(const GlslOptions& options) const override {
@@ -75,10 +79,11 @@ class Held final : public ReflectanceModel {
 Material with_room(Material material) {
   for (Term& term : material.terms) {
     const ReflectanceInfo& all = info(term.form);
-    if (all.weights.size() <= kMostWeights && all.shape.size() <= kMostShape) continue;
+    const std::size_t shape = most_shape(all.weights.size());
+    if (all.weights.size() <= kMostWeights && all.shape.size() <= shape) continue;
     const Reflectance held(std::make_shared<const Held>(term));
     for (std::vector<double>& set : term.weights) set.resize(std::min(set.size(), kMostWeights));
-    for (std::vector<double>& set : term.shape) set.resize(std::min(set.size(), kMostShape));
+    for (std::vector<double>& set : term.shape) set.resize(std::min(set.size(), shape));
     term.form = held;
   }
   return material;

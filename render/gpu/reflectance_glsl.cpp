@@ -14,9 +14,10 @@ std::vector<NumberedReflectance> numbered_catalogue() {
 
 std::string shader_obstacle(const ReflectanceInfo& info) {
   if (!info.has_glsl) return "has no GLSL";
-  if (info.weights.size() > kMostWeights || info.shape.size() > kMostShape)
+  const std::size_t shape = most_shape(info.weights.size());
+  if (info.weights.size() > kMostWeights || info.shape.size() > shape)
     return "has more than " + std::to_string(kMostWeights) + " weights per channel or " +
-           std::to_string(kMostShape) + " shape parameters";
+           std::to_string(shape) + " shape parameters";
   return "";
 }
 

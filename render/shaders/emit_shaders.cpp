@@ -102,9 +102,10 @@ std::string layout() {
   };
   return constant("kMostLights", kMostLights) + constant("kMostItems", kMostItems) +
          constant("kMostWeights", kMostWeights) + constant("kTargetCount", kTargetCount) +
-         constant("kRemainderScale", kRemainderScale) + constant("kHatchPeriod", io::kHatchPeriod) +
-         constant("kHatchDark", io::kHatchDark) + constant("kHatchBright", io::kHatchBright) +
-         constant("kBackdrop", kBackdrop) + constant("kPointDimensions", kPointDimensions) + point_steps() +
+         constant("kRemainderScale", kRemainderScale) + constant("kFourthShape", kFourthShape) +
+         constant("kHatchPeriod", io::kHatchPeriod) + constant("kHatchDark", io::kHatchDark) +
+         constant("kHatchBright", io::kHatchBright) + constant("kBackdrop", kBackdrop) +
+         constant("kPointDimensions", kPointDimensions) + point_steps() +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" + enumerators<Shading>("shading") +
          enumerators<ToneMap>("tone_map") + enumerators<Display>("display") + enumerators<Target>("target") +

@@ -24,7 +24,7 @@ struct Item {
   vec4 shape_low, shape_high;  // range of the 8-bit encoding
   ivec4 shape_rules;   // see texture_rule.h
   ivec4 weight_rules;  // w: which maps there are, bit per slot
-  // x: number of the reflectance, -1: none; y: shapes on a logarithmic scale, bit per slot; z, w: which of the weights
+  // x: number of the reflectance, -1: none; y: shapes on a logarithmic scale, bit per slot, and kFourthShape; z, w: which of the weights
   // are the diffuse and the specular one, -1: none.
   ivec4 form;
   vec4 weight_scale;   // x: of the 8-bit encoding

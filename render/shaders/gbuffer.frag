@@ -45,7 +45,8 @@ void main() {
     return;
   }
   out_albedo = stored(vec4(s.weights[0], s.front ? 1.0 : 0.0));
-  out_normal = stored(vec4(s.normal, s.weights[2].r));
+  const bool fourth = (items[s.item].form.y & kFourthShape) != 0;
+  out_normal = stored(vec4(s.normal, fourth ? s.shape.a : s.weights[2].r));
   // What rounding took from the normal: a step at the horizon stays in its pixel. Zero with 32 bits.
   const vec3 remainder = (s.normal - out_normal.xyz) * kRemainderScale;
   out_specular = stored(vec4(s.weights[1], dot(remainder, s.tangent)));

@@ -44,6 +44,7 @@ StoredSurface stored_surface() {
   if (kBits == 16) {
     normal.xyz += (specular.a * tangent.xyz + s.shape.a * bitangent.xyz) * (1.0 / kRemainderScale);
   }
+  if (kBits != 8 && (items[id].form.y & kFourthShape) != 0) s.shape.a = normal.a;
   // Repair the frame: rounding took its unit lengths and right angles; the bitangent still says which hand it is.
   s.normal = normalize(normal.xyz);
   s.tangent = normalize(tangent.xyz - s.normal * dot(s.normal, tangent.xyz));

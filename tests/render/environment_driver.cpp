@@ -42,7 +42,7 @@ TEST(Environment, UniformLightShowsTheAlbedoInTheDeferredRenderer) {
 }
 
 TEST(Environment, ASunOfOnePixelIsADirectionalLight) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const OnePixelSun sun = write_one_pixel_sun(folder.path() / "sun.exr", 4096);
   Device device;
   for (const auto& [along, across] : {std::pair{0.1, 0.1}, {0.15, 0.5}}) {

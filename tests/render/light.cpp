@@ -6,9 +6,9 @@
 
 #include "brdf/random.h"
 #include "io/error.h"
+#include "io/temporary_folder.h"
 #include "render/light/points.h"
 #include "render/picture/picture.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/render/furnace.h"
 
 namespace brdf::render {
@@ -134,7 +134,7 @@ std::string refusal(const std::filesystem::path& file) {
 }
 
 TEST(LightMap, ReadsRadianceAndOpenExrPictures) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path hdr = folder.path() / "a.hdr", exr = folder.path() / "a.exr";
   // Mantissas over 256, times 2^(exponent - 128).
   std::ofstream(hdr, std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n"
@@ -155,7 +155,7 @@ TEST(LightMap, ReadsRadianceAndOpenExrPictures) {
 }
 
 TEST(LightMap, GoesByTheContentNotByTheName) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path exr = folder.path() / "a.exr", named_hdr = folder.path() / "b.hdr",
                               hdr = folder.path() / "c";
   Picture picture(2, 3);
@@ -169,7 +169,7 @@ TEST(LightMap, GoesByTheContentNotByTheName) {
 }
 
 TEST(LightMap, RefusesWhatIsNoPicture) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "a.exr", other = folder.path() / "a.png";
   EXPECT_NE(refusal(file).find("no such file; an environment is a .hdr"), std::string::npos);
   std::ofstream(file) << "text";

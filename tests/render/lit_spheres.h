@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "io/temporary_folder.h"
 #include "render/gpu/renderer.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/libbrdf/widths.h"
 #include "tests/render/furnace.h"
 

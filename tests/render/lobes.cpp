@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "io/error.h"
+#include "io/temporary_folder.h"
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
 #include "render/job.h"
 #include "render/scene/prepared.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
@@ -141,7 +141,7 @@ TEST(Lobes, NoLightIsSwitchedOffInSilence) {
 }
 
 TEST(Lobes, SamplesAmongTheMaterialsAreTold) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const auto samples = folder.path() / "samples.json";  // by its content, not by its name
   io::write_samples(samples, table_of(make_material(*find_form("lambert")), {30}, {0}));
   Job job;

@@ -10,9 +10,9 @@
 
 #include "brdf/scalar.h"
 #include "io/error.h"
+#include "io/temporary_folder.h"
 #include "render/mesh/lathe.h"
 #include "render/mesh/spline.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
@@ -41,7 +41,7 @@ void expect_sound_frames(const Mesh& mesh) {
 }
 
 std::filesystem::path write(const char* name, const std::string& text) {
-  static const TemporaryFolder folder;
+  static const io::TemporaryFolder folder;
   const auto file = folder.path() / name;
   std::ofstream(file) << text;
   return file;

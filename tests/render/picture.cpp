@@ -9,6 +9,7 @@
 #include "io/content.h"
 #include "io/error.h"
 #include "io/parallel.h"
+#include "io/temporary_folder.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
 #include "render/job.h"
@@ -16,13 +17,12 @@
 #include "render/proof/parity.h"
 #include "render/scene/prepared.h"
 #include "render/scene/texture.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
 
 std::filesystem::path temporary(const char* name) {
-  static const TemporaryFolder folder;
+  static const io::TemporaryFolder folder;
   return folder.path() / name;
 }
 

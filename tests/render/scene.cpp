@@ -11,10 +11,10 @@
 #include <thread>
 
 #include "io/error.h"
+#include "io/temporary_folder.h"
 #include "render/compare/state.h"
 #include "render/scene/prepared.h"
 #include "render/scene/scene_json.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::render {
 namespace {
@@ -130,7 +130,7 @@ TEST(Scene, AScaleHasOneRangeHoweverItIsWritten) {
 }
 
 TEST(Scene, AMaterialMayComeThroughAPipe) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path pipe = folder.path() / "pipe.json";
   std::ofstream(folder.path() / "s.json")
       << R"({"format":"brdf-scene","version":1,"objects":[{"material":"pipe.json"}]})";
@@ -157,7 +157,7 @@ TEST(Scene, TrianglesOfAllObjectsTogetherAreLimited) {
 }
 
 TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "view.json";
   const auto message = [&](const std::string& scene) -> std::string {
     std::ofstream(file) << R"({"format":"brdf-view","version":1,"scene":)" << scene << "}";
@@ -177,7 +177,7 @@ TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {
 }
 
 TEST(Scene, AStateIsReadAsItWasWritten) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "state.json";
   ViewState state;
   state.scene = parsed(scene_with(R"("exposure":1.5,)"));

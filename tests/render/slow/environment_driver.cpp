@@ -56,7 +56,7 @@ TEST(EnvironmentSlow, DeferredPicturesInTheStudioEqualTheReferences) {
 }
 
 TEST(EnvironmentSlow, DeferredPicturesUnderASunEqualTheReferences) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   expect_pictures_equal(write_sky_with_sun(folder.path() / "sun.exr", 512));
 }
 

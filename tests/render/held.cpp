@@ -1,0 +1,27 @@
+// Parameters beyond a shader's slots are held; what a slot holds beyond the table does not reach them.
+#include "render/gpu/held.h"
+
+#include <gtest/gtest.h>
+
+#include "render/gpu/gpu_layout.h"
+
+namespace brdf::render {
+namespace {
+
+TEST(Held, TakesAsManyValuesAsItsTableHas) {
+  Material whole = make_material(*find_form("gltf_metallic_roughness"), {"f"});
+  ASSERT_GT(whole.terms[0].shape[0].size(), kMostShape);
+  const Reflectance held = with_room(whole).terms[0].form;
+  ASSERT_EQ(held.info().shape.size(), kMostShape);
+  const std::vector<double> weights{0.6, 1, 7}, shape{0.2, 0.3, 0.4, 7, 7, 7};
+  std::copy_n(shape.begin(), kMostShape, whole.terms[0].shape[0].begin());
+  whole.terms[0].weights[0][0] = weights[0];
+  const Vec3<double> wi = direction(30_deg, 0_deg), wo = direction(50_deg, 170_deg);
+  double found = 0, expected = 0;
+  held->eval({weights, weights, shape}, one_pair(wi, wo), &found);
+  eval(whole, wi, wo, std::span(&expected, 1));
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace
+}  // namespace brdf::render
