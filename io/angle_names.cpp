@@ -10,7 +10,6 @@ namespace brdf::io {
 namespace {
 
 using Quantity = AngleName::Quantity;
-using Side = AngleName::Side;
 
 constexpr std::array kLight{"i", "in",    "inc",          "incident", "incidence", "incoming",
                             "l", "light", "illumination", "sun",      "solar",     "source"};
@@ -26,26 +25,26 @@ std::map<std::string, AngleName> all_names() {
     all[word + side] = all[side + word] = all[side + word + "angle"] = all[word + "angle" + side] = said;
   };
   const auto add_word = [&](const char* word, Quantity quantity) {
-    for (const char* side : kLight) add(word, side, {quantity, Side::light});
-    for (const char* side : kViewer) add(word, side, {quantity, Side::viewer});
-    add(word, "s", {quantity, Side::scatter_or_source});
+    for (const char* side : kLight) add(word, side, {quantity, AngleSide::light});
+    for (const char* side : kViewer) add(word, side, {quantity, AngleSide::viewer});
+    add(word, "s", {quantity, AngleSide::scatter_or_source});
   };
   for (const char* word : {"theta", "polar", "zenith"}) add_word(word, Quantity::polar);
   for (const char* word : {"elevation", "altitude"}) add_word(word, Quantity::elevation);
   for (const char* word : {"phi", "azimuth", "azim", "az"}) add_word(word, Quantity::azimuth);
   for (const char* name :
        {"incidence", "incident", "incidenceangle", "incidentangle", "angleofincidence", "aoi", "sza"})
-    all[name] = {Quantity::polar, Side::light};
+    all[name] = {Quantity::polar, AngleSide::light};
   for (const char* name :
        {"emergence", "emergenceangle", "viewingangle", "viewangle", "observationangle", "scatterangle",
         "scatteringangle", "detectorangle", "reflectionangle", "angleofreflection", "vza"})
-    all[name] = {Quantity::polar, Side::viewer};
+    all[name] = {Quantity::polar, AngleSide::viewer};
   for (const char* name :
        {"phi", "azimuth", "azimuthangle", "dphi", "deltaphi", "relativephi", "relativeazimuth",
         "relativeazimuthangle", "azimuthdifference", "deltaazimuth", "raa"})
-    all[name] = {Quantity::azimuth, Side::none};
-  all["saa"] = {Quantity::azimuth, Side::light};
-  all["vaa"] = {Quantity::azimuth, Side::viewer};
+    all[name] = {Quantity::azimuth, AngleSide::none};
+  all["saa"] = {Quantity::azimuth, AngleSide::light};
+  all["vaa"] = {Quantity::azimuth, AngleSide::viewer};
   return all;
 }
 

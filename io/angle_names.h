@@ -7,12 +7,14 @@
 
 namespace brdf::io {
 
+enum class AngleSide { light, viewer, scatter_or_source, none };
+
 // What an angle's name says.
 struct AngleName {
   enum class Quantity { polar, elevation, azimuth } quantity;
   // theta_s and phi_s are the scattered direction's or the source's: the names beside them decide. `none`: an
   // azimuth that does not say whose it is.
-  enum class Side { light, viewer, scatter_or_source, none } side;
+  AngleSide side;
 };
 
 // A name in small letters, Greek ones by their names, without blanks, points, hyphens and underscores.

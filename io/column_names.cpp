@@ -112,7 +112,7 @@ class Reading {
   }
 
   // Whether a column is an azimuth, or else a polar angle or elevation, of this side.
-  bool states(bool azimuth, AngleName::Side side) const {
+  bool states(bool azimuth, AngleSide side) const {
     return std::any_of(angles_.begin(), angles_.end(), [&](const auto& angle) {
       return angle && is_azimuth(*angle) == azimuth && angle->side == side;
     });
@@ -121,17 +121,17 @@ class Reading {
   static bool is_azimuth(const AngleName& angle) { return angle.quantity == AngleName::Quantity::azimuth; }
 
   // Whose angle it is; theta_s beside an incident direction is the scattered one's.
-  AngleName::Side side_of(std::size_t k) {
-    using Side = AngleName::Side;
+  AngleSide side_of(std::size_t k) {
     const AngleName& angle = *angles_[k];
-    if (angle.side == Side::none) alone_ = k;
-    if (angle.side != Side::scatter_or_source) return angle.side == Side::light ? Side::light : Side::viewer;
-    const bool light = states(is_azimuth(angle), Side::light),
-               viewer = states(is_azimuth(angle), Side::viewer);
+    if (angle.side == AngleSide::none) alone_ = k;
+    if (angle.side != AngleSide::scatter_or_source)
+      return angle.side == AngleSide::light ? AngleSide::light : AngleSide::viewer;
+    const bool light = states(is_azimuth(angle), AngleSide::light),
+               viewer = states(is_azimuth(angle), AngleSide::viewer);
     if (light == viewer)
       refuse("column " + shown(names_[k]) + " may be the source's or the scattered direction: " +
              (light ? "both are stated" : "neither is stated beside it"));
-    return light ? Side::viewer : Side::light;
+    return light ? AngleSide::viewer : AngleSide::light;
   }
 
   // Gives each angle's column its index; what is ambiguous is decided by its neighbours.
@@ -140,7 +140,7 @@ class Reading {
     for (std::size_t k = 0; k < out_.columns.size(); ++k) {
       if (!angles_[k]) continue;
       Column& column = out_.columns[k];
-      column.index = (side_of(k) == AngleName::Side::light ? 0 : 2) + (is_azimuth(*angles_[k]) ? 1 : 0);
+      column.index = (side_of(k) == AngleSide::light ? 0 : 2) + (is_azimuth(*angles_[k]) ? 1 : 0);
       const auto [first, is_new] = taken.emplace(column.index, std::string(names_[k]));
       const std::string ours(kAngleNames[column.index]);
       if (!is_new)

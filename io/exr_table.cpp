@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "io/error.h"
+#include "io/numbers.h"
 #include "io/output.h"
 #include "io/table_rules.h"
 
@@ -25,7 +26,7 @@ constexpr std::array kReserved{"type",    "name",   "version",       "chunkCount
                                "preview", "envmap", "chromaticities"};
 constexpr std::size_t kLongestKey = 255;
 
-struct Column {
+struct ExrColumn {
   std::string name;
   const std::vector<double>* values;
   bool is_sigma = false;
@@ -37,17 +38,11 @@ float as_float(double value, bool is_sigma) {
   return is_sigma && rounded == 0 ? std::numeric_limits<float>::denorm_min() : rounded;
 }
 
-std::string joined_names(const std::vector<Column>& columns) {
-  std::string all;
-  for (const Column& column : columns) (all += all.empty() ? "" : ",") += column.name;
-  return all;
-}
-
-std::vector<Column> columns_of(const SampleTable& table) {
-  std::vector<Column> columns = {{"theta_i", &table.theta_i},
-                                 {"phi_i", &table.phi_i},
-                                 {"theta_o", &table.theta_o},
-                                 {"phi_o", &table.phi_o}};
+std::vector<ExrColumn> columns_of(const SampleTable& table) {
+  std::vector<ExrColumn> columns = {{"theta_i", &table.theta_i},
+                                    {"phi_i", &table.phi_i},
+                                    {"theta_o", &table.theta_o},
+                                    {"phi_o", &table.phi_o}};
   for (std::size_t c = 0; c < table.channels.size(); ++c) {
     columns.push_back({table.channels[c], &table.values[c]});
     if (table.has_sigma(c)) columns.push_back({"sigma_" + table.channels[c], &table.sigma[c], true});
@@ -60,10 +55,12 @@ std::string to_exr(const SampleTable& table) {
                     height = (table.rows() + width - 1) / width;
   Imf::Header header(static_cast<int>(width), static_cast<int>(height));
   Imf::FrameBuffer frame;
-  const std::vector<Column> columns = columns_of(table);
+  const std::vector<ExrColumn> columns = columns_of(table);
+  std::vector<std::string> names;
   std::vector<std::vector<float>> planes;
   planes.reserve(columns.size());
-  for (const Column& column : columns) {
+  for (const ExrColumn& column : columns) {
+    names.push_back(column.name);
     std::vector<float>& plane = planes.emplace_back(width * height, std::numeric_limits<float>::quiet_NaN());
     std::transform(column.values->begin(), column.values->end(), plane.begin(),
                    [&](double value) { return as_float(value, column.is_sigma); });
@@ -71,7 +68,7 @@ std::string to_exr(const SampleTable& table) {
     frame.insert(column.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float),
                                          sizeof(float) * width));
   }
-  header.insert(std::string(kExrColumns), Imf::StringAttribute(joined_names(columns)));
+  header.insert(std::string(kExrColumns), Imf::StringAttribute(joined(names, ",")));
   std::string comments;
   for (const Comment& comment : table.metadata)
     (comments += comments.empty() ? "" : "\n") += comment_text(comment);
@@ -99,7 +96,7 @@ std::vector<std::string> write_exr_table(const std::filesystem::path& path, cons
   write_file_atomically(path, to_exr(table));
   std::vector<std::string> lost{"digits beyond 32-bit float (7 significant ones)"};
   std::size_t infinite = 0;
-  for (const Column& column : columns_of(table))
+  for (const ExrColumn& column : columns_of(table))
     infinite += static_cast<std::size_t>(
         std::count_if(column.values->begin(), column.values->end(),
                       [](double value) { return std::abs(value) > std::numeric_limits<float>::max(); }));

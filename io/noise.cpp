@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "io/contrasts.h"
+#include "io/parallel.h"
 
 namespace brdf::io {
 namespace {
@@ -85,7 +86,8 @@ class Gatherer {
 
  private:
   static constexpr double kNotYet = HUGE_VAL;
-  using Sizes = std::vector<std::vector<double>>;  // [channel * bands + band]
+  static constexpr std::size_t kWorthThreads = 10'000;  // values
+  using Sizes = std::vector<std::vector<double>>;       // [channel * bands + band]
 
   void add(Neighbours neighbours, Ways& found) {
     std::array<Sizes, kMostOrder + 1> sizes;
@@ -102,7 +104,9 @@ class Gatherer {
           sizes[order][channel * bands_ + band_of_(c, channel, mean)].push_back(std::abs(sum));
       }
     });
-    for (Sizes& of_order : sizes) put(of_order, found);
+    const unsigned threads = table_.rows() * logs_.size() > kWorthThreads ? all_processors() : 1;
+    parallel_for(
+        found.size(), [&](std::size_t c) { put(sizes, c, found[c]); }, threads);
   }
 
   // NaN of what is not above 0.
@@ -112,17 +116,18 @@ class Gatherer {
     return y;
   }
 
-  void put(Sizes& sizes, Ways& found) const {
-    const std::size_t channels = logs_.size();
-    for (std::size_t band = 0; band < bands_; ++band) {
-      std::vector<double> all;
-      for (std::size_t c = 0; c < channels; ++c) {
-        std::vector<double>& own = sizes[c * bands_ + band];
-        if (channels > 1) all.insert(all.end(), own.begin(), own.end());
-        put_scale(own, found[c][band]);
+  // Of a channel, or of all together.
+  void put(const std::array<Sizes, kMostOrder + 1>& sizes, std::size_t channel,
+           std::vector<std::vector<Scale>>& found) const {
+    for (const Sizes& of_order : sizes)
+      for (std::size_t band = 0; band < bands_; ++band) {
+        std::vector<double> wanted;
+        for (std::size_t c = 0; c < logs_.size(); ++c) {
+          const std::vector<double>& own = of_order[c * bands_ + band];
+          if (c == channel || channel == logs_.size()) wanted.insert(wanted.end(), own.begin(), own.end());
+        }
+        put_scale(wanted, found[band]);
       }
-      if (channels > 1) put_scale(all, found[channels][band]);
-    }
   }
 
   static void put_scale(std::vector<double>& sizes, std::vector<Scale>& scales) {

@@ -29,7 +29,7 @@ Unit unit_of(std::string_view name) {
 }
 
 // One quantity of the file, n or k, with its own wavelengths.
-struct Column {
+struct IndexColumn {
   std::vector<double> wavelengths, values;
 };
 
@@ -154,7 +154,7 @@ class Reader {
     if (k_) add(read_k_, nm, *k_, "k");
   }
 
-  void add(Column& column, double wavelength, std::size_t field, const char* what) {
+  void add(IndexColumn& column, double wavelength, std::size_t field, const char* what) {
     double value;
     if (!parse(fields_[field], value) || value < 0)
       fail(std::string(what) + " " + shown(fields_[field]) + " must be a number of at least 0");
@@ -207,7 +207,7 @@ class Reader {
   Unit unit_ = Unit::unsaid;
   Dialect dialect_;
   bool is_record_ = false;
-  Column read_n_, read_k_;
+  IndexColumn read_n_, read_k_;
 };
 
 double reflectance(const Index& index) {

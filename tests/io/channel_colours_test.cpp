@@ -8,7 +8,7 @@
 #include "io/html_report.h"
 #include "io/merl.h"
 #include "io/samples.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -79,7 +79,7 @@ TEST(ChannelColours, AMerlFileHasRedInItsRedPlane) {
   t.values = {{0.1}, {0.2}, {0.3}};
   t.sigma.resize(3);
   t.add_directions(30, 180, 30, 0);
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const auto path = folder.path() / "a.binary";
   const std::vector<std::string> lost = merl::write(path, t);
   const SampleTable back = read_samples(path);

@@ -7,8 +7,8 @@
 
 #include "io/error.h"
 #include "io/samples.h"
+#include "io/temporary_folder.h"
 #include "tests/io/reading.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -32,7 +32,7 @@ class Csv : public testing::Test {
     }
     return "accepted";
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Csv, RoundTripsExactly) {

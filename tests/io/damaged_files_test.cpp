@@ -9,8 +9,8 @@
 #include "io/error.h"
 #include "io/material_file.h"
 #include "io/samples.h"
+#include "io/temporary_folder.h"
 #include "tests/io/data_folder.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -95,7 +95,7 @@ class Damaged : public testing::Test {
   }
 
   std::mt19937_64 random_{5};
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Damaged, CsvIsReadOrRefused) {

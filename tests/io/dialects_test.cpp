@@ -21,17 +21,17 @@ std::string utf16(std::string_view ascii, bool is_big) {
 // Two rows of one channel.
 constexpr const char* kPlain = "theta_i,phi_i,theta_o,phi_o,fr\n30,0,40.5,180,1.25\n60,0,20,170,0.5\n";
 
-struct Dialect {
+struct DialectFile {
   const char* name;
   std::string text;
   const char* note;  // of what is announced; empty where nothing is
 };
 
-std::ostream& operator<<(std::ostream& out, const Dialect& d) {
+std::ostream& operator<<(std::ostream& out, const DialectFile& d) {
   return out << d.name;
 }
 
-class SameTable : public testing::TestWithParam<Dialect> {};
+class SameTable : public testing::TestWithParam<DialectFile> {};
 
 TEST_P(SameTable, BitForBit) {
   const SampleTable got = read(GetParam().text);
@@ -44,7 +44,7 @@ TEST_P(SameTable, BitForBit) {
   EXPECT_THAT(notes, HasSubstr(GetParam().note));
 }
 
-const Dialect kDialects[] = {
+const DialectFile kDialects[] = {
     {"semicolons", "theta_i;phi_i;theta_o;phi_o;fr\n30;0;40.5;180;1.25\n60;0;20;170;0.5\n",
      "separated by ';'"},
     {"decimal_commas", "theta_i;phi_i;theta_o;phi_o;fr\n30;0;40,5;180;1,25\n60;0;20;170;0,5\n",

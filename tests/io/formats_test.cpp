@@ -9,8 +9,8 @@
 #include "io/error.h"
 #include "io/rgl.h"
 #include "io/samples.h"
+#include "io/temporary_folder.h"
 #include "tests/io/data_folder.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -33,7 +33,7 @@ class Formats : public testing::Test {
     }
     return "accepted";
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 constexpr const char* kAstmHeader = "LAB_NAME \"A lab\"\n\nAPERTURE Circular\nNUM_POINTS 2\n";

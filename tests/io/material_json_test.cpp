@@ -9,7 +9,7 @@
 #include <random>
 
 #include "io/error.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -35,7 +35,7 @@ Material random_material(const Reflectance& form, std::size_t channels, bool sha
 }
 
 TEST(MaterialJson, RoundTripsExactlyForEveryFormAndAnyChannels) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   std::mt19937_64 random(3);
   for (const Reflectance& form : catalogue()) {
     for (const std::size_t channels : {1u, 3u, 31u}) {
@@ -51,7 +51,7 @@ TEST(MaterialJson, RoundTripsExactlyForEveryFormAndAnyChannels) {
 }
 
 TEST(MaterialJson, SumsAndTheFitBlockRoundTrip) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   std::mt19937_64 random(4);
   MaterialFile file{random_material(oren_nayar{}, 3, true, random),
                     parse_json(R"({"b": 1, "a": [1.5, null]})", "x")};
@@ -64,7 +64,7 @@ TEST(MaterialJson, SumsAndTheFitBlockRoundTrip) {
 }
 
 TEST(MaterialJson, ANameAndASourceRoundTripAndAreNoneWhereTheFileHasNone) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const auto path = folder.path() / "m.json";
   const MaterialFile plain{make_material(ward{}, {"fr"}), nullptr};
   EXPECT_FALSE(to_json(plain).contains("name") || to_json(plain).contains("source"));
@@ -109,7 +109,7 @@ class Refused : public testing::Test {
     }
     return "accepted";
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Refused, NothingOfTheDocumentedShape) {

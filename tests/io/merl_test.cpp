@@ -9,7 +9,7 @@
 #include <random>
 
 #include "io/error.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::io::merl {
 namespace {
@@ -51,7 +51,7 @@ class MerlFile : public testing::Test {
         plane.push_back(std::exp(10 * std::ldexp(double(random() >> 11), -53) - 7));
     return t;
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(MerlFile, RoundTripsToRoundingAndCountsInvalidCells) {

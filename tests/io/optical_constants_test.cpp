@@ -8,10 +8,10 @@
 #include "io/dialect.h"
 #include "io/error.h"
 #include "io/optical_constants.h"
+#include "io/temporary_folder.h"
 #include "io/text.h"
 #include "tests/io/data_folder.h"
 #include "tests/io/reading.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -71,7 +71,7 @@ TEST(OpticalConstants, OfSeveralMaterialsOneIsAskedFor) {
   EXPECT_THAT(refusal(two), HasSubstr("holds several materials: ask for FILE:MATERIAL (there: Ag, Au)"));
   EXPECT_THAT(refusal(two, "Cu"), HasSubstr("holds no material 'Cu' (there: Ag, Au)"));
   EXPECT_THAT(refusal(kRecord, "Au"), HasSubstr("has no column of materials"));
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::string path = (folder.path() / "metals.csv").string();
   std::ofstream(path) << two;
   EXPECT_THAT(read_optical_constants(path + ":Au").nm, ElementsAre(500));

@@ -19,8 +19,8 @@
 #include "io/provenance.h"
 #include "io/shell.h"
 #include "io/temporary.h"
+#include "io/temporary_folder.h"
 #include "tests/io/reading.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -37,7 +37,7 @@ std::ptrdiff_t entries(const fs::path& folder) {
 }
 
 TEST(Output, ReplacesTheOldFileAndLeavesNoTemporary) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path path = folder.path() / "a.txt";
   write_file_atomically(path, "old");
   write_file_atomically(path, "new");
@@ -46,7 +46,7 @@ TEST(Output, ReplacesTheOldFileAndLeavesNoTemporary) {
 }
 
 TEST(Output, KeepsTheOldFileWhenWritingThrows) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path path = folder.path() / "a.txt";
   write_file_atomically(path, "old");
   const auto broken = [](std::ostream& out) {
@@ -59,7 +59,7 @@ TEST(Output, KeepsTheOldFileWhenWritingThrows) {
 }
 
 TEST(Output, FollowsLinks) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   fs::create_symlink(folder.path() / "real.txt", folder.path() / "link.txt");
   write_file_atomically(folder.path() / "link.txt", "x");
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
@@ -67,7 +67,7 @@ TEST(Output, FollowsLinks) {
 }
 
 TEST(Output, AMissingFolderIsBadInputAndAFullDeviceAnEnvironmentError) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   EXPECT_THROW(write_file_atomically(folder.path() / "no" / "a.txt", "x"), InputError);
   EXPECT_THROW(write_file_atomically("/dev/full", "x"), EnvironmentError);
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
@@ -86,7 +86,7 @@ int status_of_child(const std::function<void()>& child) {
 }
 
 TEST(Output, KeepsThePermissionsOfWhatItReplaces) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path path = folder.path() / "a.txt";
   write_file_atomically(path, "old");
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
@@ -96,7 +96,7 @@ TEST(Output, KeepsThePermissionsOfWhatItReplaces) {
 }
 
 TEST(Output, DoesNotReplaceAReadOnlyFileNorALinkToItself) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path path = folder.path() / "a.txt", loop = folder.path() / "loop";
   write_file_atomically(path, "old");
   fs::permissions(path, fs::perms::owner_read);
@@ -120,7 +120,7 @@ TEST(Output, SaysWhyTheFirstFailedWriteFailed) {
 }
 
 TEST(Output, AFileThatMayNotGrowIsAnEnvironmentErrorAndNoEnd) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const int status = status_of_child([&] {
     remove_temporaries_on_signals();
     const rlimit small{16, 16};
@@ -138,7 +138,7 @@ TEST(Output, AFileThatMayNotGrowIsAnEnvironmentErrorAndNoEnd) {
 
 TEST(Output, ASignalRemovesTheTemporaryAndEndsTheProcessAsItWould) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
-    const TemporaryFolder folder;
+    const io::TemporaryFolder folder;
     const fs::path path = folder.path() / "a.txt";
     write_file_atomically(path, "old");
     const int status = status_of_child([&] {
@@ -159,7 +159,7 @@ TEST(Output, ASignalRemovesTheTemporaryAndEndsTheProcessAsItWould) {
 }
 
 TEST(Output, AnIgnoredSignalStaysIgnored) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const int status = status_of_child([&] {
     std::signal(SIGHUP, SIG_IGN);
     remove_temporaries_on_signals();
@@ -169,7 +169,7 @@ TEST(Output, AnIgnoredSignalStaysIgnored) {
 }
 
 TEST(Output, TheNextRunRemovesWhatAKilledOneLeftOfTheSameTarget) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path path = folder.path() / "a.txt";
   const int status = status_of_child([&] {
     write_file_atomically(path, [](std::ostream& out) {
@@ -193,14 +193,14 @@ TEST(Output, TheNextRunRemovesWhatAKilledOneLeftOfTheSameTarget) {
 }
 
 TEST(Output, ANameAsLongAsNamesMayBeCanBeWritten) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path path = folder.path() / std::string(255, 'n');
   write_file_atomically(path, "x");
   EXPECT_EQ(content(path), "x");
 }
 
 TEST(Output, TargetsAreRefusedBeforeTheWorkWhereTheyCannotBeWritten) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path file = folder.path() / "a.txt";
   write_file_atomically(file, "x");
   const auto refused = [](const fs::path& path) {
@@ -217,7 +217,7 @@ TEST(Output, TargetsAreRefusedBeforeTheWorkWhereTheyCannotBeWritten) {
 }
 
 TEST(Output, AnInputIsNoTargetAndNoTargetIsNamedTwice) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path in = folder.path() / "in", alias = folder.path() / "alias", out = folder.path() / "out";
   write_file_atomically(in, "x");
   fs::create_symlink("in", alias);
@@ -234,7 +234,7 @@ TEST(Output, AnInputIsNoTargetAndNoTargetIsNamedTwice) {
 
 // What a shell makes of the text's only word.
 std::string through_a_shell(const std::string& word) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const fs::path script = folder.path() / "script", out = folder.path() / "out";
   std::ofstream(script) << "printf %s " << word << " > " << out.string();
   if (std::system(("bash " + script.string()).c_str()) != 0) return "the shell refused it";

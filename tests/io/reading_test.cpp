@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "io/material_file.h"
+#include "io/temporary_folder.h"
 #include "io/text.h"
 #include "tests/io/reading.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/io/tensor_bytes.h"
 
 namespace brdf::io {
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(Pipes, AreReadOnceIntoMemoryInEveryFormat) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path pipe = folder.path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string big = repeated(kRow, 20000);  // more than a pipe holds
@@ -42,7 +42,7 @@ TEST(Files, DevicesAndFoldersAreRefusedByName) {
 }
 
 TEST(Files, AreRefusedBeyondTheirLimitBeforeTheyAreRead) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "sparse", pipe = folder.path() / "pipe";
   std::ofstream(file) << "{";
   std::filesystem::resize_file(file, kLargestFile + 1);  // occupies a block

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "io/any_table.h"
+#include "io/temporary_folder.h"
 #include "tests/io/data_folder.h"
 #include "tests/io/reading.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::io {
 namespace {
@@ -28,7 +28,7 @@ class RoundTrips : public testing::Test {
   std::string refusal(const SampleTable& table, const std::string& suffix) {
     return message_of([&] { again(table, suffix); });
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
   std::vector<std::string> lost_;
 };
 

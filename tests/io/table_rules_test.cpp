@@ -8,8 +8,8 @@
 #include "io/exr_table.h"
 #include "io/material_file.h"
 #include "io/merl.h"
+#include "io/temporary_folder.h"
 #include "tests/io/reading.h"
-#include "tests/io/temporary_folder.h"
 #include "tests/io/tensor_bytes.h"
 
 namespace brdf::io {
@@ -175,7 +175,7 @@ TEST(Merl, DamagedFilesAreRefusedAsWhatTheyAre) {
 }
 
 TEST(Merl, ValuesTooLargeForItsScaleAreRefused) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const SampleTable table = read(replaced(kHeader, ",f", ",r,g,b") + replaced(kRow, "5,1", "5,1,1,1e306"));
   EXPECT_THAT(message_of([&] { merl::write(folder.path() / "m.binary", table); }),
               HasSubstr("beyond what a MERL file can hold"));
@@ -183,7 +183,7 @@ TEST(Merl, ValuesTooLargeForItsScaleAreRefused) {
 }
 
 TEST(ExrTable, CommentsNamedAsOpenExrsOwnKeepAPrefix) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   SampleTable table = read(kHeader + replaced(kRow, ",1\n", ",1e300\n"));
   table.metadata = {{"type", "deepscanline"}, {"tiles", "x"}, {"channels", "y"}, {"sample", "z"}};
   const std::vector<std::string> lost = write_exr_table(folder.path() / "t.exr", table);
@@ -196,7 +196,7 @@ TEST(ExrTable, CommentsNamedAsOpenExrsOwnKeepAPrefix) {
 
 // What the device refuses is no fault of the input, whichever format is written.
 TEST(ExrTable, AFullDeviceIsTheEnvironmentsFault) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "t.exr");
   EXPECT_THROW(write_exr_table(folder.path() / "t.exr", read(kHeader + std::string(kRow))), EnvironmentError);
 }
