@@ -19,7 +19,7 @@ fit::FitOptions default_options() {
   return fit::options_of(fit::FitChoice{});
 }
 
-std::vector<Reflectance> forms_of(const Material& material) {
+std::vector<Reflectance> forms_in(const Material& material) {
   std::vector<Reflectance> forms;
   for (const Term& term : material.terms) forms.push_back(term.form);
   return forms;
@@ -54,7 +54,7 @@ class Comparison {
 
 // The shapes to go on from; the weights are linear, the solver finds the best for them.
 std::vector<fit::NamedValues> start_of(const Material& from, const fit::FitOptions& options) {
-  const std::vector<Reflectance> forms = forms_of(from);
+  const std::vector<Reflectance> forms = forms_in(from);
   const fit::Constraints known = fit::resolve(forms, from.channels, options);
   std::vector<fit::NamedValues> start;
   for (std::size_t t = 0; t < from.terms.size(); ++t) {
@@ -98,7 +98,7 @@ render::Fitted go_on(const Material& from, const io::SampleTable& table, const s
   options.anisotropic = is_anisotropic(from);
   for (const Term& term : from.terms) options.per_channel |= term.shape.size() > 1;
   options.start = start_of(from, options);
-  const fit::FitResult result = fit::fit(table, {forms_of(from)}, options);
+  const fit::FitResult result = fit::fit(table, {forms_in(from)}, options);
   const fit::FormFit& best = result.ranking.front();
   render::Fitted fitted{best.solved() ? best.material : from, {}, {}};
   for (const fit::Estimate& estimate : best.estimates)

@@ -14,7 +14,7 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct AlbedoCall {
   MaterialOptions material;
   fit::AlbedoChoice albedo;
   bool json = false;
@@ -32,7 +32,7 @@ void print(const fit::AlbedoRow& row) {
   std::cout << std::setprecision(6) << '\n';
 }
 
-Exit run(const Options& o) {
+Exit run_albedo(const AlbedoCall& o) {
   fit::options_of(o.albedo);  // refused before a file is read
   const io::MaterialFile file = choose_material_file(o.material, "albedo");
   const std::vector<fit::AlbedoRow> rows = fit::albedo_rows(file, o.albedo);
@@ -51,7 +51,7 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_albedo(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AlbedoCall>();
   CLI::App* verb =
       add_verb(app, Purpose::judge, "albedo", "Directional albedo of a material, with an error bound");
   add_material_options(*verb, options->material);
@@ -81,7 +81,7 @@ void add_albedo(CLI::App& app) {
       "--tolerance "
       "1e-8 --json\n"
       "          brdf albedo --shader disney.brdf --set roughness=0.3 --theta 0,60,85");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_albedo(*options); });
 }
 
 }  // namespace brdf::cli

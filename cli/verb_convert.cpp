@@ -39,7 +39,7 @@ Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement
   return Exit::good;
 }
 
-Exit run(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
+Exit run_convert(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
   if (out.ends_with(".bsdf")) return to_rgl(in, out, arrangement);
   io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
@@ -56,11 +56,11 @@ Exit run(const std::string& in, const std::string& out, const io::Arrangement& a
 }  // namespace
 
 void add_convert(CLI::App& app) {
-  struct Options {
+  struct ConvertCall {
     std::string in, out;
     io::Arrangement arrangement;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertCall>();
   CLI::App* verb =
       add_verb(app, Purpose::measure, "convert", "Convert samples between formats; says what is lost");
   verb->add_option("IN", options->in,
@@ -79,7 +79,7 @@ void add_convert(CLI::App& app) {
       "          brdf convert paper.csv paper.bsdf\n"
       "          brdf convert scan.csv scan.zemax\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
-  on_run(*verb, [options] { return run(options->in, options->out, options->arrangement); });
+  on_run(*verb, [options] { return run_convert(options->in, options->out, options->arrangement); });
 }
 
 }  // namespace brdf::cli

@@ -11,10 +11,10 @@ namespace brdf::cli {
 
 // Not among the verbs that `brdf --help` lists: the build calls it.
 void add_describe(CLI::App& app) {
-  struct Options {
+  struct DescribeCall {
     std::string as, folder;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DescribeCall>();
   CLI::App* verb = app.add_subcommand("describe", "Describe the command line for other programs");
   verb->group("");
   verb->add_option("AS", options->as, "json, completion for bash or zsh, or man pages")

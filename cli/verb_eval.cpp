@@ -50,12 +50,12 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
 }  // namespace
 
 void add_eval(CLI::App& app) {
-  struct Options {
+  struct EvalCall {
     MaterialOptions material;
     std::string directions, output;
     bool cosine = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvalCall>();
   CLI::App* verb = add_verb(app, Purpose::look, "eval", "Evaluate a material at given directions");
   add_material_options(*verb, options->material);
   verb->add_option("DIRECTIONS", options->directions, "CSV with theta_i,phi_i,theta_o,phi_o in degrees")

@@ -76,12 +76,12 @@ io::Json list_json(std::span<const Reflectance> forms) {
 }  // namespace
 
 void add_models(CLI::App& app) {
-  struct Options {
+  struct ModelsCall {
     std::string form;
     ShaderOptions shader;
     bool json = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ModelsCall>();
   CLI::App* verb =
       add_verb(app, Purpose::look, "models", "List the forms, their parameters and known violations");
   verb->add_option("FORM", options->form, "One form, in detail");

@@ -102,7 +102,7 @@ void print_json(const render::JobReport& report, const render::Job& job) {
   std::cout << io::to_text(out);
 }
 
-struct Options {
+struct RenderCall {
   render::Job job;
   std::string maps;
   std::vector<std::string> forms;
@@ -161,7 +161,7 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
 }
 
-void add_show_options(CLI::App& verb, Options& o) {
+void add_show_options(CLI::App& verb, RenderCall& o) {
   render::Job& job = o.job;
   verb.add_option(
       "--shape", job.shape,
@@ -186,7 +186,7 @@ void add_show_options(CLI::App& verb, Options& o) {
       ->capture_default_str();
 }
 
-void add_comparison_options(CLI::App& verb, Options& o) {
+void add_comparison_options(CLI::App& verb, RenderCall& o) {
   render::Job& job = o.job;
   offer(verb.add_option(
             "--compare", job.compare,
@@ -222,7 +222,7 @@ void add_comparison_options(CLI::App& verb, Options& o) {
   verb.add_option("--solo", job.solo, "With --lobes: one curve alone, for instance \"A r\"");
 }
 
-void add_other_modes(CLI::App& verb, Options& o) {
+void add_other_modes(CLI::App& verb, RenderCall& o) {
   verb.add_flag("--parity", o.parity, "Measure deferred against Embree, form by form; no picture");
   verb.add_flag("--all", o.all, "With --parity: every form");
   verb.add_option("--form", o.forms, "With --parity: these forms");
@@ -238,7 +238,7 @@ void add_other_modes(CLI::App& verb, Options& o) {
 }
 
 // The job with the row that --over asks for in place of its material.
-void make_row(Options& o) {
+void make_row(RenderCall& o) {
   render::Job& job = o.job;
   if (job.materials.size() != 1 || !job.scene.empty() || !job.state.empty())
     throw InputError("--over takes one MATERIAL and no scene");
@@ -247,7 +247,7 @@ void make_row(Options& o) {
   job.row = parameter_row(io::read_material(job.row_source), o.over, o.balls);
 }
 
-Exit run(Options& o) {
+Exit run_render(RenderCall& o) {
   render::Job& job = o.job;
   if (o.parity) {
     std::vector<Reflectance> others;
@@ -282,7 +282,7 @@ Exit run(Options& o) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderCall>();
   CLI::App* verb =
       add_verb(app, Purpose::look, "render", "Render materials or a scene with the deferred renderer");
   add_scene_options(*verb, options->job);
@@ -319,7 +319,7 @@ void add_render(CLI::App& app) {
       "         brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
       "         brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
       "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_render(*options); });
 }
 
 }  // namespace brdf::cli

@@ -9,7 +9,7 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct StudyCall {
   std::vector<std::string> samples;
   std::string output;
   bool json = false, no_pictures = false;
@@ -17,7 +17,7 @@ struct Options {
   fit::FitChoice choice;
 };
 
-Exit run(const Options& o) {
+Exit run_study(const StudyCall& o) {
   watch_for_interrupt();
   const study::StudyOptions options = study_options(o.choice, !o.no_pictures, o.output, o.jobs);
   return print_study(study::study(sample_files(o.samples), options), o.output, o.json);
@@ -26,8 +26,8 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_study(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  Options& o = *options;
+  auto options = std::make_shared<StudyCall>();
+  StudyCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::judge, "study",
                             "All of one sample's story on one page; of many with an overview");
   verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or folders of them")->required();
@@ -43,7 +43,7 @@ void add_study(CLI::App& app) {
       "Examples: brdf study paint.csv -o paint\n"
       "          brdf study samples/*.csv --jobs 4 -o studied\n"
       "          brdf study samples/*.csv --form cook_torrance --no-pictures --json -o numbers");
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_study(*options); });
 }
 
 }  // namespace brdf::cli

@@ -15,7 +15,7 @@
 namespace brdf::cli {
 namespace {
 
-struct Options {
+struct SynthCall {
   MaterialOptions material;
   std::string grid = "hemisphere";
   std::vector<double> azimuths;
@@ -27,7 +27,7 @@ struct Options {
 };
 
 // Of a stack, for which what a goniophotometer is told has no meaning.
-void add_texel_options(CLI::App& verb, Options& o) {
+void add_texel_options(CLI::App& verb, SynthCall& o) {
   CLI::Option* texels = verb.add_option(
       "--texels", o.texels,
       "A stack of photographs of so many texels, WIDTHxHEIGHT, in place of one sample's table");
@@ -63,7 +63,7 @@ void add_texel_options(CLI::App& verb, Options& o) {
       ->needs(texels);
 }
 
-void add_options(CLI::App& verb, Options& o) {
+void add_options(CLI::App& verb, SynthCall& o) {
   synth::Instrument& instrument = o.instrument;
   add_material_options(verb, o.material);
   verb.add_option("--grid", o.grid, "in_plane, hemisphere, merl or a CSV of directions; joined by +")
@@ -124,7 +124,7 @@ Exit write(const io::SampleTable& table, const std::string& path) {
   return Exit::good;
 }
 
-Exit run_microsurface(const Options& o) {
+Exit run_microsurface(const SynthCall& o) {
   micro::SampleSettings settings = o.microsurface;
   if (!o.instrument.grid.theta_i.empty()) settings.theta_i = o.instrument.grid.theta_i;
   if (!o.azimuths.empty()) settings.azimuths = o.azimuths;
@@ -132,7 +132,7 @@ Exit run_microsurface(const Options& o) {
   return write(trace_microsurface(std::move(settings), o.material.set), o.output);
 }
 
-Exit run_stack(const Options& o) {
+Exit run_stack(const SynthCall& o) {
   synth::TexelOptions stack = o.stack;
   synth::parse_texels(o.texels, stack);
   stack.noise = o.instrument.noise;
@@ -147,7 +147,7 @@ Exit run_stack(const Options& o) {
   return Exit::good;
 }
 
-Exit run(const Options& o) {
+Exit run_synth(const SynthCall& o) {
   if (!o.texels.empty()) return run_stack(o);
   const std::vector<std::string> parts = synth::grid_parts(o.grid);
   std::vector<std::filesystem::path> inputs(parts.begin(), parts.end());
@@ -165,11 +165,11 @@ Exit run(const Options& o) {
 }  // namespace
 
 void add_synth(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SynthCall>();
   CLI::App* verb =
       add_verb(app, Purpose::measure, "synth", "Measure a known material with a virtual goniophotometer");
   add_options(*verb, *options);
-  on_run(*verb, [options] { return run(*options); });
+  on_run(*verb, [options] { return run_synth(*options); });
 }
 
 }  // namespace brdf::cli

@@ -54,13 +54,13 @@ std::filesystem::path file_of(const render::Job& job) {
 }  // namespace
 
 void add_view(CLI::App& app) {
-  struct Options {
+  struct ViewCall {
     render::Job job;
     render::ViewerOptions viewer;
     ShownShader shader;
     bool commands = false;
   };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewCall>();
   render::ViewerOptions& viewer = options->viewer;
   CLI::App* verb = add_verb(app, Purpose::look, "view", "Look at materials and scenes in a window");
   verb->add_option("MATERIAL", options->job.materials,

@@ -1,4 +1,5 @@
 // Materials: made, read, written, evaluated, drawn.
+#include "brdf/targets.h"
 #include "fit/assess/albedo.h"
 #include "io/error.h"
 #include "io/glsl.h"
@@ -14,9 +15,9 @@
 namespace brdf::python {
 namespace {
 
-std::string forms_json() {
+std::string list_json(std::span<const Reflectance> list) {
   io::Json json = io::Json::array();
-  for (const Reflectance& form : catalogue()) json.push_back(io::to_json(info(form)));
+  for (const Reflectance& form : list) json.push_back(io::to_json(info(form)));
   return io::to_text(json);
 }
 
@@ -197,7 +198,8 @@ void bind_materials(py::module_& module) {
   module.def("material_of_json", [](const std::string& text, const std::string& name) {
     return Optics{io::read_material_file(io::Content{name, text})};
   });
-  module.def("forms_json", &forms_json);
+  module.def("forms_json", [] { return list_json(catalogue()); });
+  module.def("targets_json", [] { return list_json(targets()); });
 }
 
 }  // namespace brdf::python

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Runs the commands of documents and compares what they print with what the document shows.
 
-    tools/run_documents.py [--update] --brdf build/release/brdf README.md docs/tutorials.md
+    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tutorials.md
 
 A command is an indented line that starts with `$ brdf`; `\\` continues it. The indented lines after it are its
 output, to the next command or the end of the block; a line `...` stands for any number of lines. Words must be equal,
 numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A command that ends in `# times vary` is
-run, but what it prints is not compared. A command that exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch
+run, but what it prints is not compared; one with `# half a minute` too is left out by --quick. A command that exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch
 folder, in order, so that one may read what another wrote; `data` there is the repository's. A command that names
 $BRDF_DATA_DIR is left out, and said so, where the variable is unset. What names a form that docs/models.md does not have yet
 is listed, not compared: the documents are older than that form. --update writes the real output into the document.
@@ -87,7 +87,7 @@ def forms_without_a_page(brdf):
     return [form["form"] for form in listed["forms"] if f"`{form['form']}`" not in page]
 
 
-def check(document, brdf, update):
+def check(document, brdf, update, quick):
     young = forms_without_a_page(brdf)
     lines = document.read_text().split("\n")
     failed = ran = 0
@@ -98,6 +98,9 @@ def check(document, brdf, update):
         for command, begin, end in blocks(lines):
             if "$BRDF_DATA_DIR" in command and not os.environ.get("BRDF_DATA_DIR"):
                 print(f"{document}:{begin}: left out, BRDF_DATA_DIR is unset: {command}")
+                continue
+            if quick and "# half a minute" in command:
+                print(f"{document}:{begin}: left out by --quick: {command}")
                 continue
             run = subprocess.run(
                 ["bash", "-c", f'brdf() {{ "{brdf}" "$@" 2>&1; }}; {command}\n'], cwd=folder, stdout=subprocess.PIPE,
@@ -116,7 +119,7 @@ def check(document, brdf, update):
             if named:
                 print(f"{document}:{begin}: not compared, names {', '.join(named)}: {command}")
                 continue
-            wrong = None if command.endswith("# times vary") else difference(expected, printed)
+            wrong = None if command.endswith("times vary") else difference(expected, printed)
             if wrong:
                 failed += 1
                 print(f"{document}:{begin}: {command}\n  {wrong}")
@@ -133,9 +136,10 @@ def main():
     parser.add_argument("documents", nargs="+", type=pathlib.Path)
     parser.add_argument("--brdf", required=True, help="the program")
     parser.add_argument("--update", action="store_true", help="write the real output into the documents")
+    parser.add_argument("--quick", action="store_true", help="leave out what takes half a minute")
     options = parser.parse_args()
     brdf = pathlib.Path(options.brdf).resolve()
-    good = [check(document, brdf, options.update) for document in options.documents]
+    good = [check(document, brdf, options.update, options.quick) for document in options.documents]
     sys.exit(0 if all(good) else 1)
 
 

@@ -74,14 +74,19 @@ def _all() -> tuple[Form, ...]:
     return tuple(_form(entry) for entry in json.loads(_brdf.forms_json()))
 
 
+@functools.lru_cache(maxsize=None)
+def _targets() -> tuple[Form, ...]:
+    return tuple(_form(entry) for entry in json.loads(_brdf.targets_json()))
+
+
 def forms(*, fittable: bool | None = None) -> list[Form]:
     """All forms in the catalogue's order (`brdf models`); only those that can be fitted, or cannot, where asked."""
     return [f for f in _all() if fittable is None or f.fittable == fittable]
 
 
 def form(name: str) -> Form:
-    """The form of that name (`brdf models NAME`). InputError lists the known ones."""
-    for f in _all():
+    """The form of that name, or another program's model (`brdf models NAME`). InputError lists the known ones."""
+    for f in _all() + _targets():
         if f.name == name:
             return f
     _brdf.material_of_form(name, [], None)  # refuses it

@@ -116,9 +116,9 @@ def study(*samples: Any, **options: Any) -> Any:
     return program("study", *samples, **options)
 
 
-def prove(**options: Any) -> Any:
-    """`brdf prove`: properties of forms over their whole domain; json=True: its results."""
-    return program("prove", **options)
+def prove(*materials: Any, **options: Any) -> Any:
+    """`brdf prove`: properties of forms over their whole domain, of materials at their parameters; json=True: its results."""
+    return program("prove", *materials, **options)
 
 
 def trade(**options: Any) -> Any:

@@ -14,7 +14,6 @@
 
 #include "brdf/material.h"
 #include "fit/fit.h"
-#include "fit/stepwise.h"
 #include "synth/instrument.h"
 #include "validate/checks.h"
 
@@ -73,7 +72,7 @@ TEST(Library, NeverPrintsAndLeavesTheProcessAsItWas) {
   testing::internal::CaptureStderr();
   io::SampleTable table = few_samples(form);
   const fit::FitResult result = fit::fit(table, fit::canonical_models(), {});
-  fit::fit_stepwise(table, {}, {});
+  fit::fit(table, {}, {});
   // Samples that no solver can do anything with.
   for (double& value : table.values[0]) value = 1e300;
   fit::fit(table, {{form}}, {});

@@ -42,6 +42,10 @@ HOMONYMS = {
     ("cli/stack_scene.cpp", "albedo"): "a texture map",
     ("cli/stack_scene.cpp", "roughness"): "a texture map",
     ("render/scene/scene.h", "phong"): "a shading",
+    ("io/optical_constants.cpp", "n"): "a column of a table",
+    ("io/optical_constants.cpp", "k"): "a column of a table",
+    ("render/viewer/commands.cpp", "n"): "a key",
+    ("render/viewer/commands.cpp", "k"): "a key",
     ("micro/", "lambert"): "a facet's reflection",
     ("micro/", "oren_nayar"): "the angles of grooves",
 }

@@ -100,7 +100,7 @@ std::vector<Row> rows() {
 }
 
 TEST(AlbedoVerb, ReproducesTheIndependentValues) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   for (const Row& row : rows()) {
     std::string arguments = "albedo --json --tolerance 1e-12 --form " + row.form + " --fixed " + row.fixed;
     std::istringstream sets(row.parameters);

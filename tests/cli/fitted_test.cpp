@@ -26,7 +26,7 @@ class Fitted : public ::testing::Test {
               0);
   }
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Fitted, MaterialsGiveTheirAlbedoWithAnInterval) {

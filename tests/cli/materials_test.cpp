@@ -28,7 +28,7 @@ TEST(ShippedMaterials, AreNamedSourcedAndValidAndTenHaveAColour) {
     files += " '" + entry.path().string() + "'";
   }
   EXPECT_GE(coloured, 10);
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const Outcome outcome = run_brdf("validate" + files, folder.path());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
 }

@@ -20,7 +20,7 @@ class MeasuredTables : public testing::Test {
   void write(const std::string& name, const io::SampleTable& table) {
     io::write_samples(folder_.path() / name, table);
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(MeasuredTables, ALongTableIsReadOrNamed) {
@@ -97,7 +97,8 @@ TEST_F(MeasuredTables, AreExportedAsATableAndNotAsAShader) {
   const Outcome shader = run("export --measured s.csv --to glsl -o m.glsl");
   EXPECT_EQ(shader.exit_code, 2);
   EXPECT_THAT(shader.err, HasSubstr("samples have no formula"));
-  EXPECT_THAT(run("export --form ward --to merl -o m.binary").err, HasSubstr("needs --measured SAMPLES"));
+  EXPECT_THAT(run("export --form ward --set alpha_x=0.2 --to merl -o m.binary").err,
+              HasSubstr("MERL files are isotropic"));
   EXPECT_THAT(run("export --measured s.csv --to merl").err, HasSubstr("needs -o FILE"));
   const Outcome done = run("export --measured s.csv --to merl -o m.binary");
   EXPECT_EQ(done.exit_code, 0) << done.err;

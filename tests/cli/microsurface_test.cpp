@@ -21,7 +21,7 @@ class Microsurface : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
   const std::string kSmall = " --size 64 --surfaces 8 --rays 400 --cell 15 --theta-i 0,50 ";
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Microsurface, SameCommandSameBytes) {

@@ -33,7 +33,7 @@ class Outputs : public testing::Test {
     EXPECT_EQ(outcome.out, "") << arguments;
   }
 
-  const TemporaryFolder folder_;
+  const io::TemporaryFolder folder_;
 };
 
 TEST_F(Outputs, LostStandardOutputIsTheEnvironmentsFault) {

@@ -41,7 +41,7 @@ class ReadingCli : public testing::Test {
     EXPECT_THAT(outcome.err, HasSubstr(what)) << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << outcome.err;
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

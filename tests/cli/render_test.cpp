@@ -59,7 +59,7 @@ class RenderCli : public testing::Test {
     EXPECT_EQ(names(), before) << arguments;
     EXPECT_EQ(file_text(folder_.path() / "x.png"), "old") << arguments;
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(RenderCli, WithoutADriverOrADisplayTheEnvironmentIsToBlame) {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 
 namespace brdf {
 

@@ -44,6 +44,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     check("models", said("models", "--json"))
     check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "-o", "m.json", "--json"))
+    check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "--bootstrap", "3", "--json"))
     check("fit", said("fit", synthetic / "ward_anisotropic.csv", "--form", "ward+lambert", "--anisotropic", "--fix",
                       "kd=0.1", "--metric", "log", "--free-scale", "--json"))
     check("fit", said("fit", synthetic / "phong_sparse.csv", synthetic / "README.md", "--form", "auto", "-o", "many",
@@ -55,8 +56,13 @@ with tempfile.TemporaryDirectory() as folder:
     check("collect", said("collect", "job", "--json"))
     check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
     check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
+    for words in (("--form", "ward", "--to", "materialx"), ("--form", "lambert", "--to", "gltf"), ("--form", "ward", "--to", "glsl"),
+                  ("--form", "ward", "--to", "rgl", "--size", "200K"), ("--form", "ward", "--to", "merl"),
+                  ("--form", "ward_duer", "--to", "gltf")):
+        check("export", said("export", *words, "-o", "exported", "--json"))
     check("prove", said("prove", "--form", "ward", "--form", "oren_nayar_full", "--seconds", "0.2", "-o", "c.json", "--json"))
     check("prove", said("prove", "--check", "c.json", "--json"))
+    check("prove", said("prove", "m.json", "--seconds", "5", "--json"))
     check("trade", json.loads((source / "data/ledger.json").read_text()))
     ledger = source / "data/ledger.json"
     check("trade", said("trade", "--compare", ledger, ledger, "--json"))

@@ -49,7 +49,7 @@ class StudyVerb : public testing::Test {
     return process;
   }
 
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(StudyVerb, WritesThePageOfOneSample) {

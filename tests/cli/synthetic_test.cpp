@@ -72,7 +72,7 @@ class Synthetic : public testing::TestWithParam<Set> {
     for (const auto& entry : fs::directory_iterator(kFolder))
       if (entry.path().extension() == ".json") fs::copy(entry.path(), folder_.path());
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_P(Synthetic, IsRegeneratedBitForBit) {
@@ -110,7 +110,7 @@ TEST(SyntheticFolder, HoldsEverySetOfTheTableAndNoOther) {
 }
 
 TEST(SyntheticFolder, WithoutItsApertureTheSharpLobeFitsTooWide) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::string fit = "fit '" + (kFolder / "aperture.csv").string() + "' --form ward";
   const auto alpha = [&](const std::string& options) {
     const Outcome outcome = run_brdf(fit + options + " -o m.json", folder.path());

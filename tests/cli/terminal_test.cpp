@@ -60,7 +60,7 @@ class Terminal : public testing::Test {
   std::string says(const std::string& arguments) const { return run(arguments).err; }
 
  private:
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Terminal, HelpIsNoWiderThanTheTerminal) {

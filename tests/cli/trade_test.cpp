@@ -18,7 +18,7 @@ const std::string kCloseUp = "recommend --scene '" + kData + "scenes/recommend_c
 class Trade : public testing::Test {
  protected:
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 TEST_F(Trade, WritesItsLedgerInThreeFormats) {

@@ -57,7 +57,7 @@ class Turntable : public testing::Test {
         largest = std::max(largest, std::abs(int(rgba[4 * k + c]) - int(still_.texels[k][c])));
     return largest;
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
   render::Texture still_;
 };
 

@@ -38,7 +38,7 @@ class Cli : public testing::Test {
     return std::distance(std::filesystem::directory_iterator(folder_.path()),
                          std::filesystem::directory_iterator());
   }
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
 };
 
 constexpr const char* kDirections = "theta_i,phi_i,theta_o,phi_o\n30,180,30,0\n0,0,0,0\n";
@@ -62,7 +62,7 @@ TEST_F(Cli, RefusesWrongUsage) {
   expect_refused("models --jsn", "--jsn");
   expect_refused("synth --form ward", "--output is required");
   expect_refused("albedo --form ward --theta x", "--theta");
-  expect_refused("export --form ward --to osl", "osl");
+  expect_refused("export --form ward --to osll", "osll");
 }
 
 TEST_F(Cli, RefusesUnknownFormsAndParametersOutOfRange) {

@@ -211,6 +211,8 @@ class Notebooks(unittest.TestCase):
         self.assertIn("converged", result._repr_html_())
         self.assertTrue("samples" in result and "verdict" in result.best and "x" not in result)
         self.assertIn("alpha_x", brdf.form("ward")._repr_html_())
+        self.assertEqual(brdf.form("gltf_metallic_roughness").parameter("eta").max, 3)  # another program's model
+        self.assertNotIn("gltf_metallic_roughness", [f.name for f in brdf.forms()])
         self.assertIn("reciprocity", brdf.validate(WARD)._repr_html_())
         self.assertIn("&lt;b&gt;", brdf.Table.from_csv("theta_i,phi_i,theta_o,phi_o,<b>\n0,0,0,0,1\n")._repr_html_())
 

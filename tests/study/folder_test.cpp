@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "io/content.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::study {
 namespace {
@@ -38,7 +38,7 @@ class Published : public testing::Test {
     results[what] = value;
     std::ofstream(folder_ / kResults) << results;
   }
-  TemporaryFolder temporary_;
+  io::TemporaryFolder temporary_;
   fs::path folder_ = temporary_.path() / "new" / "sample";
 };
 

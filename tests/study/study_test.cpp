@@ -9,9 +9,9 @@
 #include "io/content.h"
 #include "io/error.h"
 #include "io/material_file.h"
+#include "io/temporary_folder.h"
 #include "study/spheres.h"
 #include "synth/instrument.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::study {
 namespace {
@@ -52,7 +52,7 @@ class StudyOfFiles : public testing::Test {
   }
   std::string text(const fs::path& file) { return io::read_content(options_.folder / file).bytes; }
 
-  const TemporaryFolder temporary_;
+  const io::TemporaryFolder temporary_;
   const fs::path folder_ = temporary_.path();
   std::vector<std::string> files_;
   StudyOptions options_;

@@ -11,8 +11,8 @@
 
 #include "brdf/forms.h"
 #include "io/numbers.h"
+#include "io/temporary_folder.h"
 #include "synth/instrument.h"
-#include "tests/io/temporary_folder.h"
 
 namespace brdf::synth {
 namespace {
@@ -121,7 +121,7 @@ Case drawn_case(int number, const std::filesystem::path& folder) {
 }
 
 TEST(Noise, IsFoundWithinAFactorOfOneAndAHalfWhateverWasScanned) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   std::vector<double> ratios;
   for (int number = 0; number < 200; ++number) {
     const Case c = drawn_case(number, folder.path());

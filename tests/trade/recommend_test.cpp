@@ -8,7 +8,7 @@
 #include "brdf/reflectance_of.h"
 #include "io/error.h"
 #include "io/output.h"
-#include "tests/io/temporary_folder.h"
+#include "io/temporary_folder.h"
 #include "trade/recommend/costs.h"
 
 namespace brdf::trade {
@@ -123,7 +123,7 @@ TEST(Costs, AreReadWhereTheLedgerHasTheRowAndMeasuredWhereNot) {
 }
 
 TEST(Costs, OfALedgerOfAnotherVersionAreMeasured) {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "of_tomorrow.json";
   io::write_file_atomically(path, R"({"format": "brdf-ledger", "version": 2, "rows": "otherwise"})");
   EXPECT_FALSE(read_current_ledger(path).has_value());
