@@ -70,7 +70,8 @@ void add_pictures_option(CLI::App& verb, bool& no_pictures) {
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs) {
   fit::FitOptions options = fit::options_of(choice);
   options.interrupted = &interrupted;
-  options.threads = jobs > 1 ? 1 : io::all_processors();
+  if (jobs > 1) io::limit_threads(1);
+  options.threads = io::all_processors();
   return options;
 }
 

@@ -103,7 +103,7 @@ void add_fit(CLI::App& app) {
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));
   verb->add_flag("--no-pictures", o.no_pictures,
-                 "Of several files: no NAME.png, the sphere beside each page");
+                 "Of several files: no spheres, on the pages and beside them; they take most of the time");
   verb->add_flag("--json", o.json, "JSON on stdout");
   add_normals_option(*verb, o.stack);
   add_share_options(*verb, o.stack);

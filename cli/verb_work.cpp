@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "cli/unit.h"
 #include "io/error.h"
+#include "io/parallel.h"
 
 namespace brdf::cli {
 namespace {
@@ -25,6 +26,7 @@ Exit run_work(const WorkCall& o) {
     throw InputError("--unit " + std::to_string(*o.unit) + ": the units are 0 to " +
                      std::to_string(count - 1));
   watch_for_interrupt();
+  io::limit_threads(1);  // units are what runs side by side
   for (std::size_t unit = o.unit.value_or(0); unit < (o.unit ? *o.unit + 1 : count); ++unit) {
     do_unit(task, unit, o.memory, o.check);
     if (!was_interrupted()) continue;

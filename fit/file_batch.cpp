@@ -92,7 +92,8 @@ class Batch {
 
   void fit_file(BatchRow& row) {
     io::Content content = io::read_content(row.file);
-    const std::string key = io::fingerprint({batch_.settings + constants_text(options_), content.bytes});
+    const std::string key = io::fingerprint(
+        {batch_.settings + constants_text(options_) + (batch_.spheres ? "" : " no spheres"), content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
     const io::SampleTable table = arranged(io::read_samples(std::move(content)), options_);
@@ -108,7 +109,7 @@ class Batch {
     }
     io::write_material_file(batch_.folder / (row.name + ".json"),
                             {best.material, material_block(best, result, table, options_)});
-    io::write_file_atomically(batch_.folder / (row.name + ".html"), html_report(result, table, options_));
+    io::write_file_atomically(batch_.folder / (row.name + ".html"), html_report(result, table, options_, batch_.spheres));
     Json j = to_json(result, table, options_);
     j["batch_key"] = key;
     row.best = j["ranking"][0];

@@ -19,18 +19,25 @@
 
 namespace brdf::io {
 
-// As many as BRDF_THREADS says, else as there are processors; at most eight.
+inline std::atomic<unsigned> most_threads{8};
+
+// Where work is divided among processes or jobs already, each takes one processor: called before the work begins.
+inline void limit_threads(unsigned most) {
+  most_threads = most;
+}
+
+// As many as BRDF_THREADS says, else as there are processors; at most eight, and what limit_threads() leaves.
 // Throws InputError where that is no number.
 inline unsigned all_processors() {
-  constexpr unsigned kMost = 8;
+  const unsigned most = most_threads;
   const char* const wanted = std::getenv("BRDF_THREADS");
-  if (!wanted) return std::clamp(std::thread::hardware_concurrency(), 1u, kMost);
+  if (!wanted) return std::clamp(std::thread::hardware_concurrency(), 1u, most);
   unsigned number = 0;
   const std::string_view text = wanted;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || stop != text.data() + text.size() || number == 0)
     throw InputError("BRDF_THREADS: '" + std::string(text) + "' must be a whole number above 0");
-  return std::min(number, kMost);
+  return std::min(number, most);
 }
 
 // Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to places of

@@ -5,12 +5,13 @@
 
 namespace brdf::fit {
 
-std::string html_report(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
+std::string html_report(const FitResult& result, const io::SampleTable& table, const FitOptions& options,
+                        bool sphere) {
   io::HtmlReport report("Fit of " + io::file_name(table.name()));
   const FormFit& best = result.ranking.front();
   add_verdict(report, result);
   if (best.solved()) {
-    add_sphere(report, best, table);
+    if (sphere) add_sphere(report, best, table);
     add_slices(report, best, table, options.aperture);
     add_deviation(report, best, table, options.aperture);
     add_spectra(report, best);
