@@ -46,11 +46,11 @@ std::vector<fit::BatchRow> fit_files(const FileFits& files, const fit::FitChoice
       fit::run_batch(files.samples, fit::models_of(choice.form), options,
                      {.folder = files.folder,
                       .jobs = files.jobs,
-                      .spheres = files.pictures,
                       .settings = io::provenance().version + fit::words_of(choice),
                       .first = files.first,
                       .count = files.count,
-                      .progress = progress});
+                      .progress = progress,
+                      .spheres = files.pictures});
   if (files.pictures) draw_spheres(rows, files.folder);
   return rows;
 }

@@ -109,7 +109,8 @@ class Batch {
     }
     io::write_material_file(batch_.folder / (row.name + ".json"),
                             {best.material, material_block(best, result, table, options_)});
-    io::write_file_atomically(batch_.folder / (row.name + ".html"), html_report(result, table, options_, batch_.spheres));
+    io::write_file_atomically(batch_.folder / (row.name + ".html"),
+                              html_report(result, table, options_, batch_.spheres));
     Json j = to_json(result, table, options_);
     j["batch_key"] = key;
     row.best = j["ranking"][0];

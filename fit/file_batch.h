@@ -14,13 +14,13 @@ namespace brdf::fit {
 struct BatchOptions {
   std::filesystem::path folder;
   unsigned jobs = 1;
-  bool spheres = true;  // on each file's page, which take longer than the fit
   // Everything that decides the result, as text: a finished file is kept only if it was made with the same.
   std::string settings;
   // Only these are done, and have rows; results are called as if all were.
   std::size_t first = 0, count = std::size_t(-1);
   // Called, one at a time, when a file is done.
   std::function<void(const std::string& message)> progress;
+  bool spheres = true;  // on each file's page, which take longer than the fit
 };
 
 struct BatchRow {

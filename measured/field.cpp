@@ -69,7 +69,7 @@ Field::Field(const std::vector<Place>& places, std::vector<double> count, const 
 
 Field::~Field() = default;
 
-Field::Weights Field::weights_at(const Place& place) const {
+Field::Weights Field::weights_at(const Place& place, double least_known) const {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, int(kNeighbours), int(kNeighbours)>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, int(kNeighbours), 1>;
   Weights out;
@@ -79,17 +79,25 @@ Field::Weights Field::weights_at(const Place& place) const {
   const auto n = Eigen::Index(out.count);
   Matrix between(n, n);
   Vector to(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Place& a = (*tree_)[out.sample[std::size_t(i)]];
-    to(i) = correlation(squared[std::size_t(i)]);
-    for (Eigen::Index j = 0; j < i; ++j)
-      between(i, j) = correlation(squared_distance(a, (*tree_)[out.sample[std::size_t(j)]]));
-  }
+  const auto correlate = [&](Eigen::Index first, Eigen::Index last) {
+    for (Eigen::Index i = first; i < last; ++i) {
+      const Place& a = (*tree_)[out.sample[std::size_t(i)]];
+      to(i) = correlation(squared[std::size_t(i)]);
+      for (Eigen::Index j = 0; j < i; ++j)
+        between(i, j) = correlation(squared_distance(a, (*tree_)[out.sample[std::size_t(j)]]));
+    }
+  };
   const Eigen::Index asked = std::min(n, Eigen::Index(kAsked));
+  correlate(0, asked);
   Matrix sure = between.topLeftCorner(asked, asked);
   sure.diagonal().setConstant(1 + kKnownNoise);
   const Vector nearest = to.head(asked);
   out.known = nearest.dot(sure.selfadjointView<Eigen::Lower>().llt().solve(nearest));
+  if (out.known < least_known) {
+    out.count = 0;
+    return out;
+  }
+  correlate(asked, n);
   // Samples that come and go among the nearest leave no edge: the farthest is all noise.
   const double edge = squared[out.count - 1] * (1 + 1e-9) + 1e-12;
   for (Eigen::Index i = 0; i < n; ++i) {

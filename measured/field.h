@@ -51,7 +51,8 @@ class Field {
   // `count`: how many values each place's is the mean of.
   Field(const std::vector<Place>& places, std::vector<double> count, const Variation& variation);
   ~Field();
-  Weights weights_at(const Place& place) const;
+  // No weights (count 0) where less than `least_known` is known, which takes a fifth of the time.
+  Weights weights_at(const Place& place, double least_known = 0) const;
 
  private:
   class Tree;

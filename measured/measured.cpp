@@ -214,8 +214,18 @@ Seen MeasuredReflectance::at(const Vec3<double>& wi, const Vec3<double>& wo) con
   return nothing;
 }
 
+std::optional<Seen> MeasuredReflectance::measured_at(const Vec3<double>& wi, const Vec3<double>& wo) const {
+  if (!(wi.z > 0 && wo.z > 0 && scanned(wi, wo))) return std::nullopt;
+  const Field::Weights weights = field_->weights_at(place(wi, wo), kLeastKnown);
+  if (weights.known < kLeastKnown) return std::nullopt;
+  return seen(wi, wo, ratio_of(weights));
+}
+
 Ratio MeasuredReflectance::ratio_at(const Place& place) const {
-  const Field::Weights w = field_->weights_at(place);
+  return ratio_of(field_->weights_at(place));
+}
+
+Ratio MeasuredReflectance::ratio_of(const Field::Weights& w) const {
   Ratio out;
   out.known = w.known;
   for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -231,16 +241,21 @@ Ratio MeasuredReflectance::ratio_at(const Place& place) const {
   return out;
 }
 
-Seen MeasuredReflectance::seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const {
+// Whether light and viewer stand no lower than in the samples.
+bool MeasuredReflectance::scanned(const Vec3<double>& wi, const Vec3<double>& wo) const {
   constexpr double kBeyond = 2;  // degrees
+  const auto polar = [](double cosine) { return radians(std::acos(std::min(cosine, 1.0))).degrees(); };
+  return polar(std::max(wi.z, wo.z)) <= range_.inner + kBeyond &&
+         polar(std::min(wi.z, wo.z)) <= range_.outer + kBeyond;
+}
+
+Seen MeasuredReflectance::seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const {
   Seen out;
   out.f.resize(channels_.size());
   fitted_values(wi, wo, out.f);
   for (std::size_t c = 0; c < out.f.size(); ++c) out.f[c] *= ratio.of[c];
   out.known = ratio.known;
-  const auto polar = [](double cosine) { return radians(std::acos(std::min(cosine, 1.0))).degrees(); };
-  out.measured = out.known >= kLeastKnown && polar(std::max(wi.z, wo.z)) <= range_.inner + kBeyond &&
-                 polar(std::min(wi.z, wo.z)) <= range_.outer + kBeyond;
+  out.measured = out.known >= kLeastKnown && scanned(wi, wo);
   return out;
 }
 

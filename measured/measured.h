@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ class MeasuredReflectance final : public ReflectanceModel {
   using ReflectanceModel::eval;
 
   Seen at(const Vec3<double>& wi, const Vec3<double>& wo) const;
+  // at() where it is `measured`; found out first, so that other pairs cost little.
+  std::optional<Seen> measured_at(const Vec3<double>& wi, const Vec3<double>& wo) const;
   // The same in steps: where a pair is, the ratio there, and what that makes of the pair.
   Place place(const Vec3<double>& wi, const Vec3<double>& wo) const {
     return place_of(wi, wo, chosen_.turning, chosen_.core);
@@ -85,6 +88,8 @@ class MeasuredReflectance final : public ReflectanceModel {
   };
   Choice likeliest(const Rows& rows, double noise) const;
   void keep(const Rows& rows);
+  Ratio ratio_of(const Field::Weights& weights) const;
+  bool scanned(const Vec3<double>& wi, const Vec3<double>& wo) const;
   void fitted_values(const Vec3<double>& wi, const Vec3<double>& wo, std::vector<double>& out) const;
 
   std::vector<std::string> channels_;

@@ -20,9 +20,9 @@ io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> m
   if (!colours) throw InputError("the channels of the samples are no colours");
   return [measured = std::move(measured), of = colours->of](
              const Vec3<double>& wi, const Vec3<double>& wo) -> std::optional<io::sphere::Colour> {
-    const Seen seen = measured->at(wi, wo);
-    if (!seen.measured) return std::nullopt;
-    return io::sphere::Colour{seen.f[of[0]], seen.f[of[1]], seen.f[of[2]]};
+    const std::optional<Seen> seen = measured->measured_at(wi, wo);
+    if (!seen) return std::nullopt;
+    return io::sphere::Colour{seen->f[of[0]], seen->f[of[1]], seen->f[of[2]]};
   };
 }
 

@@ -28,7 +28,7 @@ COMMANDS = [
     "convert m.csv converted.csv",
     "fit c.csv --form all --json -o c.json --report c.html",
     "fit w.csv --form ward --anisotropic --json -o w.json",
-    "fit m.csv g.csv --form lambert+ward --jobs {threads} -o batch",
+    "fit m.csv g.csv --form lambert+ward --jobs {threads} --no-pictures -o batch",
     "study g.csv c.csv --form ward --jobs {threads} --json -o studied",
     "albedo --material c.json --theta 0,30,60,85 --json",
     "validate c.json --json -o v.html",
