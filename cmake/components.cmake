@@ -123,10 +123,12 @@ function(brdf_install_program target)
   # Man pages and completions, of the program's own words.
   set(described ${PROJECT_BINARY_DIR}/described)
   set(script ${PROJECT_SOURCE_DIR}/cmake/describe.cmake)
+  set(page ${PROJECT_BINARY_DIR}/packaging/brdf_check.1)
+  configure_file(${PROJECT_SOURCE_DIR}/packaging/brdf_check.1.in ${page} @ONLY)
   add_custom_command(OUTPUT ${described}.stamp
-                     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${target}> -D OUT=${described} -P ${script}
+                     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${target}> -D OUT=${described} -D PAGE=${page} -P ${script}
                      COMMAND ${CMAKE_COMMAND} -E touch ${described}.stamp
-                     DEPENDS ${target} ${script} VERBATIM)
+                     DEPENDS ${target} ${script} ${page} VERBATIM)
   add_custom_target(brdf_described ALL DEPENDS ${described}.stamp)
   install(DIRECTORY ${described}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(DIRECTORY ${described}/bash/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions

@@ -7,7 +7,7 @@
 #include "io/numbers.h"
 #include "io/parallel.h"
 #include "io/text.h"
-#include "prove/proof.h"
+#include "prove/rounding_proof.h"
 #include "prove/scalar/energy.h"
 
 namespace brdf::prove {
@@ -34,14 +34,19 @@ struct Channel {
   std::span<const double> weights() const { return term.weights[index]; }
 };
 
+// Whether the form mixes channels: the first channel's weights are variables of its own, then.
+bool takes_first(const Channel& c) {
+  return domain_of(catalogue_index(c.term.form)).variables.size() ==
+         c.shape().size() + 2 * c.weights().size() + 4;
+}
+
 // The form's domain with the channel's parameters in place of their tables' ranges.
 Domain domain_at(const Channel& c, const Claim& claim) {
   Domain domain = *domain_of(claim);
   std::vector<double> values(c.shape().begin(), c.shape().end());
   values.insert(values.end(), c.weights().begin(), c.weights().end());
-  if (domain.variables.size() == values.size() + c.weights().size() + 4)  // the first channel's weights
-    values.insert(values.end(), c.term.weights[0].begin(), c.term.weights[0].end());
-  for (std::size_t k = 0; k < values.size(); ++k) {
+  if (takes_first(c)) values.insert(values.end(), c.term.weights[0].begin(), c.term.weights[0].end());
+  for (std::size_t k = 0; k < std::min(values.size(), domain.variables.size()); ++k) {
     const Bounds at = as_stored(values[k], claim.precision);
     domain.variables[k].low = at.lo;
     domain.variables[k].high = at.hi;
@@ -152,6 +157,8 @@ std::vector<Proof> prove(const Material& material, const std::string& file, cons
       largest_albedo(p, c, file, options);
     else if (property == Property::reciprocity)
       p = reciprocity_of(c.term.form, file);
+    else if (property == Property::rounding)
+      p.domain = domain_at(c, p.claim), prove_rounding(p, options.search);
     else
       at_parameters(p, c, options);
     p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -159,7 +166,7 @@ std::vector<Proof> prove(const Material& material, const std::string& file, cons
   };
   std::vector<std::function<Proof()>> asked;
   for (const Property property : options.properties) {
-    const bool rounded = property == Property::finite || property == Property::non_negative;
+    const bool rounded = is_of_a_precision(property);
     // Reciprocity is of every channel at once.
     const std::size_t channels = property == Property::reciprocity ? 1 : material.channels.size();
     for (std::size_t k = 0; k < channels; ++k)

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "io/numbers.h"
+#include "prove/rounding_proof.h"
 #include "prove/scalar/energy.h"
 #include "prove/scalar/swapped.h"
 
@@ -74,6 +75,12 @@ Proof reciprocity(const Reflectance& form, const Claim& claim) {
   return p;
 }
 
+std::string in_words(const Growth& g) {
+  return "for light beyond " + io::short_number(g.from, 3) + " degrees its largest is K/" +
+         (g.power == 1 ? "cos" : "cos^" + io::short_number(g.power, 2)) + ", K in [" +
+         io::short_number(g.low, 3) + ", " + io::short_number(g.high, 3) + "]";
+}
+
 // An albedo of at most 1, or, where more is declared, of at most what its witness shows and the gap.
 Proof energy(const Reflectance& form, const Claim& claim, const Options& options) {
   const EnergyMethod* method = energy_method(claim.form);
@@ -95,11 +102,36 @@ Proof energy(const Reflectance& form, const Claim& claim, const Options& options
     p.low = witness->value;
     if (method == nullptr || tied) p.high = std::numeric_limits<double>::infinity();
     p.statement = "the albedo is above 1" + (p.statement.empty() ? "" : "; " + p.statement);
+    p.growth = growth_of(claim.form, options.search);
+    if (p.growth) p.statement += "; " + in_words(*p.growth);
     p.witness = std::move(witness);
   } else if (method == nullptr) {
     p.statement = "no reason is known to the prover";
   }
   return p;
+}
+
+Proof rounding(const Reflectance& form, const Claim& claim, const Options& options) {
+  Proof p = about(form, claim);
+  p.domain = domain_of(claim);
+  prove_rounding(p, options.search);
+  return p;
+}
+
+Proof of(const Reflectance& form, const Claim& claim, const Options& options) {
+  switch (claim.property) {
+    case Property::finite:
+      return finite(form, claim, options);
+    case Property::non_negative:
+      return non_negative(form, claim, options);
+    case Property::reciprocity:
+      return reciprocity(form, claim);
+    case Property::energy:
+      return energy(form, claim, options);
+    case Property::rounding:
+      return rounding(form, claim, options);
+  }
+  return about(form, claim);
 }
 
 }  // namespace
@@ -109,16 +141,12 @@ std::vector<Proof> prove(const Reflectance& form, const Options& options) {
   const int place = catalogue_index(form);
   const auto add = [&](Property property, Precision precision) {
     const auto start = std::chrono::steady_clock::now();
-    const Claim claim{place, property, precision};
-    Proof p = property == Property::finite         ? finite(form, claim, options)
-              : property == Property::non_negative ? non_negative(form, claim, options)
-              : property == Property::reciprocity  ? reciprocity(form, claim)
-                                                   : energy(form, claim, options);
+    Proof p = of(form, {place, property, precision}, options);
     p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     proofs.push_back(std::move(p));
   };
   for (const Property property : options.properties) {
-    if (property == Property::finite || property == Property::non_negative)
+    if (is_of_a_precision(property))
       for (const Precision precision : {Precision::float_type, Precision::double_type})
         add(property, precision);
     else

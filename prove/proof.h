@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "prove/growth_proof.h"
 #include "prove/scalar/claim.h"
+#include "prove/scalar/rounding.h"
 #include "prove/search.h"
 
 namespace brdf::prove {
@@ -35,6 +37,8 @@ struct Proof {
   std::optional<Domain> domain{};
   Cover cover{};
   std::optional<Witness> witness{};
+  std::vector<LobeRounding> lobes{};  // of rounding
+  std::optional<Growth> growth{};     // of a refuted energy
   double seconds = 0;
 };
 
@@ -43,10 +47,10 @@ struct Options {
   double gap = 1e-5;  // between a witness of energy and the bound that is searched for
   std::vector<Property> properties{kAll.begin(), kAll.end()};
   static constexpr std::array kAll{Property::finite, Property::non_negative, Property::reciprocity,
-                                   Property::energy};
+                                   Property::energy, Property::rounding};
 };
 
-// All that is asked for of a form of the catalogue; finite and non_negative in float and in double.
+// All that is asked for of a form of the catalogue; finite, non_negative and rounding in float and in double.
 std::vector<Proof> prove(const Reflectance& form, const Options& options);
 
 // The same of a material's channels at their parameters; energy: its largest directional albedo to 1e-3, where the integral
@@ -60,6 +64,9 @@ std::optional<Witness> find_gain(const Reflectance& form);
 
 }  // namespace brdf::prove
 
+template <>
+inline constexpr std::array<std::string_view, 3> brdf::kNames<brdf::prove::LobeRounding::Beside>{
+    "value", "peak", "nothing"};
 template <>
 inline constexpr std::array<std::string_view, 4> brdf::kNames<brdf::prove::Verdict>{"proved", "bounded",
                                                                                     "refuted", "no_method"};

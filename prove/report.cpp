@@ -28,15 +28,19 @@ Json pairs(const std::vector<std::pair<std::string, double>>& values) {
 Json finite_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
+Json rounding(const LobeRounding& lobe) {
+  return {
+      {"error", finite_or_null(lobe.error)}, {"beside", name_of(lobe.beside)}, {"underflow", lobe.underflow}};
+}
 
 // What is shown of the formula itself holds in any precision.
 std::string_view scalar_of(const Claim& claim) {
-  const bool any = claim.property == Property::reciprocity || claim.property == Property::energy;
-  return any ? "any" : name_of(claim.precision);
+  return is_of_a_precision(claim.property) ? name_of(claim.precision) : "any";
 }
 
 // Whether low and high say anything.
 bool has_range(const Proof& p) {
+  if (p.claim.property == Property::rounding) return p.verdict == Verdict::proved;
   return p.domain.has_value() || p.verdict == Verdict::refuted;
 }
 
@@ -80,6 +84,15 @@ Json to_json(std::span<const Proof> proofs) {
     row["open"] = p.cover.open;
     row["open_boxes"] = Json::array();
     for (const Box& b : p.cover.left) row["open_boxes"].push_back(box(*p.domain, b));
+    if (p.claim.property == Property::rounding) {
+      row["lobes"] = Json::array();
+      for (const LobeRounding& lobe : p.lobes) row["lobes"].push_back(rounding(lobe));
+    }
+    if (p.growth)
+      row["growth"] = {{"power", p.growth->power},
+                       {"from", p.growth->from},
+                       {"low", p.growth->low},
+                       {"high", p.growth->high}};
     row["seconds"] = p.seconds;
     if (p.witness)
       row["witness"] = {{"parameters", pairs(p.witness->parameters)},

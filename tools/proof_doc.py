@@ -22,17 +22,52 @@ def cell(results):
     if r["verdict"] == "refuted":
         bound = f", at most {r['high']:.7g}" if r["property"] == "energy" and r["high"] is not None else ""
         tied = "; proved for equal widths" if "equal widths" in r["statement"] else ""
-        return f"refuted: {r['witness']['value']:.6g}{bound}{tied}"
+        growth = ""
+        if "growth" in r:
+            g = r["growth"]
+            power = "" if g["power"] == 1 else f"^{g['power']:g}"
+            growth = f"; beyond {g['from']:g} degrees K/cos{power}, K in [{g['low']:.3g}, {g['high']:.3g}]"
+        return f"refuted: {r['witness']['value']:.6g}{bound}{tied}{growth}"
     return {"no_method": "-"}.get(r["verdict"], r["verdict"])
 
 
 def table(results):
+    results = [r for r in results if r["property"] != "rounding"]
     properties = list(dict.fromkeys(r["property"] for r in results))
     lines = ["| form | " + " | ".join(properties) + " |", "|---" * (len(properties) + 1) + "|"]
     for form in dict.fromkeys(r["form"] for r in results):
         cells = [cell([r for r in results if r["form"] == form and r["property"] == p]) for p in properties]
         lines.append(f"| `{form}` | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def upwards(bound):
+    """Two digits, not below the bound."""
+    said = f"{bound:.1e}"
+    if float(said) < bound:
+        mantissa, power = said.split("e")
+        said = f"{float(mantissa) + 0.1:.1f}e{power}"
+    return f"{float(said):.2g}"
+
+
+def error(lobe):
+    if lobe["beside"] == "nothing":
+        return "sampled"
+    return upwards(lobe["error"]) + (" p" if lobe["beside"] == "peak" else "")
+
+
+def rounding(results):
+    """What is proved of each lobe's error, forms of which nothing but constants is known left out."""
+    lines = ["| form | double | float |", "|---|---|---|"]
+    left_out = []
+    for form in dict.fromkeys(r["form"] for r in results):
+        of = {r["scalar"]: r["lobes"] for r in results if r["form"] == form and r["property"] == "rounding"}
+        if all(lobe["beside"] == "nothing" for lobe in of["double"][-1:]):
+            left_out.append(f"`{form}`")
+            continue
+        cells = [", ".join(error(lobe) for lobe in of[scalar]) for scalar in ("double", "float")]
+        lines.append(f"| `{form}` | {cells[0]} | {cells[1]} |")
+    return "\n".join(lines) + "\n\nSampled: " + ", ".join(left_out) + "."
 
 
 def main():
@@ -47,7 +82,7 @@ def main():
         for form in dict.fromkeys(r["form"] for r in results if r not in known):
             print(f"not in docs/proofs.md yet: {form}")
         results = known
-    text = (ROOT / "docs/proofs.in.md").read_text().replace("%table%", table(results))
+    text = (ROOT / "docs/proofs.in.md").read_text().replace("%table%", table(results)).replace("%rounding%", rounding(results))
     if "--check" not in sys.argv:
         page.write_text(text)
     elif page.read_text() != text:

@@ -1,8 +1,10 @@
 #include "prove/scalar/claim.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "prove/scalar/energy.h"
+#include "prove/scalar/rounding.h"
 
 namespace brdf::prove {
 
@@ -14,13 +16,27 @@ std::optional<Domain> domain_of(const Claim& claim) {
     case Property::energy:
       if (const EnergyMethod* method = energy_method(claim.form)) return method->domain;
       return std::nullopt;
+    case Property::rounding:
+      return rounding_domain(claim.form);
     case Property::reciprocity:
       return std::nullopt;
   }
   return std::nullopt;
 }
 
+namespace {
+
+Bounds worst_lobe(const Claim& claim, std::span<const Bounds> box) {
+  double worst = 0;
+  for (const LobeRounding& lobe : rounding_of(claim.form, claim.precision, box))
+    worst = std::max(worst, lobe.error);
+  return {0, worst};
+}
+
+}  // namespace
+
 Bounds enclose(const Claim& claim, std::span<const Bounds> box) {
+  if (claim.property == Property::rounding) return worst_lobe(claim, box);
   if (claim.property == Property::energy) return energy_method(claim.form)->enclose(box);
   return enclose_value(claim.form, claim.precision, box);
 }

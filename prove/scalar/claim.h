@@ -8,7 +8,12 @@
 
 namespace brdf::prove {
 
-enum class Property { finite, non_negative, reciprocity, energy };
+enum class Property { finite, non_negative, reciprocity, energy, rounding };
+
+// Whether it is asked of float and of double apart: what is shown of the formula itself holds in any.
+constexpr bool is_of_a_precision(Property p) {
+  return p != Property::reciprocity && p != Property::energy;
+}
 
 struct Claim {
   int form;  // place in the catalogue
@@ -17,7 +22,8 @@ struct Claim {
 };
 
 // The quantity that the property bounds: f and f cos_i of finite and non_negative; of energy the largest albedo that the
-// box allows, with kd + ks <= 1 or the diffuse weight at most 1. None: the property is not shown by boxes.
+// box allows, with kd + ks <= 1 or the diffuse weight at most 1; of rounding the largest error of a lobe (rounding.h). None: the
+// property is not shown by boxes.
 std::optional<Domain> domain_of(const Claim& claim);
 Bounds enclose(const Claim& claim, std::span<const Bounds> box);
 // Whether these bounds settle the property: nothing leaves the precision's range, nothing is negative, the albedo is at
@@ -27,7 +33,7 @@ bool settles(Property property, Bounds bounds, double most);
 }  // namespace brdf::prove
 
 template <>
-inline constexpr std::array<std::string_view, 4> brdf::kNames<brdf::prove::Property>{"finite", "non_negative",
-                                                                                     "reciprocity", "energy"};
+inline constexpr std::array<std::string_view, 5> brdf::kNames<brdf::prove::Property>{
+    "finite", "non_negative", "reciprocity", "energy", "rounding"};
 template <>
 inline constexpr std::array<std::string_view, 2> brdf::kNames<brdf::prove::Precision>{"float", "double"};

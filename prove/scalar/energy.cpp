@@ -3,9 +3,9 @@
 #include <array>
 
 #include "prove/scalar/facet_albedo.h"
-#include "prove/scalar/graph.h"
 #include "prove/scalar/majorants.h"
 #include "prove/scalar/on_box.h"
+#include "prove/scalar/recorded_form.h"
 
 namespace brdf::prove {
 namespace {
@@ -33,36 +33,6 @@ Roughness<T> widths_of(const Roughness<T>& shape) {
 template <class Shape>
 auto widths_of(const Shape& shape) {
   return Roughness<decltype(shape.alpha_x)>{shape.alpha_x, shape.alpha_y};
-}
-
-template <class P>
-P recorded() {
-  P p{};
-  for (const auto& field : P::fields()) p.*(field.member) = Recorded::input(field.info.name);
-  return p;
-}
-
-// Whether `same` holds of recorded geometry in every case of its comparisons.
-template <class Same>
-bool holds_in_every_case(const Same& same) {
-  Graph graph;
-  const Graph::Scope scope(graph);
-  const Vec3<Recorded> wi{Recorded::input(".ix"), Recorded::input(".iy"), Recorded::input(".iz")},
-      wo{Recorded::input(".ox"), Recorded::input(".oy"), Recorded::input(".oz")};
-  long cases = 0;
-  do {
-    if (!same(geometry(wi, wo))) return false;
-  } while (++cases < 1000 && graph.next_case());
-  return cases < 1000;
-}
-
-// Whether the form's lobes are those that `author` writes.
-template <class F, class Author>
-bool is_written_as(F, const Author& author) {
-  return holds_in_every_case([&](const auto& g) {
-    const auto shape = recorded<typename F::template Shape<Recorded>>();
-    return F::lobes(shape, g) == author(shape, g);
-  });
 }
 
 template <class F, class Majorant>
@@ -218,6 +188,14 @@ bool gives_back(F form) {
   });
 }
 
+// 1/s and the tilt, which stands for u: see ward_bounded_mean.
+Bounds enclose_ward_bounded(std::span<const Bounds> box) {
+  const I tilt = I::of(box[1].lo, box[1].hi);
+  const I beyond = at_least(smaller(I(2) - tilt, I(1)), I());
+  const I r = ward_bounded_mean(I::of(box[0].lo, box[0].hi), smaller(tilt, I(1)), beyond);
+  return {r.lo, r.hi};
+}
+
 template <Form F>
 std::optional<EnergyMethod> method_of(F form) {
   if constexpr (LinearForm<F>) {
@@ -233,6 +211,13 @@ std::optional<EnergyMethod> method_of(F form) {
           m.domain.variables.push_back({"turn_from_normal", 0, 1, Variable::Cut::middle});
           return m;
         }
+      }
+    } else if constexpr (WardForm<F>) {
+      if (is_ward<WardKind::bounded>(form)) {
+        EnergyMethod m{"opposite slopes beside one another", {}, enclose_ward_bounded};
+        m.domain.variables.push_back({"facet_cos2", 0, 1, Variable::Cut::middle});
+        m.domain.variables.push_back({"tilt", 0, 2, Variable::Cut::middle});
+        return m;
       }
     } else if constexpr (FacetForm<F> && (kSchlick<F> || kIndexed<F> || kMetal<F>)) {
       for (const auto& found : {facets<F, GgxSmith>(form), facets<F, BeckmannSmith>(form),

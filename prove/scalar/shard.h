@@ -2,25 +2,42 @@
 #pragma once
 
 #include "prove/scalar/on_box.h"
+#include "prove/scalar/on_rounding.h"
 
 namespace brdf::prove {
 
 inline constexpr int kShards = 4;
 
-template <int kShard>
-Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> box, bool with_cosine) {
-  Bounds result{};
+// Calls f(form) for the form at this place, if it is of this shard.
+template <int kShard, class Call>
+void with_form_of_shard(int place, const Call& call) {
   const auto visit = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
-    if constexpr (k % kShards == kShard) {
-      using F = std::variant_alternative_t<k, AnyForm>;
-      if (int(k) == place)
-        result = precision == Precision::float_type ? enclose<F, float>(box, with_cosine)
-                                                    : enclose<F, double>(box, with_cosine);
-    }
+    if constexpr (k % kShards == kShard)
+      if (int(k) == place) call(std::variant_alternative_t<k, AnyForm>{});
   };
   [&]<std::size_t... k>(std::index_sequence<k...>) {
     (visit(std::integral_constant<std::size_t, k>{}), ...);
   }(std::make_index_sequence<kFormCount>{});
+}
+
+template <int kShard>
+Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> box, bool with_cosine) {
+  Bounds result{};
+  with_form_of_shard<kShard>(place, [&](auto form) {
+    using F = decltype(form);
+    result = precision == Precision::float_type ? enclose<F, float>(box, with_cosine)
+                                                : enclose<F, double>(box, with_cosine);
+  });
+  return result;
+}
+
+template <int kShard>
+std::vector<LobeRounding> rounding_of_shard(int place, Precision precision, std::span<const Bounds> box) {
+  std::vector<LobeRounding> result;
+  with_form_of_shard<kShard>(place, [&](auto form) {
+    using F = decltype(form);
+    result = precision == Precision::float_type ? rounding<F, float>(box) : rounding<F, double>(box);
+  });
   return result;
 }
 

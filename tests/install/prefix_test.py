@@ -61,6 +61,12 @@ with temporary_folder() as folder:
     say("collect", "job", "-o", "fits")
     assert (elsewhere / "fits/summary.csv").read_text().count("tables/") == 2
 
+    # The checker of proofs is beside it, and knows what it is for.
+    say("prove", "--form", "lambert", "--property", "finite", "-o", "certificate.json")
+    assert "all hold" in run([prefix / "bin/brdf_check", "certificate.json"], cwd=elsewhere)
+    assert "brdf_check CERTIFICATE" in run([prefix / "bin/brdf_check", "--help"]).replace("[--help | --version] ", "")
+    assert "brdf_check" in gzip.decompress((share / "man/man1/brdf_check.1.gz").read_bytes()).decode()
+
     pages = sorted((share / "man/man1").glob("*.gz"))
     assert len(pages) > 10, pages
     text = gzip.decompress((share / "man/man1/brdf-fit.1.gz").read_bytes()).decode()

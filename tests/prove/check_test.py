@@ -40,6 +40,12 @@ with tempfile.TemporaryDirectory() as folder:
         pathlib.Path(folder, "none.json").write_text("{}")
         assert run(*words, "none.json", cwd=folder).returncode == 2
 
+done = run(checker, "--help")
+assert done.returncode == 0 and done.stdout.startswith("usage: brdf_check") and "Example:" in done.stdout, done.stdout
+assert re.fullmatch(r"brdf_check \d+\.\d+\.\d+\n", run(checker, "--version").stdout)
+for words in ([], ["--beauty"], ["a", "b"]):
+    assert run(checker, *words).returncode == 2, words
+
 assert run(brdf, "prove", "--form", "ward", "--property", "finite", "--require", "reciprocity").returncode == 0
 assert run(brdf, "prove", "--form", "phong", "--require", "energy").returncode == 1  # nothing is known
 with tempfile.TemporaryDirectory() as folder:

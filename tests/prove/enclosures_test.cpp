@@ -67,12 +67,12 @@ Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned
 class Enclosures : public testing::TestWithParam<int> {};
 
 TEST_P(Enclosures, HoldEveryValueInDouble) {
-  const auto found = sample<double>(GetParam(), Precision::double_type, BRDF_BOXES, 20, 1);
+  const auto found = sample<double>(GetParam(), Precision::double_type, BRDF_BOXES, BRDF_BOX_POINTS, 1);
   EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
   EXPECT_GT(found.finite_boxes, BRDF_BOXES / 2);
 }
 TEST_P(Enclosures, HoldEveryValueInFloat) {
-  const auto found = sample<float>(GetParam(), Precision::float_type, BRDF_BOXES, 20, 2);
+  const auto found = sample<float>(GetParam(), Precision::float_type, BRDF_BOXES, BRDF_BOX_POINTS, 2);
   EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
   EXPECT_GT(found.finite_boxes, BRDF_BOXES / 3);
 }

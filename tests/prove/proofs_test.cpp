@@ -78,7 +78,7 @@ TEST(Proofs, EnergyIsProvedWhereAReasonIsKnownAndRefutedWhereDeclared) {
     ++proved;
     EXPECT_LE(p.high, 1 + 1e-15) << p.form;
   }
-  EXPECT_EQ(proved, 7);  // of two diffuse forms and four families of facets
+  EXPECT_EQ(proved, 8);  // of two diffuse forms, four families of facets and the bounded Ward
 }
 
 TEST(Proofs, AnAlbedoAboveOneIsBoundedCloselyAtAllAngles) {

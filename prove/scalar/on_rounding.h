@@ -1,0 +1,70 @@
+// A form's lobes on a box, with what rounding may do to them.
+#pragma once
+
+#include "prove/scalar/on_box.h"
+#include "prove/scalar/rounding.h"
+#include "prove/scalar/rounding_lemmas.h"
+
+namespace brdf::prove {
+
+// The geometry of stored directions, its guard as Base has it. No sum of two unit vectors is longer than 2.
+template <class B>
+Geometry<Rounded<B>> rounded_geometry(const Vec3<Rounded<B>>& wi, const Vec3<Rounded<B>>& wo) {
+  using R = Rounded<B>;
+  Geometry<R> g = geometry(wi, wo, double(B(kMinCosine<B>)));
+  g.h2.range.hi = std::min(g.h2.range.hi, 4 * (1 + 64 * R::kUnit));
+  g.cos_d.range.hi = std::min(g.cos_d.range.hi, 1 + 64 * R::kUnit);
+  g.h2 = g.h2.finished();
+  g.cos_d = g.cos_d.finished();
+  return g;
+}
+template <class B>
+Vec3<Rounded<B>> stored_direction(Bounds cosine, Bounds turn) {
+  const Vec3<Interval<B>> w = direction<Interval<B>>(cosine, turn);
+  const auto as_input = [](const Interval<B>& c) { return Rounded<B>::of(c.lo, c.hi); };
+  return {as_input(w.x), as_input(w.y), as_input(w.z)};
+}
+
+// The lobes of a form, or the one value of a form that is no sum of lobes: f, or f cos_i of a listing.
+template <class F, class W, class Shape, class G>
+auto lobes_or_value(const W& weights, const W& first, const Shape& shape, const G& g) {
+  if constexpr (LinearForm<F>)
+    return F::lobes(shape, g);
+  else if constexpr (CosineForm<F>)
+    return std::array{F::value_cos(weights, first, shape, g)};
+  else
+    return std::array{F::value(weights, first, shape, g)};
+}
+
+template <class B>
+LobeRounding judged(const Rounded<B>& x) {
+  using Beside = LobeRounding::Beside;
+  // A value that is never small has its absolute part within its relative error.
+  const double folded =
+      x.least() > 0 ? x.relative.error + x.relative.underflow / x.least() : Rounded<B>::kNever;
+  if (x.relative.known() && folded <= 4 * std::max(x.relative.error, Rounded<B>::kUnit))
+    return {Beside::value, Rounded<B>::up(folded), 0, x.envelope.hi};
+  // A value that may be 0 by cancellation has no relative error worth the name.
+  if (x.relative.known() && x.relative.error <= 3 * x.peak.error)
+    return {Beside::value, x.relative.error, x.relative.underflow, x.envelope.hi};
+  if (x.peak.known()) return {Beside::peak, x.peak.error, x.peak.underflow, x.envelope.hi};
+  return {};
+}
+
+template <class F, class B>
+std::vector<LobeRounding> rounding(std::span<const Bounds> box) {
+  using R = Rounded<B>;
+  using W = typename F::template Weights<R>;
+  std::size_t at = 0;
+  const auto shape = parameters_from<typename F::template Shape<R>, R>(box, at);
+  const W weights = parameters_from<W, R>(box, at);
+  W first = weights;
+  if constexpr (takes_first<F>) first = parameters_from<W, R>(box, at);
+  const auto d = box.subspan(at);
+  const Geometry<R> g = rounded_geometry(stored_direction<B>(d[0], d[1]), stored_direction<B>(d[2], d[3]));
+  std::vector<LobeRounding> lobes;
+  for (const R& lobe : lobes_or_value<F>(weights, first, shape, g)) lobes.push_back(judged(lobe));
+  return lobes;
+}
+
+}  // namespace brdf::prove
