@@ -57,14 +57,20 @@ void add_shader_options(CLI::App& verb, ShaderOptions& options) {
         {"f", "f*cos_i", "f*cos_o"});
 }
 
+bool is_given(const ShaderOptions& options) {
+  for (const auto& [name, given] :
+       {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
+        std::pair("--returns", !options.returns.empty())})
+    if (given && options.file.empty()) throw InputError(std::string(name) + ": goes with --shader FILE");
+#ifndef BRDF_HAS_SHADER
+  if (!options.file.empty())
+    throw EnvironmentError("--shader " + options.file + ": this build has no shader compiler (glslang)");
+#endif
+  return !options.file.empty();
+}
+
 std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet) {
-  if (options.file.empty()) {
-    for (const auto& [name, given] :
-         {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
-          std::pair("--returns", !options.returns.empty())})
-      if (given) throw InputError(std::string(name) + ": goes with --shader FILE");
-    return std::nullopt;
-  }
+  if (!is_given(options)) return std::nullopt;
 #ifdef BRDF_HAS_SHADER
   const shader::ShaderChoice choice{options.file, options.parameters, options.entry, options.returns};
   const auto model = shader::load_shader(choice);
@@ -86,7 +92,7 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
   return loaded;
 #else
   (void)verb, (void)quiet;
-  throw EnvironmentError("--shader " + options.file + ": this build has no shader compiler (glslang)");
+  return std::nullopt;
 #endif
 }
 

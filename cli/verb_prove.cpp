@@ -5,12 +5,16 @@
 
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/shader_options.h"
 #include "cli/verbs.h"
 #include "io/material_file.h"
 #include "io/output.h"
 #include "io/settings.h"
 #include "prove/check/certificate.h"
 #include "prove/report.h"
+#ifdef BRDF_HAS_PROVE_SHADER
+#include "prove/shader/shader_proof.h"
+#endif
 
 namespace brdf::cli {
 namespace {
@@ -20,6 +24,7 @@ struct ProveCall {
   bool all = false, json = false;
   double seconds = 20, gap = prove::Options().gap;
   std::string output, check;
+  ShaderOptions shader;
 };
 
 std::vector<prove::Property> properties_of(const std::string& option, const std::vector<std::string>& names) {
@@ -33,8 +38,8 @@ std::vector<prove::Property> properties_of(const std::string& option, const std:
 }
 
 Exit run_check(const ProveCall& o) {
-  if (o.all || !o.forms.empty() || !o.materials.empty())
-    throw InputError("--check " + o.check + ": takes no material, no --form and no --all");
+  if (o.all || !o.forms.empty() || !o.materials.empty() || is_given(o.shader))
+    throw InputError("--check " + o.check + ": takes no material, no --form, no --shader and no --all");
   const prove::Checked checked = prove::check(io::read_content(o.check));
   if (o.json) {
     io::Json json = io::to_json(io::provenance());
@@ -46,6 +51,21 @@ Exit run_check(const ProveCall& o) {
               << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';
   }
   return checked.faults.empty() ? Exit::good : Exit::failed;
+}
+
+void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options& how,
+                  std::vector<prove::Proof>& proofs) {
+#ifdef BRDF_HAS_PROVE_SHADER
+  const auto model = shader::load_shader({options.file, options.parameters, options.entry, options.returns});
+  for (const std::string& note : model->function().notes)
+    if (!quiet) std::cerr << "brdf prove: " << options.file << ": " << note << '\n';
+  const std::string words =
+      " " + shader::command_words({options.file, options.parameters, options.entry, options.returns});
+  for (prove::Proof& p : prove::prove(*model, model->material(model), words, how))
+    proofs.push_back(std::move(p));
+#else
+  (void)options, (void)quiet, (void)how, (void)proofs;
+#endif
 }
 
 Exit run_prove(const ProveCall& o) {
@@ -63,6 +83,9 @@ Exit run_prove(const ProveCall& o) {
   if (!o.output.empty() && !o.materials.empty())
     throw InputError("-o " + o.output + ": a certificate is of forms, not of materials (" +
                      o.materials.front() + ")");
+  if (!o.output.empty() && is_given(o.shader))
+    throw InputError("-o " + o.output + ": a certificate is of forms, not of a shader (" + o.shader.file +
+                     ")");
   std::vector<Material> materials;
   for (const std::string& file : o.materials) materials.push_back(io::read_material(file));
   std::vector<prove::Proof> proofs;
@@ -70,7 +93,8 @@ Exit run_prove(const ProveCall& o) {
     for (prove::Proof& p : prove::prove(materials[k], o.materials[k], options))
       proofs.push_back(std::move(p));
   std::vector<Reflectance> forms;
-  if (o.all || !o.forms.empty() || materials.empty()) forms = forms_of(o.forms, o.all);
+  if (is_given(o.shader)) prove_shader(o.shader, o.json, options, proofs);
+  if (o.all || !o.forms.empty() || (materials.empty() && proofs.empty())) forms = forms_of(o.forms, o.all);
   const auto progress = progress_line("brdf prove: forms");
   for (const Reflectance& form : forms) {
     for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
@@ -98,6 +122,7 @@ void add_prove(CLI::App& app) {
   verb->add_option("MATERIALS", o->materials, "materials (JSON), each channel at its parameters");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
   verb->add_flag("--all", o->all, "every form");
+  add_shader_options(*verb, o->shader);
   offer_names<prove::Property>(
       verb->add_option("--property", o->properties, "which properties, separated by commas (default: all)")
           ->delimiter(',')
@@ -119,6 +144,8 @@ void add_prove(CLI::App& app) {
       "          brdf prove --check certificate.json\n"
       "          brdf prove --form oren_nayar --property energy --gap 1e-3\n"
       "          brdf prove material.json --property energy\n"
+      "          brdf prove --form cook_torrance --property rounding\n"
+      "          brdf prove --shader paint.glsl --property finite,non_negative\n"
       "          brdf prove --form ward --require finite,reciprocity --seconds 5 --json");
   on_run(*verb, [o] { return run_prove(*o); });
 }

@@ -1,0 +1,252 @@
+#include "prove/shader/shader_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "brdf/integrals.h"
+#include "io/numbers.h"
+#include "io/samples.h"
+#include "io/text.h"
+#include "prove/scalar/elementary.h"
+#include "prove/shader/on_box.h"
+
+namespace brdf::prove {
+namespace {
+
+constexpr double kAlbedoSlack = 1e-6;      // above 1: of constants like 3.14159265
+constexpr int kCosines = 12, kTurns = 16;  // cells of the directions that are summed over
+
+// The shader's parameters as variables, then its directions.
+struct Subject {
+  const shader::ShaderReflectance& model;
+  const Material& material;
+  std::string words;
+
+  const shader::Function& function() const { return model.function(); }
+  std::size_t parameters() const { return function().parameters.size(); }
+
+  Domain domain(bool with_viewer) const {
+    Domain d;
+    for (const shader::Parameter& p : function().parameters)
+      d.variables.push_back({p.name, p.min, p.max,
+                             p.log_scale && p.min > 0 ? Variable::Cut::logarithmic : Variable::Cut::middle});
+    add_direction(d, "i", function().oriented);
+    if (with_viewer) add_direction(d, "o", true);
+    return d;
+  }
+  static void add_direction(Domain& d, const std::string& which, bool turns) {
+    d.variables.push_back({"cos_" + which, kLeastShaderCosine, 1, Variable::Cut::cosine});
+    d.variables.push_back({"turn_" + which, turns ? -2.0 : 0.0, turns ? 2.0 : 0.0, Variable::Cut::middle});
+  }
+  // A colour's three components are anywhere in its range, each.
+  ShaderInputs inputs(std::span<const Bounds> box) const {
+    ShaderInputs in;
+    in.values.resize(function().values);
+    std::size_t at = 0;
+    for (const shader::Parameter& p : function().parameters) {
+      for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k) in.values[p.first + k] = box[at];
+      ++at;
+    }
+    in.cos_i = box[at];
+    in.turn_i = box[at + 1];
+    if (box.size() > at + 2) {
+      in.cos_o = box[at + 2];
+      in.turn_o = box[at + 3];
+    }
+    return in;
+  }
+};
+
+Bounds azimuth(double turn) {  // of a turn in [0, 2]
+  const Bounds a = turn <= 1 ? angle_at(turn, 1 - turn) : angle_at(turn - 1, 2 - turn);
+  const double quarter_lo = turn <= 1 ? 0 : kPiBounds.lo / 2, quarter_hi = turn <= 1 ? 0 : kPiBounds.hi / 2;
+  return {quarter_lo + a.lo, quarter_hi + a.hi};
+}
+
+// The directional albedo of every light in the box: cells of the viewer's direction, each with the largest f on it.
+Bounds albedo(const Subject& s, std::span<const Bounds> box) {
+  ShaderInputs in = s.inputs(box);
+  double sum = 0;
+  for (int j = 0; j < kCosines; ++j)
+    for (int k = -kTurns; k < kTurns; ++k) {
+      const double low = double(j) / kCosines, high = double(j + 1) / kCosines;
+      in.cos_o = {low, high};
+      in.turn_o = {2.0 * k / kTurns, 2.0 * (k + 1) / kTurns};
+      const Bounds f = shader_on_box<double>(s.function(), in);
+      if (!std::isfinite(f.lo)) return {-HUGE_VAL, HUGE_VAL};
+      const double near = std::fabs(k < 0 ? in.turn_o.hi : in.turn_o.lo),
+                   far = std::fabs(k < 0 ? in.turn_o.lo : in.turn_o.hi);
+      const double measure = 0.5 * (high - low) * (high + low) * (azimuth(far).hi - azimuth(near).lo);
+      sum += std::max(f.hi, 0.0) * measure * (1 + 1e-14);
+    }
+  return {0, sum * (1 + 1e-12)};
+}
+
+// A point of the domain: any, or a corner.
+std::vector<double> point_of(const Domain& domain, std::mt19937_64& e) {
+  std::vector<double> at;
+  const bool corner = e() % 4 == 0;
+  for (const Variable& v : domain.variables) {
+    const double u = corner ? double(e() % 2) : double(e() >> 11) * 0x1p-53;
+    at.push_back(v.cut == Variable::Cut::middle ? v.low + u * (v.high - v.low)
+                                                : v.low * std::pow(v.high / v.low, u));
+  }
+  return at;
+}
+
+// The material with these parameters, in the function's order; the words that say so.
+Material at_parameters(const Subject& s, std::span<const double> values, std::string& words) {
+  Material m = s.material;
+  Term& term = m.terms.front();
+  const auto& weights = s.model.weight_parameters();
+  const auto& shape = s.model.shape_parameters();
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    for (auto& w : term.weights) w[k] = values[weights[k]];
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    for (auto& values_of_shape : term.shape) values_of_shape[k] = values[shape[k]];
+  for (std::size_t k = 0; k < s.parameters(); ++k)
+    words += " --set " + s.function().parameters[k].name + "=" + io::to_text(values[k]);
+  return m;
+}
+
+std::vector<std::pair<std::string, double>> named(const Subject& s, std::span<const double> values) {
+  std::vector<std::pair<std::string, double>> all;
+  for (std::size_t k = 0; k < s.parameters(); ++k)
+    all.emplace_back(s.function().parameters[k].name, values[k]);
+  return all;
+}
+
+// A direction in which f is not what the property says, by trial.
+std::optional<Witness> fault_of(const Subject& s, Property property) {
+  constexpr int kTrials = 4000;
+  const Domain domain = s.domain(true);
+  std::mt19937_64 e(1);
+  for (int k = 0; k < kTrials; ++k) {
+    const std::vector<double> at = point_of(domain, e);
+    std::string words = s.words;
+    const Material m = at_parameters(s, at, words);
+    const std::size_t d = s.parameters();
+    const double theta_i = std::acos(at[d]) * 180 / kPi, theta_o = std::acos(at[d + 2]) * 180 / kPi,
+                 phi_i = 90 * at[d + 1], phi_o = 90 * at[d + 3];
+    std::vector<double> f(m.channels.size());
+    eval(m, io::unit_vector(theta_i, phi_i), io::unit_vector(theta_o, phi_o), f);
+    for (const double x : f) {
+      if (property == Property::finite ? std::isfinite(x) : !(x < 0)) continue;
+      Witness w;
+      w.parameters = named(s, at);
+      w.angles = {{"theta_i", theta_i}, {"phi_i", phi_i}, {"theta_o", theta_o}, {"phi_o", phi_o}};
+      w.value = x;
+      w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + io::to_text(theta_i) + "," + io::to_text(phi_i) +
+                  "," + io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval" + words +
+                  " /dev/stdin";
+      return w;
+    }
+  }
+  return std::nullopt;
+}
+
+// The largest albedo of a few materials, integrated with an error bound.
+std::optional<Witness> largest_albedo(const Subject& s) {
+  constexpr int kTrials = 40;
+  const Domain domain = s.domain(false);
+  std::mt19937_64 e(2);
+  std::optional<Witness> best;
+  for (int k = 0; k < kTrials; ++k) {
+    std::vector<double> at = point_of(domain, e);
+    for (std::size_t j = 0; j < s.parameters() && k == 0; ++j) at[j] = domain.variables[j].high;
+    std::string words = s.words;
+    const Material m = at_parameters(s, at, words);
+    const double theta = std::acos(at[s.parameters()]) * 180 / kPi;
+    AlbedoOptions few;
+    few.max_evaluations = 40'000;
+    for (const AlbedoResult& a : directional_albedo(m, degrees(theta), degrees(0), few)) {
+      const double sure = a.value - a.error_bound;
+      if (!a.converged || (best && best->value - 1e-9 >= sure)) continue;
+      best = Witness{named(s, at),
+                     {{"theta", theta}, {"phi", 0}},
+                     a.value,
+                     "brdf albedo" + words + " --theta " + io::to_text(theta)};
+    }
+  }
+  return best;
+}
+
+void by_boxes(Proof& p, const Subject& s, const Options& options) {
+  const bool in_float = p.claim.precision == Precision::float_type;
+  p.domain = s.domain(true);
+  p.arithmetic = in_float ? "as rounded in float" : "as rounded in double";
+  p.cover = cover(
+      *p.domain,
+      [&](const Box& box) {
+        const ShaderInputs in = s.inputs(box);
+        return in_float ? shader_on_box<float>(s.function(), in) : shader_on_box<double>(s.function(), in);
+      },
+      [&](Bounds b) { return settles(p.claim.property, b, 0); }, options.search);
+  p.low = p.cover.range.lo;
+  p.high = p.cover.range.hi;
+  p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
+  const bool finite = p.claim.property == Property::finite;
+  p.statement = finite ? "f is a number everywhere" : "f is nowhere below 0";
+  if (p.cover.open == 0) return;
+  p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") + " open";
+  if (auto witness = fault_of(s, p.claim.property)) {
+    p.verdict = Verdict::refuted;
+    p.statement = finite ? "f is no finite number" : "f is negative";
+    p.witness = std::move(witness);
+  }
+}
+
+void energy(Proof& p, const Subject& s, const Options& options) {
+  p.domain = s.domain(false);
+  p.arithmetic = "as rounded in double";
+  const auto witness = largest_albedo(s);
+  const bool refuted = witness && witness->value > 1 + 10 * kAlbedoSlack;
+  SearchOptions search = options.search;
+  if (refuted) search.leaves = 1;
+  p.cover = cover(
+      *p.domain, [&](const Box& box) { return albedo(s, box); },
+      [&](Bounds b) { return b.hi <= 1 + kAlbedoSlack; }, search);
+  p.low = witness ? witness->value : 0;
+  p.high = p.cover.range.hi;
+  p.verdict = refuted ? Verdict::refuted : p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
+  p.statement = refuted ? "the albedo is above 1"
+                : p.cover.open == 0
+                    ? "the albedo is at most " + io::short_number(p.high, 7)
+                    : std::to_string(p.cover.open) + " boxes are open: the albedo may be above 1 there";
+  if (refuted) p.witness = witness;
+}
+
+}  // namespace
+
+std::vector<Proof> prove(const shader::ShaderReflectance& model, const Material& material,
+                         const std::string& words, const Options& options) {
+  const Subject subject{model, material, words};
+  std::vector<Proof> proofs;
+  const auto add = [&](Property property, Precision precision) {
+    const auto start = std::chrono::steady_clock::now();
+    Proof p;
+    p.claim = {-1, property, precision};
+    p.form = model.info().name;
+    const std::string unknown = unknown_operation(
+        precision == Precision::float_type ? model.function().as_written : model.function().as_meant);
+    if (property == Property::reciprocity || property == Property::rounding)
+      p.statement = "not shown of shaders";
+    else if (!unknown.empty())
+      p.statement = "it has " + unknown;
+    else if (property == Property::energy)
+      energy(p, subject, options);
+    else
+      by_boxes(p, subject, options);
+    p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    proofs.push_back(std::move(p));
+  };
+  for (const Property property : options.properties)
+    for (const Precision precision : {Precision::float_type, Precision::double_type})
+      if (is_of_a_precision(property) || precision == Precision::double_type) add(property, precision);
+  return proofs;
+}
+
+}  // namespace brdf::prove

@@ -1,0 +1,180 @@
+// Users' shaders on boxes: no value lies outside, faults are refuted or stay open, what is not known is not claimed.
+#include <gtest/gtest.h>
+
+#include "io/content.h"
+#include "prove/shader/on_box.h"
+#include "prove/shader/shader_proof.h"
+#include "tests/prove/boxes.h"
+#include "tests/shader/texts.h"
+
+namespace brdf::prove {
+namespace {
+
+using shader::shader_of;
+
+const std::string kBranches = R"(
+//: param r 0.1 1 0.5
+//: param tint 0 1 0.5
+float brdf(vec3 L, vec3 V, vec3 N, float r, float tint) {
+  float a = dot(N, L), b = dot(N, V), sum = 0.0;
+  if (a < 0.3) sum += sqrt(0.3 - a);
+  else if (b > 0.5 && a < 0.9) sum += log2(1.0 + b) * exp(-a / r);
+  for (int k = 0; k < 4; ++k) {
+    if (k == 2) continue;
+    sum += float(k) * smoothstep(0.1, 0.9, a * b) + (k % 2 == 0 ? tint : -tint * 0.125);
+  }
+  float table[3] = float[3](0.25, 0.5, 1.0);
+  vec3 H = normalize(L + V);
+  float d = clamp(dot(H, N), 0.0, 1.0);
+  return sum + table[int(2.9 * a)] * pow(d, 8.0 / r) + acos(d) + atan(L.y, L.x + 1.5) + fract(3.0 * b) + mix(a, b, tint) + step(0.4, a) + sin(a) * cos(3.0 * b) + mod(7.0 * a, 2.0);
+}
+)";
+const std::string kWays = R"(
+//: param shift 0 1 0.5
+vec3 brdf(vec3 L, vec3 V, vec3 N, vec3 colour, float shift) {
+  float x = L.x * V.x + L.y * V.y + shift;
+  float y = max(x, 0.25), z = min(abs(x), 2.0);
+  if (!(x <= 0.1)) y = 1.0 / (x - 0.05);
+  bool both = x > 0.2 || z < 0.4;
+  vec3 w = both ? colour * colour : 1.0 - colour;
+  return w * y + sign(x) + floor(2.0 * x) * z + inversesqrt(1.0 + z) + tanh(x) + exp2(-z);
+}
+)";
+
+struct Counted {
+  long points = 0, beyond = 0, finite_boxes = 0;
+  std::string first;
+};
+
+template <class T>
+Counted sample(const std::string& text, int boxes, int points) {
+  const auto model = shader_of(text);
+  const shader::Function& f = model->function();
+  Domain domain;
+  for (const shader::Parameter& p : f.parameters)
+    for (int k = 0; k < (p.colour ? 3 : 1); ++k)
+      domain.variables.push_back({p.name, p.min, p.max, Variable::Cut::middle});
+  const std::size_t count = domain.variables.size();
+  for (int k = 0; k < 2; ++k) {
+    domain.variables.push_back({"cos", kLeastShaderCosine, 1, Variable::Cut::cosine});
+    domain.variables.push_back({"turn", -2, 2, Variable::Cut::middle});
+  }
+  Engine e(11);
+  Counted found;
+  shader::Runner<T, 1> runner(f);
+  for (int b = 0; b < boxes; ++b) {
+    const Box box = random_box(e, domain);
+    ShaderInputs in{
+        {box.begin(), box.begin() + long(count)}, box[count], box[count + 1], box[count + 2], box[count + 3]};
+    const Bounds bounds = shader_on_box<T>(f, in);
+    if (!std::isfinite(bounds.lo)) continue;
+    ++found.finite_boxes;
+    for (int k = 0; k < points; ++k) {
+      std::vector<T> values;
+      std::vector<double> at;
+      bool inside = true;
+      for (std::size_t j = 0; j < box.size(); ++j) {
+        at.push_back(anywhere(e, domain.variables[j], box[j]));
+        if (j < count) {
+          values.push_back(T(at.back()));
+          inside = inside && box[j].lo <= double(values.back()) && double(values.back()) <= box[j].hi;
+        }
+      }
+      if (!inside) continue;
+      const Vec3<T> wi = direction_of<T>(e, at[count], at[count + 1]),
+                    wo = direction_of<T>(e, at[count + 2], at[count + 3]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double value = double(shader::evaluate<T>(f, runner, values, wi, wo, c));
+        ++found.points;
+        if (bounds.lo <= value && value <= bounds.hi) continue;
+        if (found.beyond++ > 0) continue;
+        std::ostringstream out;
+        out.precision(17);
+        out << value << " outside " << bounds.lo << " .. " << bounds.hi << " in";
+        for (std::size_t j = 0; j < box.size(); ++j)
+          out << "\n  " << box[j].lo << " .. " << box[j].hi << " at " << at[j];
+        found.first = out.str();
+      }
+    }
+  }
+  return found;
+}
+
+class ShaderBoxes : public testing::TestWithParam<std::string> {};
+
+TEST_P(ShaderBoxes, HoldEveryValueInBothPrecisions) {
+  const Counted in_float = sample<float>(GetParam(), BRDF_SHADER_BOXES, 20),
+                in_double = sample<double>(GetParam(), BRDF_SHADER_BOXES, 20);
+  for (const Counted& c : {in_float, in_double}) {
+    EXPECT_EQ(c.beyond, 0) << c.beyond << " of " << c.points << "\n" << c.first;
+    EXPECT_GT(c.finite_boxes, BRDF_SHADER_BOXES / 3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Texts, ShaderBoxes, testing::Values(kBranches, kWays, shader::kGgx));
+
+std::map<std::string, Proof> proofs_of(const std::string& text,
+                                       std::vector<Property> properties = {
+                                           Property::finite, Property::non_negative, Property::energy}) {
+  const auto model = shader_of(text);
+  Options options;
+  options.search = {500, 5};
+  options.properties = std::move(properties);
+  std::map<std::string, Proof> found;
+  for (Proof& p : prove(*model, model->material(model), " --shader x.glsl", options)) {
+    const std::string scalar = p.claim.precision == Precision::float_type ? "float " : "";
+    found[scalar + std::string(name_of(p.claim.property))] = std::move(p);
+  }
+  return found;
+}
+
+TEST(ShaderProofs, OfSoundShaders) {
+  const auto ggx = proofs_of(io::read_content(BRDF_SOURCE_DIR "/data/shaders/sound.glsl").bytes,
+                             {Property::finite, Property::non_negative});
+  ASSERT_EQ(ggx.size(), 4u);
+  for (const auto& [name, p] : ggx) EXPECT_EQ(p.verdict, Verdict::proved) << name << ": " << p.statement;
+  const auto diffuse = proofs_of(R"(
+//: param rho 0 1 0.5
+float brdf(vec3 L, vec3 V, vec3 N, float rho) { return dot(N, L) > 0.5 ? rho / 3.141592653589793 : 0.25 * rho; })");
+  EXPECT_EQ(diffuse.at("energy").verdict, Verdict::proved) << diffuse.at("energy").statement;
+  EXPECT_GE(diffuse.at("energy").high, diffuse.at("energy").low - 1e-9);
+  EXPECT_NEAR(diffuse.at("energy").high, 1, 1e-6);
+}
+
+TEST(ShaderProofs, FaultsAreRefutedOrStayOpen) {
+  const auto of = [](const std::string& body) {
+    return proofs_of("//: param r 0 1 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float r) { " + body + " }");
+  };
+  const auto negative = of("return dot(N, L) - r;");
+  ASSERT_EQ(negative.at("non_negative").verdict, Verdict::refuted);
+  EXPECT_LT(negative.at("non_negative").witness->value, 0);
+  EXPECT_EQ(negative.at("finite").verdict, Verdict::proved);
+  EXPECT_EQ(of("return sqrt(dot(N, L) - r);").at("finite").verdict, Verdict::refuted);
+  EXPECT_EQ(of("return log(r);").at("finite").verdict, Verdict::refuted);
+  EXPECT_NE(of("return 1.0 / (r - 0.3);").at("finite").verdict, Verdict::proved);
+  EXPECT_NE(of("return pow(dot(L, V), r);").at("finite").verdict, Verdict::proved);
+  EXPECT_NE(of("return acos(1.001 * dot(N, L));").at("finite").verdict, Verdict::proved);
+  EXPECT_NE(of("float x = r; for (int k = 0; k < 10; ++k) x = x * x + 1.0; return 1e-30 * exp(x);")
+                .at("finite")
+                .verdict,
+            Verdict::proved);
+  // dot(L, H) may round above 1, and pow of less than 0 is no number.
+  EXPECT_NE(proofs_of(shader::kGgx, {Property::finite}).at("finite").verdict, Verdict::proved);
+  const auto bright = of("return 0.32 * (1.0 + r);");
+  ASSERT_EQ(bright.at("energy").verdict, Verdict::refuted);
+  EXPECT_NEAR(bright.at("energy").witness->value, 0.64 * kPi, 1e-6);
+  EXPECT_GE(bright.at("energy").high, bright.at("energy").low);
+}
+
+TEST(ShaderProofs, WhatIsNotKnownIsNotClaimed) {
+  for (const char* body : {"return intBitsToFloat(floatBitsToInt(N.z) & 0x7fffffff);", "return sinh(N.z);"}) {
+    const auto found = proofs_of(std::string("float brdf(vec3 L, vec3 V, vec3 N) { ") + body + " }");
+    for (const auto& [name, p] : found) EXPECT_EQ(p.verdict, Verdict::no_method) << name << body;
+  }
+  for (const auto& [name, p] : proofs_of("float brdf(vec3 L, vec3 V, vec3 N) { return 0.1; }",
+                                         {Property::reciprocity, Property::rounding}))
+    EXPECT_EQ(p.verdict, Verdict::no_method) << name;
+}
+
+}  // namespace
+}  // namespace brdf::prove
