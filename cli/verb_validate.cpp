@@ -16,6 +16,7 @@
 #include "io/output.h"
 #include "io/settings.h"
 #include "io/text.h"
+#include "prove/proof.h"
 #include "validate/against.h"
 #include "validate/error_bounds.h"
 #include "validate/integrators.h"
@@ -87,6 +88,41 @@ validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptio
   for (std::size_t k = 0; k < against.size(); ++k)
     content.findings.push_back(validate::check_against(content.subjects[k], against[k], options));
   return content;
+}
+
+// What is proved of a subject: properties that a few boxes or the formula itself decide, in milliseconds.
+std::vector<prove::Property> proved_of(const validate::Subject& subject) {
+  prove::Options brief;
+  brief.search = {60, 0.2};
+  std::vector<prove::Proof> proofs;
+  brief.properties = {prove::Property::finite, prove::Property::non_negative, prove::Property::reciprocity};
+  if (subject.of_form()) {
+    brief.properties.push_back(prove::Property::energy);
+    proofs = prove::prove(*subject.of_form(), brief);
+  } else {
+    proofs = prove::prove(subject.own(), subject.name(), brief);
+  }
+  std::vector<prove::Property> proved;
+  for (const prove::Property property : brief.properties) {
+    const auto holds = [&](const prove::Proof& p) {
+      return p.claim.property != property || p.verdict == prove::Verdict::proved;
+    };
+    if (std::ranges::all_of(proofs, holds)) proved.push_back(property);
+  }
+  return proved;
+}
+
+// Beside each check that passed and could be proved: whether it is.
+void add_proofs(validate::ReportContent& content) {
+  for (const validate::Subject& subject : content.subjects) {
+    std::vector<prove::Property> proved;
+    if (!subject.is_outside()) proved = proved_of(subject);
+    for (validate::Finding& f : content.findings) {
+      const auto property = find_named<prove::Property>(f.check);
+      if (!property || f.subject != subject.name() || f.outcome != validate::Outcome::pass) continue;
+      f.proof = std::ranges::find(proved, *property) == proved.end() ? "sampled" : "proved";
+    }
+  }
 }
 
 void check_output(const ValidateCall& o) {
@@ -173,6 +209,7 @@ Exit run_validate(const ValidateCall& o) {
   options.max_theta = o.max_theta;
   options.seed = o.seed;
   validate::ReportContent content = judged(o, options);
+  add_proofs(content);
   content.pictures = std::move(pictures);
   write_report(o, content);
   if (o.json)

@@ -51,6 +51,7 @@ struct Finding {
   long evaluations = 0;                                  // of the subject's f
   std::vector<NamedRow> rows = {};                       // of a table: all of them
   std::vector<std::pair<std::string, double>> channels;  // the value of each, where it is judged by channels
+  std::string proof = {};  // "proved" or "sampled", where somebody who can prove has looked
 
   // Passes or fails, and says why.
   void conclude(bool good, const std::string& if_good, const std::string& if_not) {
@@ -62,6 +63,11 @@ struct Finding {
 // Whether a report shows where it was found: of what does not hold.
 inline bool shows_witness(const Finding& f) {
   return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
+}
+
+// The statement, and whether it is proved.
+inline std::string said(const Finding& f) {
+  return f.proof.empty() ? f.statement : f.statement + (f.proof == "proved" ? "; proved" : "; sampled");
 }
 
 // Whether this value is worse than the worst so far; one that is no number is the worst of all, and stays.

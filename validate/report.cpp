@@ -77,7 +77,7 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
     if (colour) out << colours[std::size_t(f.outcome)];
     out << std::setw(16) << plain(f.outcome);
     if (colour) out << "\033[0m";
-    out << std::right << f.statement << '\n';
+    out << std::right << said(f) << '\n';
     if (!shows_witness(f)) continue;
     out << "      at " << readable(*f.witness) << '\n';
     if (!f.witness->command.empty()) out << "      $ " << f.witness->command << '\n';
@@ -94,6 +94,7 @@ io::Json to_json(const Finding& f) {
   if (f.tied) json["tied"] = {{"value", f.tied->value}, {"witness", to_json(f.tied->witness)}};
   for (const auto& [name, value] : f.channels)
     json["channels"][name] = std::isfinite(value) ? io::Json(value) : io::Json(nullptr);
+  if (!f.proof.empty()) json["proof"] = f.proof;
   json["evaluations"] = f.evaluations;
   for (const NamedRow& row : f.rows) json["rows"].push_back(to_json(row));
   return json;
@@ -137,7 +138,7 @@ std::string to_markdown(const std::vector<Finding>& findings) {
   for (const Finding& f : findings) {
     constexpr std::array signs{"pass", "known violation", "**fail**", "not applicable", "undecided"};
     text += "| " + markdown_text(f.subject) + " | " + f.check + " | " + signs[std::size_t(f.outcome)] +
-            " | " + markdown_text(f.statement);
+            " | " + markdown_text(said(f));
     if (shows_witness(f) && !f.witness->command.empty()) text += "<br>" + markdown_code(f.witness->command);
     text += " |\n";
   }

@@ -119,7 +119,7 @@ void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings
         .text = outcome,
         .mark = mark_of(f.outcome),
         .command = shows_witness(f) ? f.witness->command : "",
-        .note = f.statement};
+        .note = said(f)};
   }
   report.matrix(matrix);
 }

@@ -57,6 +57,12 @@ with tempfile.TemporaryDirectory() as folder:
     assert [r["verdict"] for r in said] == ["proved", "refuted"] and [r["channel"] for r in said] == ["r", "g"]
     assert all(abs(r["high"] - v) < 1e-3 and r["low"] <= v <= r["high"] + 1e-15 for r, v in zip(said, (0.25, 2)))
     assert "-o" in run(brdf, "prove", white, "-o", "c.json", cwd=folder).stderr and run(brdf, "prove", white, "-o", "c.json", cwd=folder).returncode == 2
+# validate says beside its checks what is proved, and what is sampled.
+said = json.loads(run(brdf, "validate", "--form", "lambert", "--form", "phong", "--form", "oren_nayar", "--json").stdout)["findings"]
+proof = {(f["subject"], f["check"]): f.get("proof") for f in said}
+for form, check, expected in (("lambert", "finite", "proved"), ("lambert", "energy", "proved"), ("phong", "reciprocity", "proved"), ("phong", "non_negative", "proved"),
+                              ("phong", "energy", "sampled"), ("oren_nayar", "energy", None), ("lambert", "albedo", None)):
+    assert proof[form, check] == expected, (form, check, proof[form, check])
 for words in (["--form", "ward", "--property", "beauty"], ["--all", "--check", "x"], [], ["--form", "ward", "--seconds", "0"]):
     assert run(brdf, "prove", *words).returncode == 2, words
 print("certificates, witnesses and exit codes hold")
