@@ -57,6 +57,26 @@ with tempfile.TemporaryDirectory() as folder:
     assert [r["verdict"] for r in said] == ["proved", "refuted"] and [r["channel"] for r in said] == ["r", "g"]
     assert all(abs(r["high"] - v) < 1e-3 and r["low"] <= v <= r["high"] + 1e-15 for r, v in zip(said, (0.25, 2)))
     assert "-o" in run(brdf, "prove", white, "-o", "c.json", cwd=folder).stderr and run(brdf, "prove", white, "-o", "c.json", cwd=folder).returncode == 2
+# A shader's proofs: sound, and with a fault whose witness its command repeats. Exit code 3: this build has no compiler of shaders.
+with tempfile.TemporaryDirectory() as folder:
+    sound = pathlib.Path(folder, "sound.glsl")
+    sound.write_text("//: param r 0 1 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float r) { return r / 3.141592653589793; }\n")
+    faulty = pathlib.Path(folder, "faulty.glsl")
+    faulty.write_text("//: param r 0 1 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float r) { return dot(N, L) - r; }\n")
+    done = run(brdf, "prove", "--shader", sound, "--property", "finite,non_negative,energy", "--json")
+    if done.returncode != 3:
+        assert done.returncode == 0 and [r["verdict"] for r in json.loads(done.stdout)["results"]] == ["proved"] * 5, done.stdout + done.stderr
+        done = run(brdf, "prove", "--shader", faulty, "--property", "non_negative,energy", "--json")
+        found = json.loads(done.stdout)["results"]
+        assert done.returncode == 1 and [r["verdict"] for r in found] == ["refuted"] * 3, done.stdout
+        for w in (r["witness"] for r in found):
+            said = subprocess.run(["bash", "-c", w["command"].replace("brdf ", f"{brdf} ", 1) if w["command"].startswith("brdf") else w["command"].replace("| brdf", f"| {brdf}")],
+                                  capture_output=True, text=True).stdout
+            numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", said)]
+            assert any(abs(n - w["value"]) <= 1e-6 * abs(w["value"]) for n in numbers), (w, said)
+        assert run(brdf, "prove", "--shader", sound, "-o", "c.json", cwd=folder).returncode == 2
+    assert run(brdf, "prove", "--param", "r=0:1").returncode == 2
+
 # validate says beside its checks what is proved, and what is sampled.
 said = json.loads(run(brdf, "validate", "--form", "lambert", "--form", "phong", "--form", "oren_nayar", "--json").stdout)["findings"]
 proof = {(f["subject"], f["check"]): f.get("proof") for f in said}
