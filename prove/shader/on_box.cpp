@@ -1,10 +1,10 @@
 #include "prove/shader/on_box.h"
 
 #include <algorithm>
-#include <set>
 
 #include "prove/scalar/on_box.h"
 #include "prove/shader/number_op.h"
+#include "prove/shader/way.h"
 #include "shader/program/operands.h"
 
 namespace brdf::prove {
@@ -19,110 +19,6 @@ using shader::Step;
 
 constexpr int kMostWays = 64;
 constexpr std::size_t kMostSteps = 100'000;
-
-// What a number is known to be beside its range: a sum of squares of these slots, its root, or one over that.
-struct Squares {
-  enum class Kind { none, sum, length, inverse } kind = Kind::none;
-  std::set<std::uint32_t> of{};  // slots that stand for a number: copies share one
-};
-
-// What a truth says.
-struct Comparison {
-  Op op = Op::copy;  // copy: nothing is known of it
-  std::uint32_t a = 0, b = 0;
-  bool negated = false;
-};
-
-// The state of one way through the program.
-template <class B>
-struct Way {
-  using I = Interval<B>;
-  std::vector<I> numbers;
-  std::vector<std::uint32_t> root;  // the slot whose number a copy holds
-  std::vector<Squares> squares;
-  std::vector<std::uint32_t> integers;
-  std::vector<bool> open;  // integers that are not known
-  std::vector<Comparison> said;
-  std::vector<bool> told_of;  // slots that others' copies, squares or comparisons name
-  std::size_t steps = 0;
-
-  explicit Way(const Program& p)
-      : numbers(p.numbers),
-        root(p.numbers),
-        squares(p.numbers),
-        integers(p.integers),
-        open(p.integers),
-        said(p.integers),
-        told_of(p.numbers) {
-    for (std::uint32_t k = 0; k < p.numbers; ++k) root[k] = k;
-    for (const Program::Constant& c : p.constants) numbers[c.slot] = I(c.value);
-    for (const Program::IntegerConstant& c : p.integer_constants) integers[c.slot] = c.value;
-  }
-
-  // Forgets what was known by the slot's old number.
-  void write(std::uint32_t slot, const I& value) {
-    if (told_of[slot]) {
-      for (std::uint32_t k = 0; k < root.size(); ++k)
-        if (root[k] == slot && k != slot) root[k] = k;
-      for (Squares& s : squares)
-        if (s.of.contains(slot)) s = {};
-      for (Comparison& c : said)
-        if (c.op != Op::copy && (c.a == slot || c.b == slot)) c = {};
-      told_of[slot] = false;
-    }
-    numbers[slot] = value;
-    root[slot] = slot;
-    squares[slot] = {};
-  }
-  void tell_of(std::uint32_t slot) { told_of[slot] = true; }
-  void write_integer(std::uint32_t slot, std::uint32_t value, bool is_open) {
-    integers[slot] = value;
-    open[slot] = is_open;
-    said[slot] = {};
-  }
-  // What is known of this number holds for its copies.
-  void narrow(std::uint32_t slot, double low, double high) {
-    const std::uint32_t r = root[slot];
-    for (std::uint32_t k = 0; k < root.size(); ++k)
-      if (root[k] == r && !numbers[k].poisoned()) {
-        numbers[k].lo = std::min(std::max(numbers[k].lo, low), numbers[k].hi);
-        numbers[k].hi = std::max(std::min(numbers[k].hi, high), numbers[k].lo);
-      }
-  }
-  void suppose(std::uint32_t condition, bool holds) {
-    const Comparison c = said[condition];
-    if (c.op == Op::copy) return;
-    const bool truth = holds != c.negated;
-    const I a = numbers[c.a], b = numbers[c.b];
-    const bool less =
-        c.op == Op::less || c.op == Op::less_or || c.op == Op::less_equal || c.op == Op::less_equal_or;
-    if (less && truth) {
-      narrow(c.a, -I::kLargest, b.hi);
-      narrow(c.b, a.lo, I::kLargest);
-    } else if (less) {
-      narrow(c.a, b.lo, I::kLargest);
-      narrow(c.b, -I::kLargest, a.hi);
-    } else if (truth == (c.op == Op::equal)) {
-      narrow(c.a, b.lo, b.hi);
-      narrow(c.b, a.lo, a.hi);
-    }
-  }
-};
-
-Squares squares_of(const Step& s, const Squares& a, const Squares& b, std::uint32_t root_a,
-                   std::uint32_t root_b) {
-  using Kind = Squares::Kind;
-  if (s.op == Op::copy) return a;
-  if (s.op == Op::mul && root_a == root_b) return {Kind::sum, {root_a}};
-  if ((s.op == Op::sqrt || s.op == Op::inverse_sqrt) && a.kind == Kind::sum)
-    return {s.op == Op::sqrt ? Kind::length : Kind::inverse, a.of};
-  if (s.op == Op::add && a.kind == Kind::sum && b.kind == Kind::sum) {
-    Squares both = a;
-    both.of.insert(b.of.begin(), b.of.end());
-    return both;
-  }
-  return {};
-}
 
 // A coordinate over its vector's length; the sum, the root and the division round.
 template <class B>

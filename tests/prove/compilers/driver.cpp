@@ -33,8 +33,10 @@ int main() {
   for (int form = 0; form < int(brdf::kFormCount); ++form) {
     for (const Rules rules : {Rules::bits, Rules::exact})
       std::printf("%d both orders %d\n", form, int(record_both_orders(form, rules).same));
-    for (const Property property : {Property::finite, Property::non_negative, Property::rounding, Property::energy})
+    for (const Property property :
+         {Property::finite, Property::non_negative, Property::rounding, Property::energy})
       for (const Precision precision : {Precision::float_type, Precision::double_type})
-        if (is_of_a_precision(property) || precision == Precision::double_type) print({form, property, precision});
+        if (is_of_a_precision(property) || precision == Precision::double_type)
+          print({form, property, precision});
   }
 }
