@@ -62,7 +62,7 @@ int Pictures::samples_of_a_place() const {
 
 int Pictures::samples_drawn() const {
   if (!a_ || a_->samples() == 0) return 0;
-  if (stands()) return kRun * standing_->pictures();
+  if (stands()) return pace_.run() * standing_->pictures();
   return fine_a_ ? samples_of_a_place() * finish_.supersample * finish_.supersample : a_->samples();
 }
 
@@ -76,7 +76,7 @@ Picture Pictures::fine(Renderer& renderer) {
     return read(renderer);
   });
   renderer.update(scene);  // what the window shows stays
-  renderer.draw_samples(refining_ ? 0 : samples_of_a_place());
+  renderer.draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
   return picture;
 }
 
@@ -100,7 +100,7 @@ bool Pictures::antialiased(const ViewState& state) const {
 bool Pictures::unfinished() const {
   if (!drawn_a_) return false;
   const int samples = prepared_.environment ? wanted_ : 0;
-  if (standing_) return standing_->pictures() < Standing::wanted(finish_.supersample, samples);
+  if (standing_) return standing_->pictures() < Standing::wanted(finish_.supersample, samples, pace_.run());
   return a_->samples() < samples;
 }
 
@@ -119,7 +119,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     scene.environment.reset();
   }
   const bool same = drawn_a_ == scene;
-  if (same && antialiased(state) == standing_.has_value()) {
+  if (same && antialiased(state) == standing_.has_value() && !pace_.too_slow()) {
     if (unfinished()) standing_ ? refine_standing() : refine(state);
     return;
   }
@@ -146,24 +146,33 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     standing_.emplace(*device_, *a_);
   // Where only a picture of many places in each pixel is looked at, these share the samples out.
   const bool is_looked_at = finish_.supersample <= 1 || finish_.probed || needs_b(state);
-  a_->draw_samples(refining_ ? 0 : is_looked_at ? wanted_ : samples_of_a_place(), &times_);
+  pace_.begin();
+  a_->draw_samples(refining_ ? 0 : is_looked_at ? wanted_ : samples_of_a_place(), &times_, 0, pace_.run());
   a_picture_.reset();
   fine_a_.reset();
   noise_ = -1;
   if (!refining_) measure_noise();
-  pass_times_ = times_.read();
+  read_times();
   drawn_a_ = std::move(scene);
   if (!same) drawn_b_.reset();
+}
+
+void Pictures::read_times() {
+  pass_times_ = times_.read();
+  double samples = 0;
+  for (const auto& [name, ms] : pass_times_)
+    if (name == "environment") samples += ms;
+  pace_.took(samples);
 }
 
 // One run more of A, and of B where it is drawn the same way. What takes reading back is done at powers of two.
 void Pictures::refine(const ViewState& state) {
   a_->draw(&times_);
-  pass_times_ = times_.read();
+  read_times();
   a_picture_.reset();
   fine_a_.reset();
   if (b_ && b_->samples() > 0 && needs_b(state)) b_->draw();
-  const int runs = a_->samples() / kRun;
+  const int runs = a_->samples() / pace_.run();
   if ((runs & (runs - 1)) != 0 && unfinished()) return;
   measure_noise();
   if (!needs_b(state) || !drawn_b_) return;
@@ -174,8 +183,8 @@ void Pictures::refine(const ViewState& state) {
 // One picture more of A alone, through another place of each pixel.
 void Pictures::refine_standing() {
   images_changed_ |= !stands();
-  standing_->draw_next(prepared_, finish_.supersample, &times_);
-  pass_times_ = times_.read();
+  standing_->draw_next(prepared_, finish_.supersample, &times_, pace_.run());
+  read_times();
   a_picture_.reset();
   fine_a_.reset();
   const int count = standing_->pictures();
@@ -184,7 +193,7 @@ void Pictures::refine_standing() {
 }
 
 void Pictures::measure_noise() {
-  if (a_->samples() >= 2 * kRun) noise_ = noise_of(a_->read_standard_error(), a_picture());
+  if (a_->samples() >= 2 * pace_.run()) noise_ = noise_of(a_->read_standard_error(), a_picture());
 }
 
 void Pictures::draw_other_material(const ViewState& state) {
@@ -198,7 +207,7 @@ void Pictures::draw_other_material(const ViewState& state) {
   } else {
     b_.emplace(*device_, other, options_);
   }
-  b_->draw_samples(refining_ ? 0 : wanted_);
+  b_->draw_samples(refining_ ? 0 : wanted_, nullptr, 0, pace_.run());
   b_picture_ = read(*b_);
   draw_fine_b_ = [this] { return fine(*b_); };
 }

@@ -8,6 +8,7 @@
 #include "io/samples.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
+#include "render/compare/pace.h"
 #include "render/compare/standing.h"
 #include "render/compare/state.h"
 #include "render/gpu/renderer.h"
@@ -33,6 +34,7 @@ class Pictures {
         wanted_(samples),
         refining_(refining),
         finish_(finish),
+        pace_(refining),
         times_(device) {}
 
   // Draws what the state needs at this size. Throws InputError where a file of the state cannot be used.
@@ -80,6 +82,7 @@ class Pictures {
   void update_b(const ViewState& state);
   bool antialiased(const ViewState& state) const;
   bool stands() const { return standing_ && standing_->pictures() > 0; }
+  void read_times();
   void refine(const ViewState& state);
   void refine_standing();
   void measure_noise();
@@ -95,6 +98,7 @@ class Pictures {
   bool refining_;
   double noise_ = -1;
   Finish finish_;
+  Pace pace_;
   Timestamps times_;
   PreparedScene prepared_;
   std::optional<Renderer> a_, b_;

@@ -22,17 +22,17 @@ Standing::Standing(Device& device, Renderer& renderer)
       mean_(device, renderer.color()),
       shown_(device, kColorFormat, renderer.color().extent(), kShown) {}
 
-int Standing::wanted(int across, int samples) {
-  const int places = across * across, runs = (samples + kRun - 1) / kRun;
+int Standing::wanted(int across, int samples, int run) {
+  const int places = across * across, runs = (samples + run - 1) / run;
   return (std::max(runs, 1) + places - 1) / places * places;
 }
 
-void Standing::draw_next(const PreparedScene& scene, int across, Timestamps* times) {
+void Standing::draw_next(const PreparedScene& scene, int across, Timestamps* times, int run) {
   const std::vector<glm::vec2> places = sample_places(across);
   PreparedScene moved = scene;
   moved.scene.camera.offset = places[std::size_t(mean_.count()) % places.size()];
   renderer_->update(moved);
-  renderer_->draw_samples(0, times, kRun * mean_.count());
+  renderer_->draw_samples(0, times, run * mean_.count(), run);
   device_->run([&](VkCommandBuffer commands) {
     mean_.record_add(commands);
     mean_.record_mean(commands, shown_, RunningMean::Over::black);

@@ -15,11 +15,12 @@ class Standing {
   // The view has moved.
   void reset() { mean_.reset(); }
   int pictures() const { return mean_.count(); }
-  // So many pictures make whole rounds through `across` x `across` places and bring at least `samples` of an environment.
-  static int wanted(int across, int samples);
+  // So many pictures make whole rounds through `across` x `across` places and bring at least `samples` of an environment,
+  // `run` each.
+  static int wanted(int across, int samples, int run = kRun);
 
-  // The scene through the next place, with the environment's next run.
-  void draw_next(const PreparedScene& scene, int across, Timestamps* times);
+  // The scene through the next place, with the environment's next run, of as many samples as the runs before.
+  void draw_next(const PreparedScene& scene, int across, Timestamps* times, int run = kRun);
   Image& shown() { return shown_; }
   const Image& shown() const { return shown_; }
   // The root mean square of the surface's standard errors over its mean; after at least two pictures.

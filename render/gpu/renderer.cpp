@@ -162,8 +162,8 @@ void Renderer::reseed(std::uint32_t seed) {
   if (environment_) environment_->reset();
 }
 
-void Renderer::draw_samples(int samples, Timestamps* times, int first) {
-  if (environment_) environment_->reset(samples > 0 ? std::min(samples, kRun) : kRun, first);
+void Renderer::draw_samples(int samples, Timestamps* times, int first, int run) {
+  if (environment_) environment_->reset(samples > 0 ? std::min(samples, run) : run, first);
   do draw(times);
   while (environment_ && this->samples() < samples);
 }

@@ -39,9 +39,9 @@ class Renderer {
   int samples() const { return environment_ ? environment_->samples() : 0; }
   // From here on with other random numbers; what was added up is forgotten.
   void reseed(std::uint32_t seed);
-  // Draws until there are so many, from the sequence's `first`, in runs of at most kRun; once where there is no
-  // environment.
-  void draw_samples(int samples, Timestamps* times = nullptr, int first = 0);
+  // Draws until there are so many, from the sequence's `first`, in runs of at most `run`, which is at most kRun; once where
+  // there is no environment.
+  void draw_samples(int samples, Timestamps* times = nullptr, int first = 0, int run = kRun);
   // The standard error of each pixel's channels, RGBA as read_color; zeros without an environment.
   std::vector<float> read_standard_error();
 

@@ -37,6 +37,46 @@ TEST(Standing, BringsWholeRoundsOfPlaces) {
   EXPECT_EQ(Standing::wanted(1, 4 * kRun), 4);
 }
 
+TEST(Standing, BringsAllSamplesHoweverFewAtATime) {
+  EXPECT_EQ(Standing::wanted(4, 1000, 1), 1008);
+  Device device;
+  const PreparedScene scene = sphere_in(make_material(*find_form("cook_torrance")), "studio", 24);
+  Renderer renderer(device, scene);
+  Standing whole(device, renderer), parts(device, renderer);
+  for (int k = 0; k < 64; ++k) whole.draw_next(scene, 1, nullptr);
+  for (int k = 0; k < 256; ++k) parts.draw_next(scene, 1, nullptr, 4);
+  // The same 1,024 points but for their rounding, in other runs.
+  const std::vector<float> a = read_rgba(device, whole.shown()), b = read_rgba(device, parts.shown());
+  double sum = 0, apart = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_NEAR(a[k], b[k], 1e-4f + 5e-3f * std::abs(a[k])) << k;
+    sum += double(a[k]);
+    apart += double(a[k] - b[k]);
+  }
+  EXPECT_LT(std::abs(apart), 1e-4 * sum);
+}
+
+TEST(Pace, BringsAsManySamplesAsThereIsTimeFor) {
+  Pace pace(true);
+  const int first = pace.run();
+  pace.begin();
+  EXPECT_EQ(pace.run(), first);  // nothing is known yet
+  pace.took(1000.0 * first);
+  EXPECT_EQ(pace.run(), first) << "the same for the whole picture";
+  EXPECT_TRUE(pace.too_slow());
+  pace.begin();
+  EXPECT_EQ(pace.run(), 1);
+  EXPECT_FALSE(pace.too_slow()) << "there is no less";
+  pace.took(0.01);
+  pace.begin();
+  EXPECT_EQ(pace.run(), kRun);
+  Pace fixed(false);
+  fixed.took(1e6);
+  fixed.begin();
+  EXPECT_EQ(fixed.run(), kRun);
+  EXPECT_FALSE(fixed.too_slow());
+}
+
 TEST(Standing, TellsLessNoiseWithMorePictures) {
   Device device;
   const PreparedScene scene = sphere_in(make_material(*find_form("cook_torrance")), "studio", 24);
