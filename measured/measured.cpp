@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "io/channel_colours.h"
 #include "io/error.h"
 #include "io/noise.h"
+#include "measured/counterparts.h"
 
 namespace brdf::measured {
 namespace {
@@ -18,6 +18,7 @@ constexpr double kTilted =
     0.1;  // a half vector (of length 2) farther than this from the normal has an azimuth
 constexpr double kSame = 1e-3;  // of the coordinates: places nearer are one
 constexpr double kLeastRatio = 1e-3;
+const std::vector<std::string> kNoChannels;  // channels of no material
 constexpr std::size_t kLearntFrom = 200;
 constexpr double kCores[] = {0.03, 0.1, 0.3};  // of lobes, radians
 // By so much per channel it must be likelier (its logarithm) that azimuths matter: light from several azimuths alone
@@ -27,25 +28,6 @@ constexpr double kForAzimuths = 5;
 constexpr struct {
   double theta_h, theta_d, sines;
 } kLongest{0.35, 0.4, 0.2};
-
-// The channel of the material that stands for each of the table's.
-std::vector<int> counterparts(const std::vector<std::string>& channels, const Material* fitted) {
-  std::vector<int> out(channels.size(), -1);
-  if (!fitted) return out;
-  const auto of_table = io::channel_colours(channels), of_material = io::channel_colours(fitted->channels);
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    const auto same = std::find(fitted->channels.begin(), fitted->channels.end(), channels[c]);
-    if (same != fitted->channels.end()) {
-      out[c] = int(same - fitted->channels.begin());
-    } else if (fitted->channels.size() == 1) {
-      out[c] = 0;
-    } else if (of_table && of_material) {
-      for (std::size_t k = 0; k < 3; ++k)
-        if (of_table->of[k] == c) out[c] = int(of_material->of[k]);
-    }
-  }
-  return out;
-}
 
 // Of the values above 0; 1 where there is none.
 double geometric_mean(const std::vector<double>& values) {
@@ -65,7 +47,8 @@ double logarithm(double ratio) {
 }  // namespace
 
 MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Material* fitted, Beside beside)
-    : channels_(table.channels), counterpart_(counterparts(table.channels, fitted)) {
+    : channels_(table.channels),
+      counterpart_(counterparts(table.channels, fitted ? fitted->channels : kNoChannels)) {
   if (fitted) fitted_ = *fitted;
   info_.name = info_.family = "measured";
   info_.channels = channels_;

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "brdf/aperture.h"
-#include "brdf/geometry.h"
 #include "fit/assess/derived.h"
 #include "fit/report/page.h"
 #include "io/channel_colours.h"
@@ -12,6 +11,7 @@
 #include "io/in_plane.h"
 #include "io/numbers.h"
 #include "io/png.h"
+#include "measured/residual_map.h"
 
 namespace brdf::fit {
 namespace {
@@ -167,28 +167,7 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
   return plot;
 }
 
-constexpr std::size_t kMapCells = 45;  // of two degrees
-
-// Mean ln(fit/value) of every cell over (theta_h, theta_d), row by row from theta_d 0; NaN where nothing was measured.
-std::vector<double> residual_cells(const io::SampleTable& table, const Directions<double>& d,
-                                   const std::vector<std::vector<double>>& fitted) {
-  std::vector<double> sum(kMapCells * kMapCells, 0), count(kMapCells * kMapCells, 0);
-  const auto cell = [](double angle) {
-    return std::min(std::size_t(radians(angle).degrees() / 2), kMapCells - 1);
-  };
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const Geometry<double> g = geometry(d.wi(k), d.wo(k));
-    const std::size_t x = cell(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z));
-    const std::size_t y = cell(std::acos(std::min(g.cos_d, 1.0)));
-    for (std::size_t c = 0; c < fitted.size(); ++c)
-      if (table.values[c][k] > 0 && fitted[c][k] > 0) {
-        sum[y * kMapCells + x] += std::log(fitted[c][k] / table.values[c][k]);
-        count[y * kMapCells + x] += 1;
-      }
-  }
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= count[k];  // 0/0: NaN
-  return sum;
-}
+constexpr std::size_t kMapCells = measured::ResidualMap::kCells;
 
 // Blue where the fit is too dark, red where too bright, transparent where nothing was measured.
 std::vector<unsigned char> pixels_of(const std::vector<double>& cells, double largest, std::size_t scale) {
@@ -227,9 +206,8 @@ void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
 
 void add_deviation(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table,
                    double aperture) {
-  const DirectionArrays<double> directions = io::unit_directions(table);
-  const std::vector<double> cells =
-      residual_cells(table, directions.view(), fitted_values(fit.material, directions.view(), aperture));
+  const measured::ResidualMap map(table);
+  const std::vector<double> cells = map.cells(fitted_values(fit.material, map.directions(), aperture));
   std::vector<double> sizes;
   for (const double v : cells)
     if (!std::isnan(v)) sizes.push_back(std::abs(v));

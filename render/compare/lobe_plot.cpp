@@ -35,11 +35,15 @@ std::vector<ByteColor> channel_colors(const std::vector<std::string>& channels, 
   return out;
 }
 
-bool shown(int solo, std::size_t curve) {
+}  // namespace
+
+bool is_shown(int solo, std::size_t curve) {
   return solo < 0 || std::size_t(solo) == curve;
 }
 
-}  // namespace
+bool is_shown(int solo, const LobeDot& dot, const std::vector<LobeCurve>& curves) {
+  return solo < 0 || std::size_t(solo) >= curves.size() || curves[std::size_t(solo)].channel == dot.channel;
+}
 
 std::vector<LobeCurve> lobe_curves(const Material& given, const std::string& name, double theta_i_degrees,
                                    bool second) {
@@ -63,7 +67,10 @@ std::vector<LobeCurve> lobe_curves(const Material& given, const std::string& nam
 }
 
 std::vector<LobeCurve> lobe_curves(const ViewState& state) {
-  const double theta = double(state.plot_theta);
+  return lobe_curves(state, double(state.plot_theta));
+}
+
+std::vector<LobeCurve> lobe_curves(const ViewState& state, double theta) {
   std::vector<LobeCurve> curves = lobe_curves(state.scene.objects.at(state.selected).material, "A", theta);
   const auto add = [&](const Material& material, const std::string& name) {
     for (LobeCurve& curve : lobe_curves(material, name, theta, true)) curves.push_back(std::move(curve));
@@ -74,7 +81,8 @@ std::vector<LobeCurve> lobe_curves(const ViewState& state) {
 }
 
 std::vector<LobeDot> lobe_dots(const io::SampleTable& given, double theta_i_degrees) {
-  const io::SampleTable table = io::in_colour(given);
+  if (io::is_spectrum(given.channels)) return lobe_dots(io::in_colour(given), theta_i_degrees);
+  const io::SampleTable& table = given;
   const std::vector<ByteColor> colors = channel_colors(table.channels, false);
   std::vector<LobeDot> dots;
   for (const LobePoint& point : points_in_plane(table, theta_i_degrees))
@@ -88,20 +96,17 @@ LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees,
   LobePlot plot;
   plot.largest = 1e-6f;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (!shown(solo, c)) continue;
+    if (!is_shown(solo, c)) continue;
     for (const float f : curves[c].values) plot.largest = std::max(plot.largest, f);
   }
-  const auto drawn = [&](const LobeDot& dot) {
-    return solo < 0 || std::size_t(solo) >= curves.size() || curves[std::size_t(solo)].channel == dot.channel;
-  };
   for (const LobeDot& dot : dots)
-    if (drawn(dot)) plot.largest = std::max(plot.largest, dot.value);
+    if (is_shown(solo, dot, curves)) plot.largest = std::max(plot.largest, dot.value);
   for (const float radius : {0.5f, 1.0f}) plot.paths.push_back({half_circle(radius), kLobeGrid, 1});
   for (int angle = -90; angle <= 90; angle += 30)
     plot.paths.push_back({{{0, 0}, at_angle(degrees(angle), 1)}, kLobeGrid, 1});
   plot.paths.push_back({{{0, 0}, at_angle(degrees(-theta_i_degrees), 1)}, kLobeLight, 1.5f});
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (!shown(solo, c)) continue;
+    if (!is_shown(solo, c)) continue;
     LobePath path{{}, curves[c].color, 2};
     for (int k = 0; k < kLobePoints; ++k) {
       const float share = std::max(0.0f, curves[c].values[std::size_t(k)]) / plot.largest;
@@ -111,7 +116,8 @@ LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees,
   }
   for (const LobeDot& dot : dots) {
     const float share = std::max(0.0f, dot.value) / plot.largest;
-    if (drawn(dot)) plot.dots.push_back({at_angle(degrees(dot.theta_o), std::cbrt(share)), dot.color});
+    if (is_shown(solo, dot, curves))
+      plot.dots.push_back({at_angle(degrees(dot.theta_o), std::cbrt(share)), dot.color});
   }
   return plot;
 }
@@ -155,7 +161,7 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
   };
   word("light at " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (shown(solo, c)) word(curves[c].name, curves[c].color);
+    if (is_shown(solo, c)) word(curves[c].name, curves[c].color);
   }
   if (dots.empty()) return out;
   left = float(pixels);

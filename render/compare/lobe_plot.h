@@ -27,6 +27,8 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
 
 // Of the selected object's material, of B where it is a material, and of those that are kept.
 std::vector<LobeCurve> lobe_curves(const ViewState& state);
+// The same of another light.
+std::vector<LobeCurve> lobe_curves(const ViewState& state, double theta_i_degrees);
 
 // A measured value in the plane of incidence, by the name of its curve's channel.
 struct LobeDot {
@@ -38,6 +40,10 @@ struct LobeDot {
 
 // The rows of a table near the plane of incidence (lobe_points.h), in the colours of the first material's channels.
 std::vector<LobeDot> lobe_dots(const io::SampleTable& table, double theta_i_degrees);
+
+// Whether the choice of one curve (-1: all) shows this curve; and this dot, which is one of its channel.
+bool is_shown(int solo, std::size_t curve);
+bool is_shown(int solo, const LobeDot& dot, const std::vector<LobeCurve>& curves);
 
 // The plot as lines in the half disc of radius 1 round (0, 0), y upwards: grid, direction of the light,
 // curves. The radius is the cube root of f_r over the largest one, so that a narrow lobe leaves the diffuse

@@ -1,12 +1,15 @@
 #include "render/viewer/beside.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/error.h"
-#include "io/numbers.h"
+#include "io/in_colour.h"
 
 namespace brdf::render {
 namespace {
+
+constexpr std::size_t kMappedRows = 4000;  // while a slider moves
 
 const Material& selected(const Session& session) {
   return session.state().scene.objects[session.state().selected].material;
@@ -27,9 +30,13 @@ void Beside::look(const Session& session, bool held) {
   if (file != file_) {
     file_ = file;
     table_.reset();
+    in_colour_.reset();
+    map_.reset();
     compared_.reset();
+    mapped_.reset();
     try {
       if (!file.empty()) table_ = io::read_samples(file);
+      if (table_ && io::is_spectrum(table_->channels)) in_colour_ = io::in_colour(*table_);
     } catch (const InputError&) {
     }
   }
@@ -41,6 +48,19 @@ void Beside::look(const Session& session, bool held) {
   if (!table_ || !solver_.error) return;
   const double error = solver_.error(material, *table_);
   if (std::isfinite(error)) error_ = error;
+}
+
+const std::vector<double>* Beside::residuals(const Session& session) {
+  const io::SampleTable* table = samples_in_colour();
+  if (!table) return nullptr;
+  const Material& material = selected(session);
+  if (mapped_ != material) {
+    if (!map_) map_.emplace(*table, kMappedRows);
+    mapped_ = material;
+    residuals_ = map_->cells(io::in_colour(material));
+  }
+  const bool none = std::all_of(residuals_.begin(), residuals_.end(), [](double v) { return std::isnan(v); });
+  return none ? nullptr : &residuals_;
 }
 
 void Beside::fit(const Session& session) {

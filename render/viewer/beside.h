@@ -1,6 +1,7 @@
 // The samples beside the material: how far it is from them, and the solver that goes on from it.
 #pragma once
 
+#include "measured/residual_map.h"
 #include "render/viewer/fit_task.h"
 #include "render/viewer/session.h"
 
@@ -14,6 +15,11 @@ class Beside {
   // stays as the one before. A file that cannot be read is as none: drawing says why.
   void look(const Session& session, bool held);
   const io::SampleTable* samples() const { return table_ ? &*table_ : nullptr; }
+  // The same as a picture shows them: what plots draw.
+  const io::SampleTable* samples_in_colour() const { return in_colour_ ? &*in_colour_ : samples(); }
+  // Mean ln(A/measured) over the half angles (measured/residual_map.h); of the selected object. Null without samples, and
+  // where none of their channels is A's.
+  const std::vector<double>* residuals(const Session& session);
   std::optional<double> error() const { return error_; }
   std::optional<double> error_before() const { return before_; }
 
@@ -31,8 +37,10 @@ class Beside {
  private:
   Solver solver_;
   std::filesystem::path file_;
-  std::optional<io::SampleTable> table_;
-  std::optional<Material> compared_;
+  std::optional<io::SampleTable> table_, in_colour_;  // in_colour_: of a spectrum
+  std::optional<Material> compared_, mapped_;
+  std::optional<measured::ResidualMap> map_;  // made when it is first asked for
+  std::vector<double> residuals_;
   std::optional<double> error_, before_;
   FitTask task_;
   std::size_t object_ = 0;

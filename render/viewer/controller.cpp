@@ -119,7 +119,9 @@ void Controller::frame() {
 
 PanelInfo Controller::info() {
   beside_.look(session_, held());
-  PanelInfo info{.pictures = shown_.drawn(), .samples = beside_.samples(), .frame_ms = times_.last_ms()};
+  PanelInfo info{
+      .pictures = shown_.drawn(), .samples = beside_.samples_in_colour(), .frame_ms = times_.last_ms()};
+  if (state().show_plot && state().show_ui) info.residuals = beside_.residuals(session_);
   info.moving = shown_.moving();
   info.device = device_.name();
   info.message = messages_.last();

@@ -111,7 +111,7 @@ void main_panel(Session& session, const Layout& layout, const PanelInfo& info, c
       combo("object", state.selected, names);
     }
     constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
-    if (layout.plot_in_panel && ImGui::CollapsingHeader("lobes", kOpen)) plot_panel(session, info);
+    if (layout.plot_in_panel && ImGui::CollapsingHeader("lobes", kOpen)) plot_panel(session, info, false);
     if (ImGui::CollapsingHeader("material", kOpen)) {
       fit_section(session, info, buttons);
       edit_material(session, *info.intervals);
@@ -178,7 +178,7 @@ std::vector<Request> Panels::draw(Session& session, const Layout& layout, const 
   if (session.state().show_ui) {
     main_panel(session, layout, info, where, requests);
     if (layout.plot.width > 0) {
-      if (begin_docked("plot", layout.plot)) plot_panel(session, info);
+      if (begin_docked("plot", layout.plot)) plot_panel(session, info, true);
       ImGui::End();
     }
   }

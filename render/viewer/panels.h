@@ -14,8 +14,9 @@
 namespace brdf::render {
 
 struct PanelInfo {
-  const Pictures* pictures = nullptr;  // what is shown
-  const io::SampleTable* samples = nullptr;
+  const Pictures* pictures = nullptr;              // what is shown
+  const io::SampleTable* samples = nullptr;        // as a picture shows them
+  const std::vector<double>* residuals = nullptr;  // mean ln(A/measured), measured/residual_map.h
   double frame_ms = 0;
   bool moving = false;          // fewer pixels are drawn
   std::string device, message;  // message: the last thing that went wrong or was done
@@ -42,8 +43,12 @@ class Panels {
   bool help_ = false;
 };
 
-// The plot of the lobes, and what the samples say.
-void plot_panel(Session& session, const PanelInfo& info);
+// The plot of the lobes, and what the samples say; the slice and the map of residuals stand open where there is room.
+void plot_panel(Session& session, const PanelInfo& info, bool room);
+// Beside samples: f_r over the viewer's angle at the measured light nearest to the plot's, and where A is too dark or too
+// bright at them.
+void slice_section(Session& session, const PanelInfo& info);
+void residual_section(const std::vector<double>& cells);
 // Names, numbers and messages round the picture.
 void picture_lines(const Session& session, const Layout& layout, const PanelInfo& info);
 

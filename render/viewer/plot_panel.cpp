@@ -2,37 +2,25 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "io/in_plane.h"
 #include "io/numbers.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
 #include "render/viewer/panels.h"
+#include "render/viewer/plot_drawing.h"
 
 namespace brdf::render {
 namespace {
-
-ImU32 in_window(const ByteColor& color) {
-  return IM_COL32(color[0], color[1], color[2], 255);
-}
 
 void draw_lobes(const LobePlot& plot, float width) {
   const float radius = width / 2 - 4;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Dummy(ImVec2(width, radius + 8));
-  ImDrawList* list = ImGui::GetWindowDrawList();
   const auto place = [&](const glm::vec2& p) {
     return ImVec2(corner.x + width / 2 + radius * p.x, corner.y + radius + 4 - radius * p.y);
   };
-  for (const LobePath& path : plot.paths) {
-    for (const glm::vec2& p : path.points) list->PathLineTo(place(p));
-    list->PathStroke(in_window(path.color), 0, path.width);
-  }
-  for (const LobePlot::Dot& dot : plot.dots) {
-    list->AddCircleFilled(place(dot.at), 3.5f, IM_COL32(15, 15, 18, 255));
-    list->AddCircleFilled(place(dot.at), 2.5f, in_window(dot.color));
-  }
+  draw_plot(plot, 2.5f, place);
   ImGui::TextWrapped("largest f_r %s 1/sr (radius: cube root)",
                      io::short_number(double(plot.largest), 4).c_str());
 }
@@ -54,7 +42,7 @@ void choose_curve(ViewState& state, const std::vector<LobeCurve>& curves) {
 
 }  // namespace
 
-void plot_panel(Session& session, const PanelInfo& info) {
+void plot_panel(Session& session, const PanelInfo& info, bool room) {
   ViewState& state = session.state();
   ImGui::SliderFloat("theta_i", &state.plot_theta, 0, 89, "%.0f°");
   const std::vector<LobeCurve> curves = lobe_curves(state);
@@ -69,6 +57,9 @@ void plot_panel(Session& session, const PanelInfo& info) {
     ImGui::TextWrapped("nothing measured within %.0f° of this light", kNearLight);
     if (ImGui::SmallButton("nearest")) state.plot_theta = float(nearest_light(*info.samples, theta));
   }
+  const ImGuiTreeNodeFlags open = room ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+  if (info.samples && ImGui::CollapsingHeader("slice", open)) slice_section(session, info);
+  if (info.residuals && ImGui::CollapsingHeader("residuals", open)) residual_section(*info.residuals);
 }
 
 }  // namespace brdf::render

@@ -108,11 +108,11 @@ class Desk:
             time.sleep(0.05)
         raise AssertionError(f"{path} was not written")
 
-    def written_by(self, key, path):
+    def written_by(self, key, path, seconds=60):
         """What the file holds that this key writes."""
         before, begun = os.stat(path).st_mtime_ns if os.path.exists(path) else 0, time.time()
         self.x("key", key)
-        self.wait_for(path, before)
+        self.wait_for(path, before, seconds)
         self.frame = time.time() - begun
         with open(path, "rb") as file:
             return file.read()

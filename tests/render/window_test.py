@@ -41,6 +41,7 @@ class Window:
     def __init__(self, desk, width, height, scale, *arguments):
         self.desk, self.width, self.height, self.scale = desk, width, height, scale
         self.panel = int(min(320 * scale, 0.45 * width))
+        self.column = 330 * scale if width - self.panel >= 730 * scale else 0  # of the plots, where there is room
         self.viewer = desk.start("--width", str(width), "--height", str(height), "--scale", str(scale), *arguments)
         desk.find_window()
 
@@ -98,6 +99,10 @@ class Window:
         while not what():
             assert time.time() < end, f"waited for {seconds} s; the title is {self.desk.title()}"
             time.sleep(0.1)
+
+    def agreeing(self):
+        """Pixels of the column beside the picture that are as white as the map of residuals where model and samples agree."""
+        return sum(min(pixel) > 225 for row in self.rows() for pixel in row[self.width - self.column:]) if self.column else 0
 
     def status_colour(self):
         """Whether the line below the picture has words in the colour of errors."""
@@ -236,17 +241,26 @@ def by_hand(desk, folder, width, height, scale):
     desk.press("s", "l")
     desk.pause()
     w.keep("beside")
-    desk.press("l")
-    desk.pause()
+    if not w.column:  # the plots hide the sliders
+        desk.press("l")
+        desk.pause()
+    agreeing = w.agreeing()
     spoiled = w.knobs()
     desk.drag(spoiled[-2], (spoiled[-2][0] + 25 * scale, spoiled[-2][1]))
     assert material_of(desk.saved_state()) != solved
+    w.keep("spoiled")
+    if w.column:  # the map of residuals has followed the slider
+        assert agreeing > 20000, f"{agreeing} pixels of the map agree"
+        w.until(lambda: w.agreeing() < 0.7 * agreeing)
     desk.press("ctrl+f")
     w.until(lambda: far(material_of(desk.saved_state()), solved) < 1e-3)
+    w.until(lambda: w.agreeing() >= 0.95 * agreeing)
     w.keep("fitted")
     w.until(lambda: len(w.intervals()) >= 3 and max(w.intervals()) < 3)  # what was found lies in its interval
     desk.press("ctrl+z")
     assert far(material_of(desk.saved_state()), solved) > 1e-3, "the fit cannot be undone"
+    if w.column:
+        desk.press("l")
 
     # 3. Layout: the panels follow the window, objects are selected by a click, the car is framed without its floor.
     xdnd.drop(desk.display, int(desk.window), [os.path.join(source, "data/scenes/material_balls.json")])
@@ -292,62 +306,78 @@ def at_random(desk, folder):
     """Actions from the list of commands; then everything is undone."""
     commands = json.loads(run("view", "--commands"))
     print("without undo: " + "; ".join(f"{c['name']} ({c['why_not']})" for c in commands if not c["undo"]))
-    width, height = 640, 480
-    w = Window(desk, width, height, 1, "--hard-light")
+    width, height = 480, 360  # small, and few samples: what is drawn is not looked at
+    w = Window(desk, width, height, 1, "--hard-light", "--samples", "16")
     first = desk.written_by("ctrl+s", desk.state_file)
     draw = random.Random(options.seed)
     files = [SAMPLES, os.path.join(source, "data/materials/copper.json"), os.path.join(source, "data/scenes/sphere.json"),
              os.path.join(source, "data/scenes/models/cube.x"), os.path.join(folder, "absent.json")]
-    done = {}
+    done, size = {}, [width, height]
 
     def place():
-        return draw.randrange(5, width - 5), draw.randrange(5, height - 5)
+        return draw.randrange(5, size[0] - 5), draw.randrange(5, size[1] - 5)
+
+    def to_a_place():
+        return ["mousemove", "--window", desk.window, *place()]
+
+    def held(words, keys):
+        """While the key before the plus is held."""
+        key = keys.split("+")[0]
+        return ["keydown", key, *words, "keyup", key] if "+" in keys else words
+
+    def wait():
+        """Until all that was done has arrived: what is open is closed, and the state saved."""
+        desk.x("key", "--delay", "20", "Escape", "Escape", "Escape")
+        return desk.written_by("ctrl+s", desk.state_file, 300)
 
     def act(command):
         keys = command["keys"]
         done[command["name"]] = done.get(command["name"], 0) + 1
         if keys in ("drag", "right drag", "ctrl+drag"):
-            desk.drag(place(), place(), 3 if keys == "right drag" else 1, ("ctrl",) if keys == "ctrl+drag" else ())
+            button = 3 if keys == "right drag" else 1
+            way = [word for _ in range(4) for word in (*to_a_place(), "sleep", 0.03)]
+            desk.x(*to_a_place(), *held(["mousedown", button, "sleep", 0.03, *way, "mouseup", button], keys), "key", "Escape")
         elif keys in ("click", "shift+click"):
-            desk.move(*place())
-            shift = keys == "shift+click"
-            desk.x(*(["keydown", "shift"] if shift else []), "click", 1, *(["keyup", "shift"] if shift else []))
+            desk.x(*to_a_place(), "sleep", 0.05, *held(["click", 1], keys), "key", "Escape")
         elif keys == "wheel":
-            desk.move(*place())
-            desk.x("click", draw.choice((4, 5)))
+            desk.x(*to_a_place(), "click", draw.choice((4, 5)), "key", "Escape")
         elif keys == "drop":
-            xdnd.drop(desk.display, int(desk.window), [draw.choice(files)])
+            xdnd.drop(desk.display, int(desk.window), [draw.choice(files)], seconds=300)
         else:
-            desk.x("key", keys)
+            desk.x("key", keys, "key", "Escape")
 
     # Leaving is tried by hand; what opens a prompt is closed again, or later keys would be typed into it.
     commands = [c for c in commands if c["name"] != "leave"]
+    begun = time.time()
     for k in range(options.actions):
         act(draw.choice(commands))
         if draw.random() < 0.03:
-            desk.x("windowsize", desk.window, draw.randrange(200, 900), draw.randrange(150, 700))
-        desk.x("key", "Escape")
-        time.sleep(0.03)
+            size = [draw.randrange(200, 640), draw.randrange(150, 480)]
+            desk.x("windowsize", desk.window, *size)
+        if k % 20 == 19:
+            wait()
+        if k % 100 == 99:
+            print(f"{k + 1} actions in {time.time() - begun:.0f} s", flush=True)
         assert w.viewer.poll() is None, f"ended after {k + 1} actions"
-    desk.x("key", "Escape")
-    desk.x("key", "Escape")
+    wait()
+    acted = time.time() - begun
     desk.x("windowsize", "--sync", desk.window, width, height)
     desk.pause()
-    steps, end = 0, time.time() + 900
+    steps, end = 0, time.time() + 1800
     while True:  # the first state is the one before which there is nothing
-        desk.x("key", "--delay", "40", *["ctrl+z"] * 20)
+        desk.x("key", "--delay", "10", *["ctrl+z"] * 20)
         steps += 20
-        time.sleep(0.2)
-        now = desk.written_by("ctrl+s", desk.state_file)
+        now = desk.written_by("ctrl+s", desk.state_file, 300)
         if now == first:
             break
         assert time.time() < end and steps < 40 * options.actions, f"{steps} steps back do not lead to the first state"
     desk.press("q")
     desk.pause()
     out = desk.finish(w.viewer)
-    refused = ("absent.json: no such file", "an environment's light needs the shading")
+    refused = ("absent.json: no such file", "an environment's light needs the shading", "nothing to fit to: open samples first")
     assert all(any(words in line for words in refused) for line in out.splitlines()), out
-    print(f"{options.actions} actions of {len(done)} of {len(commands)} commands, undone")
+    print(f"{options.actions} actions of {len(done)} of {len(commands)} commands in {acted:.0f} s, undone by at most {steps} steps "
+          f"in {time.time() - begun - acted:.0f} s")
 
 
 folder = tempfile.mkdtemp(prefix="brdf-window-")
