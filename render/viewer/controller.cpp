@@ -80,9 +80,12 @@ void Controller::follow() {
   camera_ = camera();
 }
 
+bool Controller::edited() const {
+  return hand_.holds() != Hand::Holds::nothing || ImGui::IsAnyItemActive() || options_.orbit;
+}
+
 bool Controller::held() const {
-  return hand_.holds() != Hand::Holds::nothing || ImGui::IsAnyItemActive() || session_.state().turntable ||
-         options_.orbit;
+  return edited() || session_.state().turntable;
 }
 
 void Controller::frame() {
@@ -111,7 +114,7 @@ void Controller::frame() {
   obey(answers);
   opened_by_letter_ = false;
   for (const LateKey& late : late_keys_.after_frame()) pressed(late.key, late.mods);
-  if (!held()) session_.record();
+  if (!edited()) session_.record();
   if (ImGui::IsAnyItemActive()) wake();
   if (const std::string title = session_.title(); title != title_)
     glfwSetWindowTitle(window_.get(), (title_ = title).c_str());

@@ -39,7 +39,8 @@ class Controller : private Listener {
   void step();
   // Also between two frames, so that what is saved there is as it will be seen.
   void follow();
-  bool held() const;
+  bool edited() const;  // an edit goes on
+  bool held() const;    // or something moves by itself
   void frame();
   Whereabouts whereabouts() const { return {home_, shown_.drawn() ? &shown_.drawn()->prepared() : nullptr}; }
   PanelInfo info();

@@ -50,7 +50,8 @@ void form_panel(Session& session, std::size_t place) {
 
 // "diffuse reflectance  kd"; `together`: of both axes, "roughness  alpha".
 void name_line(const ReflectanceInfo& form, const ParameterInfo& p, bool together = false) {
-  const std::string plain = io::plain_name(form, p, together), name(together ? form.tied_name() : p.name);
+  const std::string words = io::plain_name(form, p, together), name(together ? form.tied_name() : p.name);
+  const std::string plain = words.substr(0, words.find(':'));  // what follows stands in the tooltip
   ImGui::TextUnformatted(plain.empty() ? name.c_str() : plain.c_str());
   if (plain.empty()) return;
   ImGui::SameLine();

@@ -37,6 +37,8 @@ bool same_edit(const ViewState& a, const ViewState& b) {
   ViewState other = b;
   other.scene.camera.width = a.scene.camera.width;
   other.scene.camera.height = a.scene.camera.height;
+  if (a.turntable && b.turntable && a.selected == b.selected && a.selected < b.scene.objects.size())
+    other.scene.objects[a.selected].rotation.y = a.scene.objects[a.selected].rotation.y;
   return a == other;
 }
 

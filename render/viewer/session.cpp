@@ -28,8 +28,7 @@ Session::Session(ViewState state, std::filesystem::path file)
     : state_(std::move(state)), history_(state_), file_(std::move(file)), opened_(state_), kept_(state_) {}
 
 std::string Session::undo() {
-  // What turns by itself differs from its own step at once: that is no edit.
-  if (!(state_.turntable && history_.now().turntable)) record();
+  record();
   const ViewState before = state_;
   const ViewState* back = history_.back();
   if (!back) return "";

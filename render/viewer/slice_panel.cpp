@@ -1,6 +1,7 @@
 // Beside samples: the slice through the plane of incidence, and the map of residuals.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/numbers.h"
@@ -13,7 +14,7 @@
 namespace brdf::render {
 namespace {
 
-constexpr float kHigh = 0.6f;  // of a slice's width
+constexpr float kHigh = 0.42f, kLowest = 0.5f;  // of a slice's width; of a map's, at least
 constexpr ImU32 kEmpty = IM_COL32(45, 45, 50, 255);
 
 // A place for a drawing, its corner at the lower left.
@@ -59,9 +60,10 @@ void slice_section(Session& session, const PanelInfo& info) {
 
 void residual_section(const std::vector<double>& cells) {
   constexpr std::size_t kCells = measured::ResidualMap::kCells;
-  ImGui::TextWrapped("A darker by 50 %% blue, as measured white, brighter red");
+  ImGui::TextWrapped("blue: A darker by 50 %%, red: brighter");
   const float width = ImGui::GetContentRegionAvail().x;
-  const Field field(width, width);
+  const float room = ImGui::GetContentRegionAvail().y - ImGui::GetTextLineHeightWithSpacing() - 8;
+  const Field field(width, std::clamp(room, kLowest * width, width));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(field.place({0, 1}), field.place({1, 0}), kEmpty);
   for (std::size_t k = 0; k < cells.size(); ++k) {

@@ -72,6 +72,10 @@ class Window:
                 found.append([place, place])
         return [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in found if b[1] - a[1] >= 8]
 
+    def strip(self, y):
+        """What the panel shows at this height."""
+        return self.rows()[round(y)][:self.panel]
+
     def knob(self, y):
         """The knob of the slider at this height, when it is there again."""
         found = []
@@ -147,7 +151,10 @@ def by_hand(desk, folder, width, height, scale):
     assert desk.saved_state() == dragged, "redo"
     # Ctrl-click types a number beyond the slider's end; it stays, and the slider's own drag is not needed.
     desk.move(*w.knob(knobs[0][1]))
+    desk.pause()
+    slider = w.strip(knobs[0][1])
     desk.x("keydown", "ctrl", "click", 1, "keyup", "ctrl")
+    w.until(lambda: w.strip(knobs[0][1]) != slider)  # a text line
     desk.pause()
     desk.x("key", "ctrl+a")
     desk.pause()
@@ -155,9 +162,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.pause()
     desk.x("key", "Return")
     desk.pause()
-    desk.pause()
-    weights = [v for row in material_of(desk.saved_state())["weights"].values() for v in row]
-    assert 2.178 in weights, weights
+    w.until(lambda: 2.178 in [v for row in material_of(desk.saved_state())["weights"].values() for v in row])
     # Right-click offers default and the file's value: the second entry.
     desk.click(*w.picture(0.1, 0.1))  # nothing is there
     desk.pause()
@@ -250,7 +255,7 @@ def by_hand(desk, folder, width, height, scale):
     assert material_of(desk.saved_state()) != solved
     w.keep("spoiled")
     if w.column:  # the map of residuals has followed the slider
-        assert agreeing > 20000, f"{agreeing} pixels of the map agree"
+        assert agreeing > 5000, f"{agreeing} pixels of the map agree"
         w.until(lambda: w.agreeing() < 0.7 * agreeing)
     desk.press("ctrl+f")
     w.until(lambda: far(material_of(desk.saved_state()), solved) < 1e-3)
@@ -266,12 +271,15 @@ def by_hand(desk, folder, width, height, scale):
     xdnd.drop(desk.display, int(desk.window), [os.path.join(source, "data/scenes/material_balls.json")])
     w.until(lambda: desk.title() == "material_balls.json - brdf")
     desk.press("f")
-    desk.pause()
+    desk.saved_state()
+    if options.pictures:
+        time.sleep(20)  # until there is less noise
     w.keep("objects")
     desk.click(*w.picture(0.5, 0.5))
     desk.click(*w.picture(0.2, 0.3))
     desk.click(*w.picture(0.8, 0.6))
     desk.press("shift+f", "g")
+    desk.saved_state()
     desk.pause()
     w.keep("targets")
     desk.press("g", "ctrl+z")
@@ -280,8 +288,9 @@ def by_hand(desk, folder, width, height, scale):
     w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
     desk.press("n")
     w.until(lambda: desk.title().startswith("* "))
+    desk.saved_state()
     desk.press("q")
-    desk.pause()
+    desk.pause(6)
     assert w.viewer.poll() is None, "left without asking"
     w.keep("leave")
     desk.press("Escape")
@@ -374,7 +383,8 @@ def at_random(desk, folder):
     desk.press("q")
     desk.pause()
     out = desk.finish(w.viewer)
-    refused = ("absent.json: no such file", "an environment's light needs the shading", "nothing to fit to: open samples first")
+    refused = ("absent.json: no such file", "an environment's light needs the shading", "nothing to fit to: open samples first",
+               "cannot be fitted: it is not linear")
     assert all(any(words in line for words in refused) for line in out.splitlines()), out
     print(f"{options.actions} actions of {len(done)} of {len(commands)} commands in {acted:.0f} s, undone by at most {steps} steps "
           f"in {time.time() - begun - acted:.0f} s")

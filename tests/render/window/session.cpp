@@ -64,6 +64,30 @@ TEST(Session, AnEditAfterUndoingForgetsWhatWasUndone) {
   EXPECT_EQ(session.redo(), "");
 }
 
+TEST(Session, WhatTurnsByItselfIsNoEditButWhatIsDoneMeanwhileIs) {
+  Session session(edited_state(), "");
+  const std::string first = state_text(session.state());
+  const auto turn = [&] {
+    for (int k = 0; k < 5; ++k) {
+      session.state().scene.objects[0].rotation.y += 3;
+      session.record();
+    }
+  };
+  command("turntable").edit(session, {});
+  session.record();
+  turn();
+  EXPECT_EQ(session.steps(), 1u);
+  session.state().scene.exposure = 1;
+  turn();
+  EXPECT_EQ(session.steps(), 2u);
+  EXPECT_FALSE(session.undo().empty());
+  EXPECT_EQ(session.state().scene.exposure, 0);
+  turn();  // the turntable does not wait for the next key
+  EXPECT_FALSE(session.undo().empty());
+  EXPECT_EQ(state_text(session.state()), first);
+  EXPECT_TRUE(session.undo().empty());
+}
+
 TEST(Session, AnotherSizeOfTheWindowIsNoEdit) {
   Session session(edited_state(), "");
   session.state().scene.camera.width = 333;
