@@ -77,6 +77,8 @@ std::string Beside::take(Session& session) {
   fitted_ = std::move(*found);
   if (object_ >= session.state().scene.objects.size()) return "";
   session.record();
+  name_ = session.state().scene.objects[object_].material_name;
+  fitted_to_ = file_;
   session.state().scene.objects[object_].material = fitted_.material;
   session.record();
   return fitted_.words;
@@ -84,7 +86,10 @@ std::string Beside::take(Session& session) {
 
 const std::vector<Interval>& Beside::intervals(const Session& session) const {
   static const std::vector<Interval> none;
-  return same_forms(fitted_.material, selected(session)) ? fitted_.intervals : none;
+  const ViewState& state = session.state();
+  const bool its_own = state.selected == object_ && state.samples == fitted_to_ &&
+                       state.scene.objects[object_].material_name == name_;
+  return its_own && same_forms(fitted_.material, selected(session)) ? fitted_.intervals : none;
 }
 
 }  // namespace brdf::render

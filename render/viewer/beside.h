@@ -31,7 +31,7 @@ class Beside {
   double seconds() const { return task_.seconds(); }
   // What it found goes into the object, as one step; in words, empty while there is nothing. Throws what the fit threw.
   std::string take(Session& session);
-  // Of the last fit; none where the object has other forms now.
+  // Of the last fit; none of other objects, beside other samples, or where the object has other forms now.
   const std::vector<Interval>& intervals(const Session& session) const;
 
  private:
@@ -44,6 +44,8 @@ class Beside {
   std::optional<double> error_, before_;
   FitTask task_;
   std::size_t object_ = 0;
+  std::string name_;                 // of the material that was fitted,
+  std::filesystem::path fitted_to_;  // and the samples
   Fitted fitted_;
 };
 

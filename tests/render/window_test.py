@@ -275,6 +275,7 @@ def by_hand(desk, folder, width, height, scale):
     if options.pictures:
         time.sleep(20)  # until there is less noise
     w.keep("objects")
+    assert not w.intervals(), "the intervals of another material"
     desk.click(*w.picture(0.5, 0.5))
     desk.click(*w.picture(0.2, 0.3))
     desk.click(*w.picture(0.8, 0.6))
@@ -288,7 +289,6 @@ def by_hand(desk, folder, width, height, scale):
     w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
     desk.press("n")
     w.until(lambda: desk.title().startswith("* "))
-    desk.saved_state()
     desk.press("q")
     desk.pause(6)
     assert w.viewer.poll() is None, "left without asking"
