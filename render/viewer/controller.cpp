@@ -156,6 +156,7 @@ void Controller::draw_pictures() {
 }
 
 void Controller::settle() {
+  if (!session_.edited()) return;
   if (good_) {
     ViewState seen = *good_;
     seen.scene.camera = camera();

@@ -19,6 +19,8 @@ class Session {
 
   // Ends an edit: what differs from the last step becomes one.
   void record() { history_.record(state_); }
+  // Whether there is one.
+  bool edited() const { return !same_edit(state_, history_.now()); }
   // Go a step back or forth; say what changed, empty where there is no step.
   std::string undo();
   std::string redo();

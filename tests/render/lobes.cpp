@@ -6,6 +6,7 @@
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
+#include "render/compare/slice_plot.h"
 #include "render/job.h"
 #include "render/scene/prepared.h"
 
@@ -85,6 +86,34 @@ TEST(Lobes, DotsOfTheMaterialItselfLieOnItsCurve) {
   std::vector<LobeDot> bright = dots;
   bright[5].value = 1000;
   EXPECT_EQ(lobe_plot(curves, 45, -1, bright).largest, 1000);
+}
+
+TEST(Slice, DotsOfTheMaterialItselfLieOnItsCurvesBetweenWholeDecades) {
+  const Material material = make_material(*find_form("cook_torrance"));
+  const std::vector<LobeDot> dots = lobe_dots(table_of(material, {45}, {0, 180}), 45);
+  const std::vector<LobeCurve> curves = lobe_curves(material, "A", 45);
+  const SlicePlot plot = slice_plot(curves, -1, dots);
+  ASSERT_EQ(plot.dots.size(), dots.size());
+  ASSERT_LT(plot.low, plot.high);
+  const auto value_at = [&](float y) {
+    return std::pow(10.0f, float(plot.low) + y * float(plot.high - plot.low));
+  };
+  for (std::size_t k = 0; k < dots.size(); ++k) {
+    const glm::vec2 at = plot.dots[k].at;
+    EXPECT_NEAR(at.x, (dots[k].theta_o + 90) / 180, 1e-6);
+    EXPECT_NEAR(value_at(at.y), dots[k].value, 1e-4f * dots[k].value);
+  }
+  // The last paths are the curves, a point for each degree.
+  const LobePath& first = plot.paths[plot.paths.size() - curves.size()];
+  EXPECT_EQ(first.color, curves[0].color);
+  const std::size_t at_30 = std::size_t(kSteepest + 30);
+  EXPECT_NEAR(value_at(first.points[at_30].y), curves[0].values[at_30], 1e-4f * curves[0].values[at_30]);
+  EXPECT_EQ(slice_plot(curves, 1, dots).dots.size(), dots.size() / 3);
+  // A value of 0 has no logarithm: it lies at the lower edge and moves nothing.
+  std::vector<LobeDot> with_zero = dots;
+  with_zero[0].value = 0;
+  EXPECT_EQ(slice_plot(curves, -1, with_zero).low, plot.low);
+  EXPECT_EQ(slice_plot(curves, -1, with_zero).dots[0].at.y, 0);
 }
 
 // Pixels of this colour.

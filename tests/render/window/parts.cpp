@@ -1,6 +1,7 @@
 // Commands, layout, the mouse's hand, light by hand, names of files: without a window.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -10,7 +11,9 @@
 #include <GLFW/glfw3.h>
 
 #include "io/error.h"
+#include "io/samples.h"
 #include "render/job.h"
+#include "render/viewer/beside.h"
 #include "render/viewer/commands.h"
 #include "render/viewer/file_names.h"
 #include "render/viewer/fit_task.h"
@@ -190,6 +193,69 @@ TEST(FitTask, ReturnsWhatTheSolverFoundAndStops) {
   EXPECT_EQ(found->words, "best so far");
   EXPECT_EQ(found->material, from);
   EXPECT_FALSE(task.running());
+}
+
+// Samples of this material in the plane of incidence.
+void write_samples_of(const Material& material, const std::filesystem::path& file) {
+  io::SampleTable table;
+  table.channels = material.channels;
+  table.values.resize(material.channels.size());
+  std::vector<double> f(material.channels.size());
+  for (double theta = 0; theta < 80; theta += 5) {
+    table.add_directions(40, 0, theta, 180);
+    eval(material, io::unit_vector(40, 0), io::unit_vector(theta, 180), f);
+    for (std::size_t c = 0; c < f.size(); ++c) table.values[c].push_back(f[c]);
+  }
+  io::write_samples(file, table);
+}
+
+TEST(Beside, IntervalsStandAtWhatWasFittedAlone) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "beside.csv";
+  const Material material = any_material().second;
+  write_samples_of(material, file);
+  ViewState state;
+  state.scene = material_scene({{"one", material}, {"two", material}});
+  state.samples = file;
+  Session session(state, "");
+  Solver solver;
+  solver.fit = [](const Material& m, const io::SampleTable&, const std::atomic<bool>&) {
+    return Fitted{m, {Interval{}}, "found"};
+  };
+  Beside beside(solver);
+  beside.look(session, false);
+  beside.fit(session);
+  while (beside.take(session).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(beside.intervals(session).size(), 1u);
+  session.state().selected = 1;
+  EXPECT_TRUE(beside.intervals(session).empty());
+  session.state().selected = 0;
+  session.state().scene.objects[0].material_name = "another of the same form";
+  EXPECT_TRUE(beside.intervals(session).empty());
+}
+
+TEST(Beside, ResidualsFollowTheMaterial) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "beside_residuals.csv";
+  const Material material = any_material().second;
+  write_samples_of(material, file);
+  ViewState state;
+  state.scene = material_scene({{"one", material}});
+  Session session(state, "");
+  Beside beside(Solver{});
+  beside.look(session, false);
+  EXPECT_EQ(beside.residuals(session), nullptr) << "nothing to compare with";
+  session.state().samples = file;
+  beside.look(session, false);
+  const auto largest = [&] {
+    double size = 0;
+    for (const double v : *beside.residuals(session))
+      if (!std::isnan(v)) size = std::max(size, std::abs(v));
+    return size;
+  };
+  ASSERT_NE(beside.residuals(session), nullptr);
+  EXPECT_LT(largest(), 1e-6);
+  for (std::vector<double>& weights : session.state().scene.objects[0].material.terms[0].weights)
+    for (double& w : weights) w *= 2;
+  EXPECT_GT(largest(), 0.1);
 }
 
 }  // namespace

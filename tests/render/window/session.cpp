@@ -76,8 +76,10 @@ TEST(Session, WhatTurnsByItselfIsNoEditButWhatIsDoneMeanwhileIs) {
   command("turntable").edit(session, {});
   session.record();
   turn();
+  EXPECT_FALSE(session.edited());
   EXPECT_EQ(session.steps(), 1u);
   session.state().scene.exposure = 1;
+  EXPECT_TRUE(session.edited());
   turn();
   EXPECT_EQ(session.steps(), 2u);
   EXPECT_FALSE(session.undo().empty());
