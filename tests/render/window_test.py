@@ -17,6 +17,7 @@ import time
 import pixels
 import xdnd
 from desk import Desk
+from window_screen import Window
 
 parser = argparse.ArgumentParser()
 parser.add_argument("brdf")
@@ -35,85 +36,6 @@ def run(*arguments):
     return subprocess.run([brdf, *arguments], check=True, capture_output=True, text=True).stdout
 
 
-class Window:
-    """One run of the window on a desk, at a size and scale."""
-
-    def __init__(self, desk, width, height, scale, *arguments):
-        self.desk, self.width, self.height, self.scale = desk, width, height, scale
-        self.panel = int(min(320 * scale, 0.45 * width))
-        self.column = 330 * scale if width - self.panel >= 730 * scale else 0  # of the plots, where there is room
-        self.viewer = desk.start("--width", str(width), "--height", str(height), "--scale", str(scale), *arguments)
-        desk.find_window()
-
-    def picture(self, x, y):
-        """A place of the picture beside the panel, from its share across and down."""
-        return self.panel + x * (self.width - self.panel), y * self.height
-
-    def rows(self):
-        return self.desk.shown(self.width, self.height)
-
-    def keep(self, name):
-        if options.pictures:
-            os.makedirs(options.pictures, exist_ok=True)
-            pixels.write_png(os.path.join(options.pictures, f"{name}_{self.width}.png"), self.rows())
-
-    def knobs(self):
-        """The middles of the sliders' knobs, from above: blue as nothing else in the panel."""
-        found = []
-        for y, row in enumerate(self.rows()):
-            across = [k for k in range(self.panel) if row[k][2] > 150 and row[k][2] > row[k][0] + 70 > 100
-                      and row[k][2] > row[k][1] + 40]
-            if len(across) < 3:
-                continue
-            place = (sum(across) / len(across), y)
-            if found and y - found[-1][1][1] <= 2:
-                found[-1][1] = place
-            else:
-                found.append([place, place])
-        return [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in found if b[1] - a[1] >= 8]
-
-    def strip(self, y):
-        """What the panel shows at this height."""
-        return self.rows()[round(y)][:self.panel]
-
-    def knob(self, y):
-        """The knob of the slider at this height, when it is there again."""
-        found = []
-
-        def look():
-            found[:] = [k for k in self.knobs() if abs(k[1] - y) < 8 * self.scale]
-            return found
-
-        self.until(look)
-        return found[0]
-
-    def intervals(self):
-        """Of each slider that has one: how far its green bar ends from the knob's middle, at scale 1; 0 where it lies below."""
-        rows, out = self.rows(), []
-        for x, y in self.knobs():
-            green = [k for row in rows[round(y):round(y + 14 * self.scale)] for k in range(self.panel)
-                     if row[k][1] > 190 > row[k][0] + 40 and row[k][1] > row[k][2] + 50]
-            if green:
-                out.append(max(min(green) - x, x - max(green), 0) / self.scale)
-        return out
-
-    def until(self, what, seconds=120):
-        """Waits for a title, or another sign."""
-        end = time.time() + seconds
-        while not what():
-            assert time.time() < end, f"waited for {seconds} s; the title is {self.desk.title()}"
-            time.sleep(0.1)
-
-    def agreeing(self):
-        """Pixels of the column beside the picture that are as white as the map of residuals where model and samples agree."""
-        return sum(min(pixel) > 225 for row in self.rows() for pixel in row[self.width - self.column:]) if self.column else 0
-
-    def status_colour(self):
-        """Whether the line below the picture has words in the colour of errors."""
-        line = self.rows()[-int(26 * self.scale):]
-        return any(r > 200 and g < 170 and b < 170 and r > g + 60 for row in line for r, g, b in row[self.panel:])
-
-
 def material_of(state):
     return state["scene"]["objects"][state["selected"]]["material"]
 
@@ -123,7 +45,7 @@ def by_hand(desk, folder, width, height, scale):
     fitted = os.path.join(folder, "fitted.json")
     if not os.path.exists(fitted):
         run("fit", SAMPLES, "--form", "cook_torrance", "-o", fitted)
-    w = Window(desk, width, height, scale, fitted, "--hard-light")
+    w = Window(desk, options.pictures, width, height, scale, fitted, "--hard-light")
     assert desk.title() == "fitted.json - brdf", desk.title()
     first = desk.saved_state()
     size = first["scene"]["camera"]
@@ -316,7 +238,7 @@ def at_random(desk, folder):
     commands = json.loads(run("view", "--commands"))
     print("without undo: " + "; ".join(f"{c['name']} ({c['why_not']})" for c in commands if not c["undo"]))
     width, height = 480, 360  # small, and few samples: what is drawn is not looked at
-    w = Window(desk, width, height, 1, "--hard-light", "--samples", "16")
+    w = Window(desk, options.pictures, width, height, 1, "--hard-light", "--samples", "16")
     first = desk.written_by("ctrl+s", desk.state_file)
     draw = random.Random(options.seed)
     files = [SAMPLES, os.path.join(source, "data/materials/copper.json"), os.path.join(source, "data/scenes/sphere.json"),
