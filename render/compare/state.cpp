@@ -305,11 +305,13 @@ void turn_light(Scene& scene, float right, float up) {
 }
 
 void follow_camera(Scene& scene, const Camera& before) {
-  const View now = make_view(scene.camera), then = make_view(before);
+  const Camera& camera = scene.camera;
+  // The picture's size is no movement, and would turn the light by roundings.
+  if (camera.position == before.position && camera.target == before.target && camera.up == before.up) return;
+  const View now = make_view(camera), then = make_view(before);
   const auto frame = [](const View& v) {
     return glm::mat3(glm::normalize(v.right), glm::normalize(v.up), glm::normalize(v.forward));
   };
-  if (frame(now) == frame(then)) return;
   const glm::mat3 turn = frame(now) * glm::transpose(frame(then));
   for (Light& light : scene.lights)
     if (!light.point) light.vector = turn * light.vector;

@@ -122,6 +122,19 @@ TEST(Light, ThatFollowsTheCameraStaysInItsFrame) {
   EXPECT_LT(glm::length(seen(state.scene) - seen(some_state().scene)), 1e-5f);
 }
 
+TEST(Light, ThatFollowsTheCameraStaysWhereOnlyThePicturesSizeChanges) {
+  ViewState state = some_state();
+  orbit(state.scene.camera, 0.7f, 0.2f);
+  const ViewState before = state;
+  for (int size = 100; size < 400; size += 7) {
+    const Camera then = state.scene.camera;
+    state.scene.camera.width = size;
+    state.scene.camera.height = 500 - size;
+    follow_camera(state.scene, then);
+  }
+  EXPECT_EQ(state.scene.lights, before.scene.lights);
+}
+
 TEST(Light, AnEnvironmentTurnsWithTheHandByTheSameAngle) {
   Scene scene = some_state().scene;
   scene.environment = Environment{"studio", 170};
