@@ -31,9 +31,10 @@ def columns(text):
 
 
 def bare(value):
-    """JSON without what tells of the command line."""
+    """JSON without what tells of the command line, and without "proof": the module holds no prover (docs/python.md)."""
+    told = ("provenance", "brdf_version", "command", "subject", "proof")
     if isinstance(value, dict):
-        return {k: bare(v) for k, v in value.items() if k not in ("provenance", "brdf_version", "command", "subject")}
+        return {k: bare(v) for k, v in value.items() if k not in told}
     return [bare(v) for v in value] if isinstance(value, list) else value
 
 
