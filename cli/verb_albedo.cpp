@@ -6,6 +6,7 @@
 
 #include "cli/options.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/assess/albedo.h"
 #include "io/json.h"
@@ -20,16 +21,16 @@ struct AlbedoCall {
   bool json = false;
 };
 
-void print(const fit::AlbedoRow& row) {
-  std::cout << std::setw(8) << row.theta << "  " << std::left << std::setw(10) << row.channel << std::right
-            << std::setprecision(15) << std::setw(20) << row.result.value << std::setprecision(2) << "  +- "
-            << std::left << std::setw(9) << row.result.error_bound << std::right << std::setw(9)
-            << row.result.evaluations << "  " << name_of(row.result.rule)
-            << (row.result.converged ? "" : "  NOT CONVERGED");
+void print(std::ostream& out, const fit::AlbedoRow& row) {
+  out << std::setw(8) << row.theta << "  " << std::left << std::setw(10) << row.channel << std::right
+      << std::setprecision(15) << std::setw(20) << row.result.value << std::setprecision(2) << "  +- "
+      << std::left << std::setw(9) << row.result.error_bound << std::right << std::setw(9)
+      << row.result.evaluations << "  " << name_of(row.result.rule)
+      << (row.result.converged ? "" : "  NOT CONVERGED");
   if (row.interval)
-    std::cout << "  " << io::short_number(row.interval->low, 5) << " to "
-              << io::short_number(row.interval->high, 5);
-  std::cout << std::setprecision(6) << '\n';
+    out << "  " << io::short_number(row.interval->low, 5) << " to "
+        << io::short_number(row.interval->high, 5);
+  out << std::setprecision(6) << '\n';
 }
 
 Exit run_albedo(const AlbedoCall& o) {
@@ -40,9 +41,10 @@ Exit run_albedo(const AlbedoCall& o) {
     std::cout << io::to_text(fit::to_json(file.material, rows, o.albedo));
   } else {
     const bool fitted = std::ranges::any_of(rows, [](const auto& r) { return r.interval.has_value(); });
-    std::cout << "   theta  channel                  albedo     bound    evaluations  rule"
-              << (fitted ? "  95 % interval of the fit" : "") << '\n';
-    for (const fit::AlbedoRow& row : rows) print(row);
+    PlainText out;
+    out << "   theta  channel                  albedo     bound    evaluations  rule"
+        << (fitted ? "  95 % interval of the fit" : "") << '\n';
+    for (const fit::AlbedoRow& row : rows) print(out, row);
   }
   const bool converged = std::ranges::all_of(rows, [](const auto& r) { return r.result.converged; });
   return converged ? Exit::good : Exit::failed;

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""What the terminal shows at 60, 80 and 200 columns, beside tests/cli/terminal/COLUMNS.txt: the same lines of the same words,
+numbers within 2 % as in the documents; no line wider than the terminal, but for a word that alone is.
+
+    recorded_test.py BRDF [--update]
+
+--update writes what is shown into the files.
+"""
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+here = pathlib.Path(__file__).resolve().parent
+spec = importlib.util.spec_from_file_location("run_documents", here.parents[1] / "tools/run_documents.py")
+documents = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(documents)
+
+COMMANDS = [
+    "brdf",
+    "brdf fit --help",
+    "brdf models ward",
+    "brdf fitt samples.csv",
+    "brdf fit samples.csv --form ggx",
+    "brdf synth --form cook_torrance --set alpha=0.2 --grid in_plane --noise 0.02 --seed 7 -o samples.csv",
+    "brdf fit samples.csv --form all -o paint.json",
+    "brdf validate --form ward",
+    "brdf albedo --form lambert --theta 0,60",
+]
+
+
+def shown(brdf, columns):
+    """Every command with what it prints, as lines."""
+    lines = []
+    environment = os.environ | {"COLUMNS": str(columns), "NO_COLOR": "1", "LC_ALL": "C.UTF-8"}
+    with tempfile.TemporaryDirectory() as folder:
+        for command in COMMANDS:
+            done = subprocess.run([brdf, *command.split()[1:]], cwd=folder, env=environment, text=True, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+            lines += [f"$ {command}", *(line.rstrip() for line in done.stdout.rstrip("\n").split("\n")),
+                      f"(exit code {done.returncode})", ""]
+    return lines[:-1]
+
+
+brdf, update = pathlib.Path(sys.argv[1]).resolve(), "--update" in sys.argv[2:]
+failed = False
+for columns in (60, 80, 200):
+    file, printed = here / f"terminal/{columns}.txt", shown(brdf, columns)
+    # An error is one line, for programs to read.
+    wide = [line for line in printed if len(line) > columns and not line.startswith(("$ ", "brdf")) and len(line.split()) > 1]
+    for line in wide:
+        print(f"{columns} columns: {len(line)} wide: {line}")
+    failed |= bool(wide)
+    if update:
+        file.write_text("\n".join(printed) + "\n")
+        continue
+    differs = documents.difference(file.read_text().rstrip("\n").split("\n"), printed)
+    if differs:
+        print(f"{file.name}: {differs}\n(recorded_test.py BRDF --update where that is meant)")
+        failed = True
+sys.exit(failed)
