@@ -22,7 +22,8 @@ namespace {
 struct ProveCall {
   std::vector<std::string> materials, forms, properties, require;
   bool all = false, json = false;
-  double seconds = 20, gap = prove::Options().gap;
+  std::optional<double> seconds;
+  double gap = prove::Options().gap;
   std::string output, check;
   ShaderOptions shader;
 };
@@ -76,9 +77,9 @@ Exit run_prove(const ProveCall& o) {
   if (!o.properties.empty()) options.properties = properties_of("--property", o.properties);
   for (const prove::Property p : required)
     if (std::ranges::find(options.properties, p) == options.properties.end()) options.properties.push_back(p);
-  if (!(o.seconds > 0)) throw InputError("--seconds: must be above 0");
+  if (o.seconds && !(*o.seconds > 0)) throw InputError("--seconds: must be above 0");
   if (!(o.gap > 0)) throw InputError("--gap: must be above 0");
-  options.search.seconds = o.seconds;
+  options.search.seconds = o.seconds.value_or(20);
   options.gap = o.gap;
   if (!o.output.empty() && !o.materials.empty())
     throw InputError("-o " + o.output + ": a certificate is of forms, not of materials (" +
@@ -88,9 +89,11 @@ Exit run_prove(const ProveCall& o) {
                      ")");
   std::vector<Material> materials;
   for (const std::string& file : o.materials) materials.push_back(io::read_material(file));
+  prove::Options of_materials = options;
+  of_materials.search.seconds = o.seconds.value_or(60);
   std::vector<prove::Proof> proofs;
   for (std::size_t k = 0; k < materials.size(); ++k)
-    for (prove::Proof& p : prove::prove(materials[k], o.materials[k], options))
+    for (prove::Proof& p : prove::prove(materials[k], o.materials[k], of_materials))
       proofs.push_back(std::move(p));
   std::vector<Reflectance> forms;
   if (is_given(o.shader)) prove_shader(o.shader, o.json, options, proofs);
@@ -131,7 +134,7 @@ void add_prove(CLI::App& app) {
       verb->add_option("--require", o->require, "properties that must be proved, else exit 1")
           ->delimiter(',')
           ->allow_extra_args(false));
-  verb->add_option("--seconds", o->seconds, "of search for each property of each form")
+  verb->add_option("--seconds", o->seconds, "of search for each property (default: 20, of a material 60)")
       ->capture_default_str();
   verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
       ->capture_default_str();

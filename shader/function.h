@@ -75,6 +75,11 @@ Function make_function(const ShaderChoice& choice);
 Function make_function(Source source, const ShaderChoice& choice = {});
 Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler);
 
+// What an integer or a truth that is bound to a parameter of value v holds.
+inline std::uint32_t integer_of(const Binding& b, double v) {
+  return b.boolean ? std::uint32_t(v >= 0.5) : detail::to_integer(std::floor(v + 0.5), Op::to_signed);
+}
+
 // A function's bank for runs of W directions, filled by its parameters' values.
 template <class T, int W>
 class Runner {
@@ -92,10 +97,7 @@ class Runner {
         bank_.set(b.slot, value);
         continue;
       }
-      const double v = Functions<T>::value(value);
-      bank_.set_integer(b.slot, b.boolean
-                                    ? std::uint32_t(v >= 0.5)
-                                    : detail::to_integer(std::floor(v + 0.5), -2147483648.0, 2147483647.0));
+      bank_.set_integer(b.slot, integer_of(b, Functions<T>::value(value)));
     }
   }
   // Of all lanes.

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "prove/scalar/facet_albedo.h"
 #include "prove/scalar/majorants.h"
 #include "prove/scalar/on_box.h"
 #include "prove/scalar/recorded_form.h"
@@ -93,8 +92,21 @@ auto lobe_weights(std::span<const Bounds> weights) {
   return parameters_from<typename F::template Weights<I>, I>(weights, at).linear();
 }
 
+// What facets reflect with these weights, a function of cos_d.
+template <class F>
+auto reflectance_of(const typename F::template Shape<I>& s, const auto& w) {
+  if constexpr (kSchlick<F>)
+    return [w](const auto& c) { return schlick_at(c) * w[2] + w[1]; };
+  else if constexpr (kMetal<F>)
+    return [w, s](const auto& c) { return conductor_at(s.n.lo, s.k.lo, c) * w[1]; };
+  else if constexpr (kIndexed<F>)
+    return [w, s](const auto& c) { return dielectric_at(s.eta.lo, c) * w[1]; };
+  else
+    return [w](const auto&) { return w[1]; };
+}
+
 // The lobes' weights times their albedos: 1 of the diffuse one.
-template <class F, class Majorant>
+template <class F, class Cell>
 std::optional<Bounds> albedo_of_facets(std::span<const Bounds> shape, std::span<const Bounds> weights,
                                        Bounds turn, double accuracy) {
   std::size_t at = 0;
@@ -102,21 +114,18 @@ std::optional<Bounds> albedo_of_facets(std::span<const Bounds> shape, std::span<
   const double alpha = s.alpha_x.lo;
   if (!s.alpha_x.is(alpha) || !s.alpha_y.is(alpha)) return std::nullopt;
   const auto w = lobe_weights<F>(weights);
-  const Bounds facets = [&] {
-    if constexpr (kSchlick<F>) {
-      return facet_albedo<typename Majorant::Cell>(
-          alpha, [&](const auto& c) { return schlick_at(c) * w[2] + w[1]; }, turn, accuracy);
-    } else {
-      const double eta = s.eta.lo;
-      return facet_albedo<typename Majorant::Cell>(
-          alpha, [&](const auto& c) { return dielectric_at(eta, c) * w[1]; }, turn, accuracy);
-    }
-  }();
+  const Bounds facets = facet_albedo<Cell>(alpha, reflectance_of<F>(s, w), turn, accuracy);
   I most = w[1];  // F G2/G1 beside the density of visible normals, see majorants.h
   if constexpr (kSchlick<F>) most = most + w[2];
   const I lobe = I::of(std::min(facets.lo, most.hi), std::min(facets.hi, most.hi));
   const I all = w[0] * I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi) + lobe;
   return Bounds{all.lo, all.hi};
+}
+
+template <class F>
+double stretch_of(std::span<const Bounds> shape) {
+  std::size_t at = 0;
+  return parameters_from<typename F::template Shape<I>, I>(shape, at).alpha_x.lo;
 }
 
 template <class F, class Majorant>
@@ -138,7 +147,10 @@ std::optional<EnergyMethod> facets(F form) {
   }
   add_directions(m.domain);
   m.enclose = enclose_facets<F, Majorant>;
-  if constexpr (requires { typename Majorant::Cell; } && !kMetal<F>) m.albedo = albedo_of_facets<F, Majorant>;
+  if constexpr (requires { typename Majorant::Cell; }) {
+    m.albedo = albedo_of_facets<F, typename Majorant::Cell>;
+    m.stretch = stretch_of<F>;
+  }
   return m;
 }
 
@@ -180,8 +192,8 @@ Bounds enclose_given_back(std::span<const Bounds> box) {
 template <class F>
 bool gives_back(F form) {
   return holds_in_every_case([&](const auto& g) {
-    const auto shape = recorded<typename F::template Shape<Recorded>>();
-    const auto weights = recorded<typename F::template Weights<Recorded>>();
+    const auto shape = recorded_parameters<typename F::template Shape<Recorded>>();
+    const auto weights = recorded_parameters<typename F::template Weights<Recorded>>();
     const auto only = [](const auto& p) { return p.*(std::remove_cvref_t<decltype(p)>::fields()[0].member); };
     const auto value = given_back_value(only(weights), only(shape), g);
     return eval(form, weights, weights, shape, g) == select(g.lowest < Recorded(0), Recorded(0), value);
@@ -214,7 +226,11 @@ std::optional<EnergyMethod> method_of(F form) {
       }
     } else if constexpr (WardForm<F>) {
       if (is_ward<WardKind::bounded>(form)) {
-        EnergyMethod m{"opposite slopes beside one another", {}, enclose_ward_bounded};
+        EnergyMethod m{"opposite slopes beside one another",
+                       {},
+                       enclose_ward_bounded,
+                       albedo_of_facets<F, WardBoundedCell>,
+                       stretch_of<F>};
         m.domain.variables.push_back({"facet_cos2", 0, 1, Variable::Cut::middle});
         m.domain.variables.push_back({"tilt", 0, 2, Variable::Cut::middle});
         return m;
@@ -241,13 +257,7 @@ std::optional<EnergyMethod> method_of(F form) {
 }  // namespace
 
 const EnergyMethod* energy_method(int place) {
-  static const auto methods = [] {
-    std::vector<std::optional<EnergyMethod>> all;
-    for_each_form([&](auto form) { all.push_back(method_of(form)); });
-    return all;
-  }();
-  const auto& method = methods[std::size_t(place)];
-  return method ? &*method : nullptr;
+  return recorded_method<EnergyMethod>(place, [](auto form) { return method_of(form); });
 }
 
 }  // namespace brdf::prove

@@ -16,6 +16,8 @@ struct EnergyMethod {
   // 1 (facets: of the stretched normal, facet_albedo.h); exact. None where it is not known, of unequal widths say. `accuracy`: where an integral that has it in fewer cells may stop.
   std::optional<Bounds> (*albedo)(std::span<const Bounds> shape, std::span<const Bounds> weights, Bounds turn,
                                   double accuracy) = nullptr;
+  // What the view's tangent is multiplied by before its turn is taken; null: 1.
+  double (*stretch)(std::span<const Bounds> shape) = nullptr;
 };
 
 // 1/pi rounded, times pi: what is at most 1 of exact constants.

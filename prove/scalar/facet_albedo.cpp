@@ -20,7 +20,7 @@ Bounds integrate_cells(const std::function<FacetPart(const FacetRange&)>& part, 
   std::priority_queue<Cell> cells;
   double width = 0;
   const auto add = [&](Bounds z, Bounds phi, bool second) {
-    const FacetRange at{z, phi, second, turn};
+    const FacetRange at{z, phi, second};
     const FacetPart found = part(at);
     width += found.width;
     cells.push({at, found});

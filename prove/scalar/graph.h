@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "brdf/geometry.h"
 #include "brdf/scalar.h"
 
 namespace brdf::prove {
@@ -110,6 +111,19 @@ class Recorded {
 
   int id_;
   bool negative_ = false;
+};
+
+// A form's parameters, each an input of its name.
+template <class P>
+P recorded_parameters() {
+  P p{};
+  for (const auto& field : P::fields()) p.*(field.member) = Recorded::input(field.info.name);
+  return p;
+}
+
+struct RecordedDirections {
+  Vec3<Recorded> wi{Recorded::input(".ix"), Recorded::input(".iy"), Recorded::input(".iz")};
+  Vec3<Recorded> wo{Recorded::input(".ox"), Recorded::input(".oy"), Recorded::input(".oz")};
 };
 
 }  // namespace brdf::prove

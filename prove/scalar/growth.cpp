@@ -97,13 +97,7 @@ std::optional<GrowthMethod> method_of(F form) {
 }  // namespace
 
 const GrowthMethod* growth_method(int place) {
-  static const auto methods = [] {
-    std::vector<std::optional<GrowthMethod>> all;
-    for_each_form([&](auto form) { all.push_back(method_of(form)); });
-    return all;
-  }();
-  const auto& method = methods[std::size_t(place)];
-  return method ? &*method : nullptr;
+  return recorded_method<GrowthMethod>(place, [](auto form) { return method_of(form); });
 }
 
 }  // namespace brdf::prove

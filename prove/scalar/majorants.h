@@ -8,7 +8,7 @@
 
 #include "brdf/fresnel.h"
 #include "brdf/microfacet.h"
-#include "prove/scalar/facet_albedo.h"
+#include "prove/scalar/facet_cells.h"
 #include "prove/scalar/lemmas.h"
 
 namespace brdf::prove {
@@ -39,6 +39,7 @@ struct GgxSmith {
 };
 
 struct BeckmannSmith {
+  using Cell = BeckmannSmithCell;
   static constexpr bool tied = false;
   template <class S, class G>
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {

@@ -6,21 +6,13 @@
 
 namespace brdf::prove {
 
-template <class P>
-P recorded_parameters() {
-  P p{};
-  for (const auto& field : P::fields()) p.*(field.member) = Recorded::input(field.info.name);
-  return p;
-}
-
 template <Form F>
 Swapped record(F form, Rules rules, long most) {
   using Weights = typename F::template Weights<Recorded>;
   Swapped result;
   Graph graph(rules);
   const Graph::Scope scope(graph);
-  const Vec3<Recorded> wi{Recorded::input(".ix"), Recorded::input(".iy"), Recorded::input(".iz")},
-      wo{Recorded::input(".ox"), Recorded::input(".oy"), Recorded::input(".oz")};
+  const auto [wi, wo] = RecordedDirections();
   const auto shape = recorded_parameters<typename F::template Shape<Recorded>>();
   const auto weights = recorded_parameters<Weights>();
   do {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "brdf/forms.h"
 #include "prove/scalar/graph.h"
@@ -9,20 +11,12 @@
 
 namespace brdf::prove {
 
-template <class P>
-P recorded() {
-  P p{};
-  for (const auto& field : P::fields()) p.*(field.member) = Recorded::input(field.info.name);
-  return p;
-}
-
 // Whether `same` holds of recorded geometry in every case of its comparisons.
 template <class Same>
 bool holds_in_every_case(const Same& same) {
   Graph graph;
   const Graph::Scope scope(graph);
-  const Vec3<Recorded> wi{Recorded::input(".ix"), Recorded::input(".iy"), Recorded::input(".iz")},
-      wo{Recorded::input(".ox"), Recorded::input(".oy"), Recorded::input(".oz")};
+  const auto [wi, wo] = RecordedDirections();
   long cases = 0;
   do {
     if (!same(geometry(wi, wo))) return false;
@@ -34,9 +28,22 @@ bool holds_in_every_case(const Same& same) {
 template <class F, class Author>
 bool is_written_as(F, const Author& author) {
   return holds_in_every_case([&](const auto& g) {
-    const auto shape = recorded<typename F::template Shape<Recorded>>();
+    const auto shape = recorded_parameters<typename F::template Shape<Recorded>>();
     return F::lobes(shape, g) == author(shape, g);
   });
+}
+
+// What `method_of` says of the form at that place of the catalogue: null where that is nothing. All forms are recorded at the
+// first call.
+template <class Method, class MethodOf>
+const Method* recorded_method(int place, MethodOf method_of) {
+  static const auto methods = [&] {
+    std::vector<std::optional<Method>> all;
+    for_each_form([&](auto form) { all.push_back(method_of(form)); });
+    return all;
+  }();
+  const auto& method = methods[std::size_t(place)];
+  return method ? &*method : nullptr;
 }
 
 // A diffuse term and one lobe of two widths.

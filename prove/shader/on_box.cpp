@@ -63,9 +63,9 @@ class ShaderOnBox {
       if (b.integer) {
         const Bounds v = b.from == Binding::From::value ? inputs.values[b.value] : Bounds{1, 1};
         const bool zero = b.from == Binding::From::zero;
-        const auto whole = [&](double x) { return b.boolean ? double(x >= 0.5) : std::floor(x + 0.5); };
-        start_.write_integer(b.slot, zero ? 0 : std::uint32_t(std::int64_t(whole(v.lo))),
-                             whole(v.lo) != whole(v.hi));
+        const std::uint32_t least = shader::integer_of(b, double(B(v.lo))),
+                            most = shader::integer_of(b, double(B(v.hi)));
+        start_.write_integer(b.slot, zero ? 0 : least, !zero && least != most);
       } else {
         start_.write(b.slot, input(b, inputs, wi, wo, h));
       }
@@ -152,12 +152,13 @@ class ShaderOnBox {
       w.write_integer(s.r, 0, w.numbers[s.a].poisoned());
     } else if (s.op == Op::to_signed || s.op == Op::to_unsigned) {
       const I x = w.numbers[s.a];
-      const bool known = !x.poisoned() && std::trunc(x.lo) == std::trunc(x.hi) && std::fabs(x.lo) < 1e9;
-      w.write_integer(s.r, known ? std::uint32_t(std::int64_t(x.lo)) : 0, !known);
+      const std::uint32_t least = shader::detail::to_integer(x.lo, s.op),
+                          most = shader::detail::to_integer(x.hi, s.op);
+      w.write_integer(s.r, least, x.poisoned() || least != most);
     } else if (s.op == Op::from_signed || s.op == Op::from_unsigned) {
       const std::uint32_t x = w.integers[s.a];
       const double value = s.op == Op::from_signed ? double(std::int32_t(x)) : double(x);
-      w.write(s.r, w.open[s.a] ? I::poison() : I(value));
+      w.write(s.r, w.open[s.a] ? I::poison() : I(double(B(value))));
     } else if (s.op == Op::load_number) {
       load(w, s);
     } else if (s.op == Op::store_number) {

@@ -45,7 +45,7 @@ struct Way {
         said(p.integers),
         told_of(p.numbers) {
     for (std::uint32_t k = 0; k < p.numbers; ++k) root[k] = k;
-    for (const shader::Program::Constant& c : p.constants) numbers[c.slot] = I(c.value);
+    for (const shader::Program::Constant& c : p.constants) numbers[c.slot] = I(double(B(c.value)));
     for (const shader::Program::IntegerConstant& c : p.integer_constants) integers[c.slot] = c.value;
   }
 

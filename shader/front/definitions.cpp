@@ -6,10 +6,6 @@
 namespace brdf::shader {
 namespace {
 
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
-}
-
 // Beyond a preprocessor line that begins at `at`, with the lines that continue it.
 std::size_t after_directive(const std::string& text, std::size_t at) {
   for (;;) {

@@ -8,6 +8,11 @@
 
 namespace brdf::shader {
 
+// Of a name or a number.
+constexpr bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
+}
+
 struct Definition {
   std::string name;                             // of a declaration the last one it declares
   std::size_t begin = 0, end = 0;               // in the text: from its type to its last brace

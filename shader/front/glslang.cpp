@@ -27,6 +27,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kDeepestInclude = 16, kMostIncludes = 200;
 constexpr int kMostSeconds = 2;  // of the processor, for a text that compiles in part
 
+std::string no_files(const std::vector<std::string>& names) {
+  return io::joined(names) + (names.size() > 1 ? " are no files" : " is no file") +
+         " of the shader's own folder";
+}
+
 // Files of the shader's own folder, and no others. One that is not there is empty: the function may need nothing of it.
 class FolderIncluder final : public glslang::TShader::Includer {
  public:
@@ -103,7 +108,7 @@ class FolderIncluder final : public glslang::TShader::Includer {
 // A type in the head of the function on that line that neither the language nor the text has.
 std::string unknown_type(const std::string& text, std::uint32_t line) {
   static const std::regex known(
-      "void|bool|u?int|float|double|half|real|fixed|uint|dword|min(10|12|16)\\w+|[biud]?vec[234]|d?mat[234]("
+      "void|bool|int|float|double|half|real|fixed|uint|dword|min(10|12|16)\\w+|[biud]?vec[234]|d?mat[234]("
       "x[234])?|"
       "(float|half|real|fixed|int|uint|bool|double)[1-4](x[1-4])?|[iu]?(sampler|image)\\w+|(RW)?(Texture|"
       "Sampler|Buffer)\\w+");
@@ -165,9 +170,7 @@ void take_messages(Translated& out, const Source& source, const std::string& log
   out.messages +=
       "; write what is missing into the file, or put the file that has it into the shader's folder and "
       "#include it";
-  if (!missing.empty())
-    out.messages += " (" + io::joined(missing) + (missing.size() > 1 ? " are no files" : " is no file") +
-                    " of the shader's own folder)";
+  if (!missing.empty()) out.messages += " (" + no_files(missing) + ")";
 }
 
 Translated translate_with(const Source& source, const Attempt& attempt) {
@@ -219,9 +222,7 @@ Translated translate_with(const Source& source, const Attempt& attempt) {
   out.spirv.assign(words.begin(), words.end());
   out.note = attempt.note;
   if (!includer.missing().empty())
-    out.note += (out.note.empty() ? "" : "; ") + io::joined(includer.missing()) +
-                (includer.missing().size() > 1 ? " are no files" : " is no file") +
-                " of the shader's own folder, and left away";
+    out.note += (out.note.empty() ? "" : "; ") + no_files(includer.missing()) + ", and left away";
   return out;
 }
 

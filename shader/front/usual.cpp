@@ -3,6 +3,8 @@
 #include <set>
 #include <string_view>
 
+#include "shader/front/definitions.h"
+
 namespace brdf::shader {
 namespace {
 
@@ -64,10 +66,6 @@ struct Words {
   std::set<std::string_view> used = {}, defined = {};
 };
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
-}
-
 // "float", "half3", "min16float3", "define": what stands before a name that is defined.
 bool declares(std::string_view word) {
   while (!word.empty() && ((word.back() >= '0' && word.back() <= '9') || word.back() == 'x'))
@@ -81,13 +79,13 @@ Words words_of(const std::string& text) {
   Words out;
   std::string_view before;
   for (std::size_t at = 0; at < text.size();) {
-    if (!is_letter(text[at])) {
+    if (!is_word(text[at])) {
       if (text[at] != ' ' && text[at] != '\n' && text[at] != '\t') before = {};
       ++at;
       continue;
     }
     const std::size_t begin = at;
-    while (at < text.size() && is_letter(text[at])) ++at;
+    while (at < text.size() && is_word(text[at])) ++at;
     const auto word = std::string_view(text).substr(begin, at - begin);
     out.used.insert(word);
     const std::size_t next = text.find_first_not_of(" \n\t", at);

@@ -58,9 +58,10 @@ class Bank {
 
 namespace detail {
 
-template <class T>
-std::uint32_t to_integer(const T& x, double least, double most) {
-  const double v = Functions<T>::value(x);
+// Towards zero; beyond the integers the nearest of them, and 0 of a NaN.
+inline std::uint32_t to_integer(double v, Op to) {
+  const double least = to == Op::to_signed ? -2147483648.0 : 0,
+               most = to == Op::to_signed ? 2147483647.0 : 4294967295.0;
   return v != v ? 0 : std::uint32_t(std::int64_t(std::clamp(v, least, most)));
 }
 
@@ -267,9 +268,9 @@ template <class T, int W, class Lanes>
     case Op::is_inf:
       return probe([](const T& a) { return std::uint32_t(std::isinf(F::value(a))); });
     case Op::to_signed:
-      return probe([](const T& a) { return to_integer(a, -2147483648.0, 2147483647.0); });
+      return probe([](const T& a) { return to_integer(F::value(a), Op::to_signed); });
     case Op::to_unsigned:
-      return probe([](const T& a) { return to_integer(a, 0, 4294967295.0); });
+      return probe([](const T& a) { return to_integer(F::value(a), Op::to_unsigned); });
     case Op::bits_of:
       return probe([](const T& a) { return F::bits(a); });
     case Op::from_signed:

@@ -18,7 +18,7 @@ double turn_of(double tangent, double stretch) {
   return t / (1 + t);
 }
 
-std::optional<Bounds> albedo_at(const Term& term, double turn, double half = 0, double accuracy = 2e-3) {
+std::optional<Bounds> albedo_at(const Term& term, double turn, double half = 0, double accuracy = 4e-3) {
   const EnergyMethod* method = energy_method(catalogue_index(term.form));
   if (method == nullptr || method->albedo == nullptr) return std::nullopt;
   std::vector<Bounds> shape, weights;
@@ -55,13 +55,13 @@ TEST(Material, CertifiedAlbedosHoldWhatTheIntegralsFind) {
               << form.info().name << ' ' << alpha << ' ' << theta;
           EXPECT_GE(b.hi, numeric.value - numeric.error_bound)
               << form.info().name << ' ' << alpha << ' ' << theta;
-          EXPECT_LT(b.hi - b.lo, 0.06) << form.info().name << ' ' << alpha << ' ' << theta;
+          EXPECT_LT(b.hi - b.lo, 0.13) << form.info().name << ' ' << alpha << ' ' << theta;
           ++held;
         }
       }
     }
   }
-  EXPECT_GE(held, 5 * 3 * 10);  // two diffuse forms, three of facets
+  EXPECT_GE(held, 8 * 3 * 10);  // two diffuse forms, six of facets
 }
 
 // Faults that a prover could have: pi for 4 in the scale, the masking left out. Their albedos are outside the interval.
@@ -80,18 +80,69 @@ TEST(Material, FaultyAlbedosAreOutsideTheInterval) {
   EXPECT_GE(tried, 3);
 }
 
-TEST(Material, NothingIsSaidOfUnequalWidthsOrOfSums) {
+TEST(Material, NothingIsSaidOfUnequalWidths) {
   Options options;
   options.properties = {Property::energy};
   for (const Reflectance& form : catalogue()) {
     Term term = rough(form, 0.3);
     if (!has_facets(form) || !albedo_at(term, 0)) continue;
-    Material sum{{"fr"}, {term, term}};
-    EXPECT_EQ(prove(sum, "m", options).front().verdict, Verdict::no_method);
     for (std::size_t k = 0; k < term.shape[0].size(); ++k)
       if (form.info().shape[k].role == Role::width) term.shape[0][k] = 0.2;
     EXPECT_EQ(prove(Material{{"fr"}, {term}}, "m", options).front().verdict, Verdict::no_method);
   }
+}
+
+// The largest of a grid of views, by the integrals.
+double largest_of(const Material& m) {
+  double most = 0;
+  for (double theta = 0; theta < 89.9999; theta += 0.05 * (90 - theta)) {
+    double sum = 0;
+    for (const Term& t : m.terms) sum += directional_albedo(t, 0, degrees(theta), degrees(0)).value;
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+TEST(Material, SumsOfTermsAreKnownTogether) {
+  Options options;
+  options.properties = {Property::finite, Property::non_negative, Property::energy, Property::reciprocity};
+  const auto term = [](const char* name, double alpha, double share) {
+    Term t = rough(*find_form(name), alpha);
+    for (double& w : t.weights[0]) w *= share;
+    return t;
+  };
+  for (const Material& m :
+       {Material{{"fr"}, {term("cook_torrance", 0.9, 0.6), term("cook_torrance_beckmann", 0.7, 0.3)}},
+        Material{{"fr"}, {term("lambert", 1, 0.4), term("ward_bounded", 0.6, 0.5)}}}) {
+    const double largest = largest_of(m);
+    for (const Proof& p : prove(m, "m", options)) {
+      EXPECT_EQ(p.verdict, Verdict::proved)
+          << name_of(p.claim.property) << ' ' << p.form << ' ' << p.statement;
+      if (p.claim.property == Property::reciprocity) {
+        EXPECT_EQ(p.arithmetic, m.terms.front().form.info().name == "lambert"
+                                    ? "every IEEE precision, bit for bit"
+                                    : "exact");
+      }
+      if (p.claim.property != Property::energy) continue;
+      EXPECT_LE(p.high - p.low, 2e-3 + 1e-12);
+      EXPECT_LE(p.low, largest + 1e-3);
+      EXPECT_GE(p.high, largest);
+    }
+  }
+  const Proof unknown =
+      prove(Material{{"fr"}, {term("lambert", 1, 0.1), term("blinn_phong", 1, 0.1)}}, "m", options)[4];
+  EXPECT_EQ(unknown.claim.property, Property::energy);
+  EXPECT_EQ(unknown.verdict, Verdict::no_method) << unknown.statement;
+}
+
+// Ward's own lobe reflects more than it receives at some angle, however small its weight.
+TEST(Material, WardsLobesAreRefutedTowardsGrazing) {
+  Options options;
+  options.properties = {Property::energy};
+  Term ward = rough(*find_form("ward"), 0.2);
+  const Proof p = prove(Material{{"fr"}, {ward}}, "m", options).front();
+  ASSERT_EQ(p.verdict, Verdict::refuted) << p.statement;
+  EXPECT_GT(p.witness->value, 1);
 }
 
 TEST(Material, LargestAlbedoOfDiffuseFormsIsKnownToAThousandth) {

@@ -2,26 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "brdf/integrals.h"
-#include "io/error.h"
 #include "tests/shader/texts.h"
 
 namespace brdf::shader {
 namespace {
 
 using testing::HasSubstr;
-
-std::string refusal(const std::string& text, const ShaderChoice& choice = {},
-                    const std::string& name = "test.glsl") {
-  try {
-    shader_of(text, choice, name);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "accepted";
-}
 
 std::vector<std::string> names(std::span<const ParameterInfo> table) {
   std::vector<std::string> out;
@@ -280,116 +267,6 @@ TEST(Style, UnitysLabHoldsAShader) {
       "}\n  ENDCG\n  } }\n}\n",
       {}, "plain.shader");
   EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.5 / kPi, 1e-6);
-}
-
-TEST(Refused, OtherLanguagesByName) {
-  EXPECT_THAT(refusal("fn brdf(L: vec3<f32>, V: vec3<f32>) -> vec3<f32> { return L; }"),
-              HasSubstr("is WGSL"));
-  EXPECT_THAT(refusal("#include <metal_stdlib>\nfloat3 brdf(float3 L, float3 V) { return L; }"),
-              HasSubstr("Metal"));
-  EXPECT_THAT(refusal("shader a(output closure color c = 0) { c = diffuse(N); }"),
-              HasSubstr("Open Shading Language"));
-  EXPECT_THAT(refusal("shader_type spatial;\nvoid light() { DIFFUSE_LIGHT += vec3(1.0); }"),
-              HasSubstr("Godot"));
-  EXPECT_THAT(refusal("glm::vec3 brdf(glm::vec3 L, glm::vec3 V) { return L; }"), HasSubstr("C++"));
-}
-
-TEST(Refused, WithTheSentenceThatHelps) {
-  const std::string only_main = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
-  EXPECT_THAT(refusal(only_main), HasSubstr("test.glsl: has main() and no function brdf"));
-  EXPECT_THAT(refusal(only_main), HasSubstr("//: entry NAME"));
-  EXPECT_THAT(refusal(only_main, {.file = "", .entry = "main"}),
-              testing::AllOf(HasSubstr("main() takes no directions"), HasSubstr("//: entry NAME")));
-  EXPECT_THAT(
-      refusal("uniform sampler2D lut;\nfloat brdf(vec3 L, vec3 V) {\n return texture(lut, L.xy).r; }"),
-      HasSubstr("test.glsl:3: reads the texture lut; give what it holds as a parameter"));
-  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n if (L.x > 0.1) discard;\n return 1.0; }"),
-              HasSubstr("test.glsl:2: discards the pixel"));
-  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n return dott(L, V); }"),
-              HasSubstr("test.glsl:2: 'dott'"));
-  EXPECT_THAT(refusal("mat3 brdf(vec3 L, vec3 V) { return mat3(1.0); }", {.file = "", .entry = "brdf"}),
-              HasSubstr("a reflectance is a float or a vec3"));
-  EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"rough=0:1"}}),
-              HasSubstr("--param rough: is no argument, uniform or global variable of"));
-  EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"roughness=1:0"}}),
-              HasSubstr("its least value is above its largest"));
-  EXPECT_THAT(refusal(kGgx, {.file = "", .entry = "shade"}), HasSubstr("has no function shade (it has "));
-  EXPECT_THAT(refusal(kGgx, {.file = "", .returns = "f*cos"}),
-              HasSubstr("must be one of f, f*cos_i, f*cos_o"));
-  EXPECT_THAT(refusal("//: parameter a 0 1 0\nfloat brdf(vec3 L, vec3 V) { return 1.0; }"),
-              HasSubstr("test.glsl:1: //: parameter: must be param"));
-  EXPECT_THAT(refusal("::begin parameters\nfloat a 0\n::end parameters\n", {}, "a.brdf"),
-              HasSubstr("a.brdf:2: must be NAME MIN MAX DEFAULT"));
-  EXPECT_THAT(refusal(std::string(300, '(')), HasSubstr("nested too deeply"));
-  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) { return dFdx(L.x); }"),
-              HasSubstr("derivatives across the screen"));
-}
-
-TEST(Refused, AFileOutsideTheShadersFolder) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "brdf_shader_includes";
-  std::filesystem::create_directories(folder / "inside");
-  std::ofstream(folder / "outside.glsl") << "float secret() { return 1.0; }\n";
-  std::ofstream(folder / "inside" / "part.glsl") << "float part(float x) { return 2.0 * x; }\n";
-  const auto read = [&](const std::string& include) {
-    std::ofstream(folder / "inside" / "a.glsl")
-        << "#include \"" << include << "\"\nfloat brdf(vec3 L, vec3 V, float k) { return part(k); }\n";
-    return load_shader({(folder / "inside" / "a.glsl").string()});
-  };
-  EXPECT_EQ(value_at(read("part.glsl"), 10, 0, 10, 0), 1);
-  // As a library counts from a folder further up.
-  EXPECT_EQ(value_at(read("library/inside/part.glsl"), 10, 0, 10, 0), 1);
-  // One that nobody needs is left away.
-  std::ofstream(folder / "inside" / "b.glsl")
-      << "#include \"unneeded.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return k; }\n";
-  const auto without = load_shader({(folder / "inside" / "b.glsl").string()});
-  EXPECT_EQ(value_at(without, 10, 0, 10, 0), 0.5);
-  EXPECT_THAT(
-      without->function().notes,
-      testing::Contains(HasSubstr("'unneeded.glsl' is no file of the shader's own folder, and left away")));
-  for (const std::string name : {"../outside.glsl", "/etc/passwd", "missing.glsl"}) {
-    try {
-      read(name);
-      ADD_FAILURE() << name;
-    } catch (const InputError& e) {
-      EXPECT_THAT(e.what(), HasSubstr("is no file of the shader's own folder"));
-    }
-  }
-  std::filesystem::remove_all(folder);
-}
-
-TEST(Refused, WhatAsksForMoreThanItsShare) {
-  std::string bomb = "#define A0 1.0\n";
-  for (int k = 1; k < 40; ++k)
-    bomb +=
-        "#define A" + std::to_string(k) + " A" + std::to_string(k - 1) + "+A" + std::to_string(k - 1) + "\n";
-  EXPECT_THAT(refusal(bomb + "float brdf(vec3 L, vec3 V) { return A39; }"),
-              HasSubstr("the shader compiler needs more than"));
-  std::string calls = "float f0(float x) { return sin(x) + x; }\n";
-  for (int k = 1; k < 30; ++k) {
-    const std::string before = "f" + std::to_string(k - 1);
-    calls +=
-        "float f" + std::to_string(k) + "(float x) { return " + before + "(x) * " + before + "(x + 1.0); }\n";
-  }
-  EXPECT_THAT(refusal(calls + "float brdf(vec3 L, vec3 V) { return f29(L.x); }"),
-              HasSubstr("larger than 200000 operations"));
-}
-
-TEST(Compiler, TakesManyTextsAndGoesOnAfterOneThatEndsIt) {
-  Compiler compiler;
-  const auto value = [&](const std::string& text) {
-    const auto shader = std::make_shared<const ShaderReflectance>(
-        make_function(parse_source("test.glsl", text), {}, compiler));
-    return value_at(shader, 10, 0, 10, 0);
-  };
-  for (int k = 1; k <= 20; ++k)
-    EXPECT_EQ(value("float brdf(vec3 L, vec3 V) { return " + std::to_string(k) + ".0; }"), k);
-  EXPECT_THROW(value("float brdf(vec3 L, vec3 V) { return missing; }"), InputError);
-  std::string bomb = "#define A0 1.0\n";
-  for (int k = 1; k < 40; ++k)
-    bomb +=
-        "#define A" + std::to_string(k) + " A" + std::to_string(k - 1) + "+A" + std::to_string(k - 1) + "\n";
-  EXPECT_THROW(value(bomb + "float brdf(vec3 L, vec3 V) { return A39; }"), InputError);
-  EXPECT_EQ(value("float brdf(vec3 L, vec3 V) { return 5.0; }"), 5);
 }
 
 TEST(Energy, AClampedProductReflectsMoreThanItReceives) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "io/error.h"
 #include "shader/shader.h"
 
 namespace brdf::shader {
@@ -20,6 +21,17 @@ inline double value_at(const std::shared_ptr<const ShaderReflectance>& shader, d
   std::vector<double> f(m.channels.size());
   eval(m, direction(degrees(theta_i), degrees(phi_i)), direction(degrees(theta_o), degrees(phi_o)), f);
   return f[channel];
+}
+
+// The message that refuses it.
+inline std::string refusal(const std::string& text, const ShaderChoice& choice = {},
+                           const std::string& name = "test.glsl") {
+  try {
+    shader_of(text, choice, name);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
 }
 
 inline const std::string kGgx = R"(#version 330 core

@@ -101,6 +101,12 @@ struct RoughMetal {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
+// Of facets of that n and k.
+template <template <class> class Metal, class S, class G>
+S fresnel_of(const Metal<S>& shape, const Geometry<G>& g) {
+  return fresnel_conductor(shape.n, shape.k, S(at_most(g.cos_d, G(1))));
+}
+
 // As cook_torrance, with the exact Fresnel reflectance of a conductor of index n + i k in place of Schlick's. A metal's colour
 // is that of n and k, each a shape of its channel's own (fit: --per-channel --tie alpha; --start n=TABLE k=TABLE).
 // Domain: alpha 1e-4..1, n .02..20, k .1..20: without extinction and with n below 1 the reflectance has an edge at the angle of
@@ -121,7 +127,7 @@ struct cook_torrance_conductor : Takes<LobeWeights, RoughMetal> {
   static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
     const Roughness<S> alpha = shape.widths();
     const S vd = quotient(d_ggx(alpha, g), v_smith_ggx(alpha, g));
-    return {S(1 / kPi), vd * fresnel_conductor(shape.n, shape.k, S(at_most(g.cos_d, G(1))))};
+    return {S(1 / kPi), vd * fresnel_of(shape, g)};
   }
 };
 

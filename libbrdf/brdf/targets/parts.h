@@ -74,9 +74,4 @@ struct RoughConductor {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-template <class S, class G>
-S fresnel_of(const RoughConductor<S>& shape, const Geometry<G>& g) {
-  return fresnel_conductor(shape.n, shape.k, S(at_most(g.cos_d, G(1))));
-}
-
 }  // namespace brdf

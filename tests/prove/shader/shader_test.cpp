@@ -160,6 +160,10 @@ TEST(ShaderProofs, FaultsAreRefutedOrStayOpen) {
             Verdict::proved);
   // dot(L, H) may round above 1, and pow of less than 0 is no number.
   EXPECT_NE(proofs_of(shader::kGgx, {Property::finite}).at("finite").verdict, Verdict::proved);
+  // Numbers that an integer does not hold: the nearest one that it does.
+  EXPECT_NE(of("return 1.0 / float(uint(-1.25 - 0.5 * r));").at("finite").verdict, Verdict::proved);
+  EXPECT_NE(of("return 1.0 / float(int(-3e9 - 1e9 * r) + 2147483647 + 1);").at("finite").verdict,
+            Verdict::proved);
   const auto bright = of("return 0.32 * (1.0 + r);");
   ASSERT_EQ(bright.at("energy").verdict, Verdict::refuted);
   EXPECT_NEAR(bright.at("energy").witness->value, 0.64 * kPi, 1e-6);
