@@ -1,6 +1,7 @@
 #include "cli/shader_proof.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -22,13 +23,51 @@ namespace brdf::cli {
 
 namespace {
 
-void print_json(const std::vector<render::ProofRow>& rows, const std::vector<ShaderCost>& costs,
-                const std::string& device, bool software, std::uint64_t seed) {
+// The names of the tables beside the numbers of a configuration.
+io::Json parameters_of(const Reflectance& form, const render::ProofWorst& w) {
+  io::Json out = io::Json::object();
+  const ReflectanceInfo& info = form.info();
+  for (std::size_t k = 0; k < info.weights.size(); ++k)
+    out[std::string(info.weights[k].name)] = w.at.weights[k][w.value % 3];
+  for (std::size_t k = 0; k < info.shape.size(); ++k) out[std::string(info.shape[k].name)] = w.at.shape[k];
+  return out;
+}
+
+io::Json to_json(const Reflectance& form, const render::ProofWorst& w) {
+  const auto number = [](float x) {
+    return std::isfinite(x) ? io::Json(x) : io::Json(io::short_number(x, 9));
+  };
+  return {{"value", w.value < 3 ? "f" : "f cos_i"},
+          {"device", number(w.device)},
+          {"library", number(w.library)},
+          {"wi", std::vector(w.at.wi.begin(), w.at.wi.begin() + 3)},
+          {"wo", std::vector(w.at.wo.begin(), w.at.wo.begin() + 3)},
+          {"parameters", parameters_of(form, w)}};
+}
+
+void print_worst(const Reflectance& form, const render::ProofWorst& w) {
+  const auto direction = [](const std::array<float, 4>& v) {
+    return "(" + io::short_number(v[0], 9) + ", " + io::short_number(v[1], 9) + ", " +
+           io::short_number(v[2], 9) + ")";
+  };
+  std::cout << "  furthest: " << (w.value < 3 ? "f" : "f cos_i") << " is " << io::short_number(w.device, 9)
+            << " there, " << io::short_number(w.library, 9) << " rounded correctly, for light "
+            << direction(w.at.wi) << ", viewer " << direction(w.at.wo);
+  const io::Json parameters = parameters_of(form, w);
+  for (const auto& [name, value] : parameters.items())
+    std::cout << ", " << name << " " << io::short_number(value.get<double>(), 9);
+  std::cout << '\n';
+}
+
+void print_json(std::span<const Reflectance> forms, const std::vector<render::ProofRow>& rows,
+                const std::vector<ShaderCost>& costs, const std::string& device, bool software,
+                std::uint64_t seed) {
   io::Json out;
   out["device"] = device;
   out["software"] = software;
   out["rows"] = io::Json::array();
-  for (const render::ProofRow& row : rows)
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const render::ProofRow& row = rows[k];
     out["rows"].push_back({{"form", row.form},
                            {"count", row.count},
                            {"differing", row.differing},
@@ -36,14 +75,16 @@ void print_json(const std::vector<render::ProofRow>& rows, const std::vector<Sha
                            {"beyond_tolerance", row.beyond_tolerance},
                            {"seconds_to_compile", row.seconds_to_compile},
                            {"passes", render::passes(row, software)}});
+    if (row.differing > 0) out["rows"].back()["furthest"] = to_json(forms[k], row.worst);
+  }
   for (const ShaderCost& c : costs)
     out["costs"].push_back({{"name", c.name}, {"operations", c.operations}, {"driver_ns", c.driver_ns}});
   out["provenance"] = io::to_json(io::provenance(seed));
   std::cout << io::to_text(out) << '\n';
 }
 
-void print_table(const std::vector<render::ProofRow>& rows, const std::string& device, bool software,
-                 bool of_shader) {
+void print_table(std::span<const Reflectance> forms, const std::vector<render::ProofRow>& rows,
+                 const std::string& device, bool software, bool of_shader) {
   const char* rule = of_shader
                          ? ": beside correctly rounded float; what differs is the driver's own functions"
                      : software ? ": every bit must agree"
@@ -52,11 +93,14 @@ void print_table(const std::vector<render::ProofRow>& rows, const std::string& d
             << std::left << std::setw(28) << "form" << std::right << std::setw(14) << "configurations"
             << std::setw(18) << "differing values" << std::setw(12) << "max ulp" << std::setw(18)
             << "beyond tolerance" << '\n';
-  for (const render::ProofRow& row : rows)
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const render::ProofRow& row = rows[k];
+    const bool fails = !of_shader && !render::passes(row, software);
     std::cout << std::left << std::setw(28) << row.form << std::right << std::setw(14) << row.count
               << std::setw(18) << row.differing << std::setw(12) << row.max_ulp << std::setw(18)
-              << row.beyond_tolerance << (of_shader || render::passes(row, software) ? "" : "  FAILS")
-              << '\n';
+              << row.beyond_tolerance << (fails ? "  FAILS" : "") << '\n';
+    if (fails || row.beyond_tolerance > 0) print_worst(forms[k], row.worst);
+  }
 }
 
 void print_costs(const std::vector<ShaderCost>& costs) {
@@ -86,9 +130,9 @@ Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool j
         shader_costs(device, forms.front(), std::string(shader->reflectance.info().name), shader->operations);
 #endif
   if (json) {
-    print_json(rows, costs, device.name(), software, seed);
+    print_json(forms, rows, costs, device.name(), software, seed);
   } else {
-    print_table(rows, device.name(), software, shader != nullptr);
+    print_table(forms, rows, device.name(), software, shader != nullptr);
     print_costs(costs);
   }
   if (shader) return Exit::good;

@@ -115,7 +115,8 @@ class Machine {
   Buffer input_, output_;
 };
 
-void compare(ProofRow& row, const ProofValues& device, const ProofValues& library) {
+void compare(ProofRow& row, const ProofConfiguration& at, const ProofValues& device,
+             const ProofValues& library) {
   ++row.count;
   for (std::size_t k = 0; k < device.size(); ++k) {
     const float a = device[k], b = library[k];
@@ -123,7 +124,11 @@ void compare(ProofRow& row, const ProofValues& device, const ProofValues& librar
     if (std::isnan(a) && std::isnan(b)) continue;
     ++row.differing;
     row.max_ulp = std::max(row.max_ulp, ulps(a, b));
-    if (!(std::abs(a - b) <= kProofRelative * std::abs(b) + kProofAbsolute)) ++row.beyond_tolerance;
+    const double distance = std::abs(double(a) - double(b)),
+                 tolerances = distance / (kProofRelative * std::abs(double(b)) + kProofAbsolute);
+    const double far = tolerances == tolerances ? tolerances : HUGE_VAL;
+    if (far > 1) ++row.beyond_tolerance;
+    if (far > row.worst.tolerances) row.worst = {at, k, a, b, far};
   }
 }
 
@@ -135,7 +140,7 @@ ProofRow proof_of(Machine& machine, const Reflectance& form, const ProofOptions&
   const auto run = [&](std::span<const ProofConfiguration> configurations) {
     machine.evaluate(pipeline.get(), configurations,
                      [&](const ProofConfiguration& c, const ProofValues& values) {
-                       compare(row, values, library_values(form, c));
+                       compare(row, c, values, library_values(form, c));
                      });
   };
   const auto extremes = extreme_configurations(form);

@@ -40,12 +40,21 @@ struct ProofOptions {
   Spirv shader;  // of the catalogue; empty: the library's; tests give their negative controls
 };
 
+// Where a device's value is furthest from the library's, in tolerances; first where only one of both is a number.
+struct ProofWorst {
+  ProofConfiguration at;
+  std::size_t value = 0;  // of ProofValues
+  float device = 0, library = 0;
+  double tolerances = 0;
+};
+
 struct ProofRow {
   std::string form;
   std::uint64_t count = 0;             // configurations, six values each
   std::uint64_t differing = 0;         // values with any differing bit (NaN equals NaN)
   double max_ulp = 0;                  // largest distance in units of the last place
   std::uint64_t beyond_tolerance = 0;  // values further apart than kProofRelative |f| + kProofAbsolute
+  ProofWorst worst;                    // of the differing ones
   double seconds_to_compile = 0;       // the driver's time for this form's pipeline
   double seconds = 0;                  // all of it
 };

@@ -35,6 +35,16 @@ TEST(ShaderProof, WithoutPreciseValuesDiffer) {
   }
 }
 
+TEST(ShaderProof, FurthestValueIsThatOfItsConfiguration) {
+  Device device;
+  const Reflectance form = cook_torrance_beckmann{};
+  const ProofRow row = shader_proof(device, {&form, 1}, {.random = 1 << 14, .shader = kUnprecise}).front();
+  const ProofWorst& w = row.worst;
+  EXPECT_EQ(w.library, library_values(form, w.at)[w.value]);
+  EXPECT_NE(w.device, w.library);
+  EXPECT_EQ(w.tolerances > 1, row.beyond_tolerance > 0);
+}
+
 TEST(ShaderProof, ContractedLibraryDiffers) {
   if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "this processor cannot contract";
   for (const Reflectance& form :
