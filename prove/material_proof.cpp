@@ -36,6 +36,11 @@ struct Channel {
   std::span<const double> weights() const { return term.weights[index]; }
 };
 
+// False of other programs' models.
+bool is_of_catalogue(const Channel& c) {
+  return catalogue_index(c.term.form) >= 0;
+}
+
 // Whether the form mixes channels: the first channel's weights are variables of its own, then.
 bool takes_first(const Channel& c) {
   return domain_of(catalogue_index(c.term.form)).variables.size() ==
@@ -102,7 +107,7 @@ class SumOfAlbedos {
   explicit SumOfAlbedos(const Channels& terms) {
     double least = 1;
     for (const Channel& c : terms) {
-      const EnergyMethod* method = energy_method(catalogue_index(c.term.form));
+      const EnergyMethod* method = is_of_catalogue(c) ? energy_method(catalogue_index(c.term.form)) : nullptr;
       known_ = known_ && method != nullptr && method->albedo != nullptr;
       if (!known_) return;
       Part p{method, points(c.shape(), Precision::double_type), points(c.weights(), Precision::double_type)};
@@ -197,13 +202,17 @@ void largest_albedo(Proof& p, const Channels& terms, const std::string& file, co
 
 Proof of_term(const Channel& c, const Claim& claim, const Options& options) {
   Proof p;
+  p.claim = claim;
+  p.form = c.term.form.info().name;
+  if (!is_of_catalogue(c)) {
+    p.statement = "nothing is known to the prover of another program's model";
+    return p;
+  }
   if (claim.property == Property::reciprocity) {
     Options alone;
     alone.properties = {Property::reciprocity};
     return prove(c.term.form, alone).front();
   }
-  p.claim = claim;
-  p.form = c.term.form.info().name;
   if (claim.property == Property::rounding)
     p.domain = domain_at(c, claim), prove_rounding(p, options.search);
   else if (claim.property != Property::energy)

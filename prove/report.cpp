@@ -4,6 +4,7 @@
 
 #include "io/numbers.h"
 #include "prove/check/certificate.h"
+#include "prove/scalar/growth.h"
 
 namespace brdf::prove {
 namespace {
@@ -42,6 +43,21 @@ std::string_view scalar_of(const Claim& claim) {
 bool has_range(const Proof& p) {
   if (p.claim.property == Property::rounding) return p.verdict == Verdict::proved;
   return p.domain.has_value() || p.verdict == Verdict::refuted;
+}
+
+Json tree(const Domain& domain, const Cover& cover) {
+  Json json = Json::array();
+  for (const Cover::Node& n : cover.nodes)
+    json.push_back(n.variable < 0 ? Json::array({n.bounds.lo, n.bounds.hi})
+                                  : Json::array({domain.variables[std::size_t(n.variable)].name, n.cut}));
+  return json;
+}
+
+Json growth_row(const Proof& p) {
+  const Domain& domain = growth_method(p.claim.form)->domain;
+  return {{"form", p.form},           {"property", "growth"},    {"scalar", name_of(p.claim.precision)},
+          {"arithmetic", "exact"},    {"low", p.growth->low},    {"high", p.growth->high},
+          {"width", p.growth->width}, {"domain", range(domain)}, {"cover", tree(domain, p.growth->cover)}};
 }
 
 }  // namespace
@@ -109,6 +125,7 @@ Json to_json(std::span<const Proof> proofs) {
 std::string to_certificate(std::span<const Proof> proofs) {
   Json results = Json::array();
   for (const Proof& p : proofs) {
+    if (p.growth) results.push_back(growth_row(p));
     const bool closed = p.domain && p.cover.open == 0;  // of a refuted energy: the bound above its witness
     if (p.verdict != Verdict::proved && !closed) continue;
     Json row;
@@ -120,12 +137,7 @@ std::string to_certificate(std::span<const Proof> proofs) {
       row["low"] = p.cover.range.lo;
       row["high"] = p.cover.range.hi;
       row["domain"] = range(*p.domain);
-      Json cover = Json::array();
-      for (const Cover::Node& n : p.cover.nodes)
-        cover.push_back(n.variable < 0
-                            ? Json::array({n.bounds.lo, n.bounds.hi})
-                            : Json::array({p.domain->variables[std::size_t(n.variable)].name, n.cut}));
-      row["cover"] = std::move(cover);
+      row["cover"] = tree(*p.domain, p.cover);
     }
     results.push_back(std::move(row));
   }

@@ -1,9 +1,13 @@
 #include "prove/check/certificate.h"
 
+#include <functional>
+#include <span>
+
 #include "brdf/reflectance.h"
 #include "io/error.h"
 #include "io/fingerprint.h"
 #include "prove/scalar/claim.h"
+#include "prove/scalar/growth.h"
 #include "prove/scalar/swapped.h"
 
 namespace brdf::prove {
@@ -25,10 +29,10 @@ Enum named(const JsonPlace& place) {
 
 // Walks a cover from its root: every leaf's box follows from the cuts above it, so that nothing is left out.
 struct Walk {
-  const Claim& claim;
+  std::function<Bounds(std::span<const Bounds>)> enclose;
+  std::function<bool(Bounds)> settles;
   const Domain& domain;
   const JsonPlace& cover;
-  double most;
   std::vector<Bounds> box{};
   std::size_t at = 0;
   long leaves = 0;
@@ -42,11 +46,10 @@ struct Walk {
 
   bool leaf(const JsonPlace& node) {
     const Bounds stated{node.at(std::size_t(0)).number(), node.at(1).number()};
-    const Bounds found = enclose(claim, box);
+    const Bounds found = enclose(box);
     range = leaves == 0 ? found : Bounds{std::min(range.lo, found.lo), std::max(range.hi, found.hi)};
     ++leaves;
-    if (!settles(claim.property, found, most))
-      return bad("leaf " + std::to_string(leaves) + " does not settle it");
+    if (!settles(found)) return bad("leaf " + std::to_string(leaves) + " does not settle it");
     if (found.lo != stated.lo || found.hi != stated.hi)
       return bad("leaf " + std::to_string(leaves) + " has other bounds");
     return true;
@@ -80,20 +83,26 @@ struct Walk {
   }
 };
 
+std::string other_domain(const Domain& domain, const JsonPlace& row) {
+  const std::string fault = "has another domain";
+  const JsonPlace stated = row.at("domain");
+  if (stated.value().size() != domain.variables.size()) return fault;
+  for (const Variable& v : domain.variables) {
+    if (!stated.has(v.name)) return fault;
+    const JsonPlace range = stated.at(v.name);
+    if (range.at(std::size_t(0)).number() != v.low || range.at(1).number() != v.high) return fault;
+  }
+  return "";
+}
+
 std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
   const auto domain = domain_of(claim);
   if (!domain) return "is not shown by boxes";
-  const JsonPlace stated = row.at("domain");
-  if (stated.value().size() != domain->variables.size()) return "has another domain";
-  for (const Variable& v : domain->variables) {
-    if (!stated.has(v.name)) return "has another domain";
-    const JsonPlace range = stated.at(v.name);
-    if (range.at(std::size_t(0)).number() != v.low || range.at(1).number() != v.high)
-      return "has another domain";
-  }
+  if (const std::string fault = other_domain(*domain, row); !fault.empty()) return fault;
   const JsonPlace cover = row.at("cover");
   const double low = row.at("low").number(), high = row.at("high").number();
-  Walk walk{claim, *domain, cover, high};
+  Walk walk{[&](std::span<const Bounds> box) { return enclose(claim, box); },
+            [&](Bounds b) { return settles(claim.property, b, high); }, *domain, cover};
   const bool good = walk.run();
   leaves += walk.leaves;
   if (!good) return walk.fault;
@@ -101,9 +110,29 @@ std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
   return "";
 }
 
+// Of the growth of an albedo: `high` over all widths and cosines by the cover, `low` at one width.
+std::string grows(int form, const JsonPlace& row, long& leaves) {
+  const GrowthMethod* method = growth_method(form);
+  if (method == nullptr) return "is not known to grow";
+  if (const std::string fault = other_domain(method->domain, row); !fault.empty()) return fault;
+  const JsonPlace cover = row.at("cover");
+  const double high = row.at("high").number(), width = row.at("width").number();
+  Walk walk{method->most, [&](Bounds b) { return b.hi <= high; }, method->domain, cover};
+  const bool good = walk.run();
+  leaves += walk.leaves;
+  if (!good) return walk.fault;
+  if (walk.range.hi != high) return "high is not that of the leaves";
+  const Variable& widths = method->domain.variables[0];
+  if (!(widths.low <= width && width <= widths.high)) return "its width is none of the form's";
+  if (reached_at(*method, width).least != row.at("low").number())
+    return "low is not what is reached at its width";
+  return "";
+}
+
 std::string fault_of(const JsonPlace& row, long& leaves) {
   const auto form = find_form(row.at("form").text());
   if (!form) row.at("form").fail("is no form of the catalogue");
+  if (row.at("property").text() == "growth") return grows(catalogue_index(*form), row, leaves);
   const Claim claim{catalogue_index(*form), named<Property>(row.at("property")),
                     named<Precision>(row.at("scalar"))};
   if (claim.property != Property::reciprocity) return covers(claim, row, leaves);
@@ -143,7 +172,7 @@ Checked check(const io::Content& content) {
   }
   for (std::size_t k = 0; k < results.size(); ++k) {
     const JsonPlace row = results.at(k);
-    row.allow_keys({"form", "property", "scalar", "arithmetic", "low", "high", "domain", "cover"});
+    row.allow_keys({"form", "property", "scalar", "arithmetic", "low", "high", "width", "domain", "cover"});
     const std::string fault = fault_of(row, checked.leaves);
     ++checked.results;
     if (!fault.empty())

@@ -3,7 +3,8 @@
 // {"format": "brdf-proof", "version": 1, "seal": fingerprint of the bytes from "results" on, "results": [{form, property, scalar,
 // arithmetic, low, high, domain: {variable: [low, high]}, cover}]}. A cover is a tree of cuts in the order root, first half,
 // second half: [variable, where] for a cut, [low, high] for a leaf and the bounds that were enclosed there. Reciprocity has no
-// cover: both orders are recorded again.
+// cover: both orders are recorded again. "growth" of an albedo that is not bounded has its factor's upper end from the cover and its
+// lower end from one `width`.
 #pragma once
 
 #include <string>

@@ -96,6 +96,18 @@ std::optional<GrowthMethod> method_of(F form) {
 
 }  // namespace
 
+Reached reached_at(const GrowthMethod& method, double width) {
+  constexpr int kParts = 8;  // of the cosines
+  const double far = method.domain.variables[1].high;
+  Reached found{1e300, 0};
+  for (int k = 0; k < kParts; ++k) {
+    const std::array box{Bounds{width, width}, Bounds{far * k / kParts, far * (k + 1) / kParts}};
+    const double low = method.reached(box).lo;
+    found = {std::min(found.least, low), std::max(found.most, low)};
+  }
+  return found;
+}
+
 const GrowthMethod* growth_method(int place) {
   return recorded_method<GrowthMethod>(place, [](auto form) { return method_of(form); });
 }

@@ -18,6 +18,12 @@ struct GrowthMethod {
   Bounds (*reached)(std::span<const Bounds> box);
 };
 
+// What the second holds at that width for all cosines: the least of the lower ends over parts of their range, and the largest.
+struct Reached {
+  double least, most;
+};
+Reached reached_at(const GrowthMethod& method, double width);
+
 // The one that the form's recorded formula is of; none for others.
 const GrowthMethod* growth_method(int form);
 

@@ -6,6 +6,7 @@
 
 #include "brdf/integrals.h"
 #include "brdf/quadrature.h"
+#include "brdf/targets.h"
 #include "prove/proof.h"
 #include "prove/scalar/energy.h"
 
@@ -133,6 +134,14 @@ TEST(Material, SumsOfTermsAreKnownTogether) {
       prove(Material{{"fr"}, {term("lambert", 1, 0.1), term("blinn_phong", 1, 0.1)}}, "m", options)[4];
   EXPECT_EQ(unknown.claim.property, Property::energy);
   EXPECT_EQ(unknown.verdict, Verdict::no_method) << unknown.statement;
+}
+
+TEST(Material, NothingIsSaidOfOtherProgramsModels) {
+  for (const Reflectance& form : targets())
+    for (const Proof& p : prove(Material{{"fr"}, {make_term(form, 1)}}, "m", {})) {
+      const bool measured = p.claim.property == Property::energy && p.verdict == Verdict::refuted;
+      EXPECT_TRUE(measured || p.verdict == Verdict::no_method) << p.form << ' ' << name_of(p.claim.property);
+    }
 }
 
 // Ward's own lobe reflects more than it receives at some angle, however small its weight.

@@ -174,5 +174,24 @@ TEST(Certificate, IsRejectedWhenForgedAndSealedAnew) {
   })));
 }
 
+TEST(Certificate, HoldsTheGrowthOfAnAlbedoAndRejectsAnother) {
+  Options options;
+  options.properties = {Property::energy};
+  const auto rows = [&](const std::function<void(io::Json&)>& change) {
+    int count = 0;
+    io::Json results = io::parse_json(to_certificate(prove(*find_form("ward"), options)), "c")["results"];
+    for (io::Json& row : results)
+      if (row["property"] == "growth") ++count, change(row);
+    EXPECT_EQ(count, 1);
+    return sealed(results);
+  };
+  EXPECT_FALSE(rejected(rows([](io::Json&) {})));
+  EXPECT_TRUE(rejected(rows([](io::Json& row) { row["high"] = row["high"].get<double>() * 0.9; })));
+  EXPECT_TRUE(rejected(rows([](io::Json& row) { row["low"] = row["low"].get<double>() * 1.1; })));
+  EXPECT_TRUE(rejected(rows([](io::Json& row) { row["width"] = row["width"].get<double>() / 2; })));
+  EXPECT_TRUE(rejected(rows([](io::Json& row) { row["form"] = "ward_duer"; })));
+  EXPECT_TRUE(rejected(rows([](io::Json& row) { row["form"] = "ward_bounded"; })));
+}
+
 }  // namespace
 }  // namespace brdf::prove
