@@ -8,11 +8,11 @@
 namespace brdf::io {
 namespace {
 
-constexpr double kPerDegree = 1000;
+constexpr double kStepsPerDegree = 1000;
 constexpr std::int32_t kHalfTurn = 180000, kTurn = 2 * kHalfTurn;
 
 std::int32_t unit(double angle) {
-  return std::int32_t(std::lround(angle * kPerDegree));
+  return std::int32_t(std::lround(angle * kStepsPerDegree));
 }
 
 std::int32_t azimuth_unit(double angle) {
@@ -69,7 +69,7 @@ Contrast divided_difference(std::span<const Place> places) {
   for (std::size_t j = 0; j < c.count; ++j) {
     double product = 1;
     for (std::size_t m = 0; m < c.count; ++m)
-      if (m != j) product *= (places[j].x - places[m].x) / kPerDegree;
+      if (m != j) product *= (places[j].x - places[m].x) / kStepsPerDegree;
     c.rows[j] = places[j].row;
     c.weights[j] = 1 / product;
     squares += c.weights[j] * c.weights[j];

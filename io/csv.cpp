@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kBadQuotation = "a quotation mark is not closed in its line, or text follows it";
 
-enum class Quantity { brdf, brdf_cos_i, brdf_cos_o };
+enum class ColumnQuantity { brdf, brdf_cos_i, brdf_cos_o };
 
 class CsvReader {
  public:
@@ -89,9 +89,9 @@ class CsvReader {
     std::string name;
     std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
     if (name == "f_r*cos_i")
-      quantity_ = Quantity::brdf_cos_i;
+      quantity_ = ColumnQuantity::brdf_cos_i;
     else if (name == "f_r*cos_o")
-      quantity_ = Quantity::brdf_cos_o;
+      quantity_ = ColumnQuantity::brdf_cos_o;
     else if (name != "f_r")
       fail("quantity " + shown(value) + " is unknown (known: f_r, f_r*cos_i, f_r*cos_o)");
   }
@@ -297,8 +297,8 @@ class CsvReader {
         angles_[k + 1] += 180.0;
       }
     }
-    if (quantity_ != Quantity::brdf) {
-      const double cosine = cos_degrees(quantity_ == Quantity::brdf_cos_i ? angles_[0] : angles_[2]);
+    if (quantity_ != ColumnQuantity::brdf) {
+      const double cosine = cos_degrees(quantity_ == ColumnQuantity::brdf_cos_i ? angles_[0] : angles_[2]);
       if (cosine <= 0.0) {
         ++table_.skipped;
         return;
@@ -325,7 +325,7 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
   std::vector<double> row_values_, row_sigma_;
-  Quantity quantity_ = Quantity::brdf;
+  ColumnQuantity quantity_ = ColumnQuantity::brdf;
   bool has_sigma_ = false, is_long_ = false, has_units_ = false;
   std::string last_comment_;  // above the header row
   Band band_;                 // of this row

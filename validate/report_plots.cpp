@@ -181,7 +181,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
 // Relative difference of f under exchange of light and viewer, over pairs of polar angles; worst azimuth.
 void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const Material& m) {
   constexpr std::size_t kCells = 60, kScale = 6;
-  constexpr double kExact = 1e-12;
+  constexpr double kEqual = 1e-12;
   std::vector<double> cells(kCells * kCells);
   double worst = 0;
   std::vector<double> f(m.channels.size()), g(f.size());
@@ -196,7 +196,7 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
           cells[o * kCells + i] = std::max(cells[o * kCells + i], difference(f[c], g[c]));
         worst = std::max(worst, cells[o * kCells + i]);
       }
-  if (worst < kExact)
+  if (worst < kEqual)
     return report.paragraph("Reciprocity: exact. Light and viewer may change places; values differ by " +
                             (worst > 0 ? io::short_number(worst, 2) + " of themselves, which is rounding."
                                        : std::string("nothing.")));

@@ -1,24 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fit/model/model.h"
-#include "io/error.h"
 #include "samples.h"
 
 namespace brdf::fit {
 namespace {
 
 using testing::HasSubstr;
-
-// What a model of these forms with three channels answers to the options; empty: it takes them.
-std::string refusal(std::initializer_list<const char*> names, const FitOptions& options) {
-  try {
-    Model(forms(names), {"r", "g", "b"}, options);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
 
 FitOptions fixing(std::vector<NamedValues> fix, bool anisotropic = false) {
   FitOptions options;

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "fit/fit.h"
+#include "fit/model/model.h"
+#include "io/error.h"
 #include "synth/instrument.h"
 
 namespace brdf::fit {
@@ -59,6 +61,17 @@ inline std::vector<Reflectance> forms(std::initializer_list<const char*> names) 
   std::vector<Reflectance> out;
   for (const char* name : names) out.push_back(*find_form(name));
   return out;
+}
+
+// What a model of these forms with these channels answers to the options; empty: it takes them.
+inline std::string refusal(std::initializer_list<const char*> names, const FitOptions& options,
+                           std::vector<std::string> channels = {"r", "g", "b"}) {
+  try {
+    Model(forms(names), std::move(channels), options);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
 }
 
 inline FormFit fit_one(const io::SampleTable& table, std::initializer_list<const char*> names,

@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fit/model/model.h"
-#include "io/error.h"
 #include "samples.h"
 
 namespace brdf::fit {
@@ -24,16 +22,6 @@ FitOptions tying(std::vector<std::string> names) {
   options.tie = std::move(names);
   options.cross_validation = false;
   return options;
-}
-
-std::string refusal(std::initializer_list<const char*> names, const FitOptions& options,
-                    std::vector<std::string> channels = {"r", "g", "b"}) {
-  try {
-    Model(forms(names), std::move(channels), options);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
 }
 
 TEST(Tie, WithoutNoiseWhatIsSharedIsRecoveredUnderEveryMetric) {

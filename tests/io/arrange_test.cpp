@@ -24,7 +24,7 @@ std::string refusal(const std::string& text, Polarisation asked) {
   return message_of([&] { arranged(text, {.polarisation = asked}); });
 }
 
-const std::string kAngles = "theta_i,phi_i,theta_o,phi_o,";
+const std::string kAngleColumns = "theta_i,phi_i,theta_o,phi_o,";
 
 TEST(Polarisation, IsToldByTheWordsOfAName) {
   const std::pair<const char*, std::pair<const char*, Polarisation>> cases[] = {
@@ -46,13 +46,14 @@ TEST(Polarisation, IsToldByTheWordsOfAName) {
 }
 
 TEST(Polarisation, AverageIsWhatUnpolarisedLightSees) {
-  const SampleTable two = arranged(kAngles + "fr_s,fr_p,sigma_fr_s,sigma_fr_p\n1,2,3,4,1,3,.3,.4\n",
+  const SampleTable two = arranged(kAngleColumns + "fr_s,fr_p,sigma_fr_s,sigma_fr_p\n1,2,3,4,1,3,.3,.4\n",
                                    {.polarisation = Polarisation::average});
   EXPECT_THAT(two.channels, ElementsAre("fr"));
   EXPECT_EQ(two.values[0][0], 2);
   EXPECT_DOUBLE_EQ(two.sigma[0][0], .25);
-  const SampleTable four = arranged(kAngles + "465nm_ss,465nm_sp,465nm_ps,465nm_pp,r\n1,2,3,4,1,2,4,8,9\n",
-                                    {.polarisation = Polarisation::average});
+  const SampleTable four =
+      arranged(kAngleColumns + "465nm_ss,465nm_sp,465nm_ps,465nm_pp,r\n1,2,3,4,1,2,4,8,9\n",
+               {.polarisation = Polarisation::average});
   EXPECT_THAT(four.channels, ElementsAre("465nm", "r"));
   EXPECT_EQ(four.values[0][0], 7.5);
   EXPECT_EQ(four.values[1][0], 9);
@@ -61,7 +62,7 @@ TEST(Polarisation, AverageIsWhatUnpolarisedLightSees) {
 }
 
 TEST(Polarisation, IsChosen) {
-  const std::string text = kAngles + "fr_ss,fr_sp,fr_ps,fr_pp\n1,2,3,4,1,2,4,8\n";
+  const std::string text = kAngleColumns + "fr_ss,fr_sp,fr_ps,fr_pp\n1,2,3,4,1,2,4,8\n";
   const std::pair<Polarisation, double> cases[] = {{Polarisation::s, 3},  {Polarisation::p, 12},
                                                    {Polarisation::ss, 1}, {Polarisation::sp, 2},
                                                    {Polarisation::ps, 4}, {Polarisation::pp, 8}};
@@ -72,16 +73,16 @@ TEST(Polarisation, IsChosen) {
 
 TEST(Polarisation, ThatIsNotThereIsRefusedWithWhatIs) {
   const std::string row = "\n1,2,3,4,1,2\n";
-  EXPECT_THAT(refusal(kAngles + "a,b" + row, Polarisation::s),
+  EXPECT_THAT(refusal(kAngleColumns + "a,b" + row, Polarisation::s),
               HasSubstr("file: --polarisation s: no channel's name says a polarisation; found a, b"));
-  EXPECT_THAT(refusal(kAngles + "fr_ss,fr_pp" + row, Polarisation::average),
+  EXPECT_THAT(refusal(kAngleColumns + "fr_ss,fr_pp" + row, Polarisation::average),
               HasSubstr("--polarisation average: not told by what is there of 'fr': ss, pp"));
-  EXPECT_THAT(refusal(kAngles + "fr_s,fr_p" + row, Polarisation::sp), HasSubstr("of 'fr': s, p"));
-  EXPECT_THAT(refusal(kAngles + "fr_s,fr_te" + row, Polarisation::s),
+  EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr_p" + row, Polarisation::sp), HasSubstr("of 'fr': s, p"));
+  EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr_te" + row, Polarisation::s),
               HasSubstr("'fr_s' and 'fr_te' are both s"));
-  EXPECT_THAT(refusal(kAngles + "fr_s,fr" + row, Polarisation::s),
+  EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr" + row, Polarisation::s),
               HasSubstr("channel 'fr' stands beside polarised ones of that name"));
-  EXPECT_THAT(refusal(kAngles + "s,p\n1,2,3,4,1.7e308,1.7e308\n", Polarisation::average),
+  EXPECT_THAT(refusal(kAngleColumns + "s,p\n1,2,3,4,1.7e308,1.7e308\n", Polarisation::average),
               HasSubstr("must be finite"));
 }
 
@@ -89,7 +90,7 @@ constexpr Arrangement kAverage{.repeats = Repeats::average};
 
 TEST(Repeats, BecomeTheirMeanWithItsStandardDeviation) {
   const SampleTable got =
-      arranged(kAngles + "fr\n1,2,3,4,1.0\n5,6,7,8,2\n1,362,3,-356,1.1\n1,2,3,4,1.2\n", kAverage);
+      arranged(kAngleColumns + "fr\n1,2,3,4,1.0\n5,6,7,8,2\n1,362,3,-356,1.1\n1,2,3,4,1.2\n", kAverage);
   ASSERT_EQ(got.rows(), 2u);
   EXPECT_DOUBLE_EQ(got.values[0][0], 1.1);
   EXPECT_EQ(got.values[0][1], 2);
@@ -102,17 +103,18 @@ TEST(Repeats, BecomeTheirMeanWithItsStandardDeviation) {
 
 TEST(Repeats, PropagateWhatTheTableStates) {
   const SampleTable got =
-      arranged(kAngles + "fr,sigma_fr\n1,2,3,4,1,.3\n1,2,3,4,2,.4\n5,6,7,8,2,.7\n", kAverage);
+      arranged(kAngleColumns + "fr,sigma_fr\n1,2,3,4,1,.3\n1,2,3,4,2,.4\n5,6,7,8,2,.7\n", kAverage);
   EXPECT_DOUBLE_EQ(got.sigma[0][0], .25);
   EXPECT_EQ(got.sigma[0][1], .7);
 }
 
 TEST(Repeats, ThatAreCopiesTellNoScatter) {
-  const SampleTable got = arranged(kAngles + "fr\n1,2,3,4,.1\n1,2,3,4,.1\n1,2,3,4,.1\n5,6,7,8,2\n", kAverage);
+  const SampleTable got =
+      arranged(kAngleColumns + "fr\n1,2,3,4,.1\n1,2,3,4,.1\n1,2,3,4,.1\n5,6,7,8,2\n", kAverage);
   EXPECT_EQ(got.values[0][0], .1);
   EXPECT_FALSE(got.has_sigma(0));
   EXPECT_THAT(got.warnings.back(), HasSubstr("nothing says how they scatter"));
-  const std::string once = kAngles + "fr\n1,2,3,4,.1\n5,6,7,8,2\n";
+  const std::string once = kAngleColumns + "fr\n1,2,3,4,.1\n5,6,7,8,2\n";
   expect_same(arranged(once, kAverage), read(once));
 }
 
@@ -121,7 +123,7 @@ TEST(Repeats, HaveStandardDeviationsThatHold) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   constexpr int kPairs = 4000;
-  std::string text = kAngles + "fr\n";
+  std::string text = kAngleColumns + "fr\n";
   std::vector<double> truth;
   for (int k = 0; k < kPairs; ++k) {
     truth.push_back(std::pow(10., -2 + 3. * k / kPairs));
