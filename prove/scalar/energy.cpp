@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "prove/scalar/cosine_lobes.h"
 #include "prove/scalar/majorants.h"
 #include "prove/scalar/on_box.h"
 #include "prove/scalar/recorded_form.h"
@@ -154,6 +155,39 @@ std::optional<EnergyMethod> facets(F form) {
   return m;
 }
 
+// A diffuse term and one lobe about a direction.
+template <class F>
+concept CosineForm =
+    LinearForm<F> && std::is_same_v<typename F::template Weights<double>, LobeWeights<double>> &&
+    std::is_same_v<typename F::template Shape<double>, Exponent<double>>;
+
+template <class Lobe>
+Bounds enclose_cosine_lobe(std::span<const Bounds>) {
+  const I r = Lobe::template normalisation<I>();
+  return {r.lo, r.hi};
+}
+
+template <class F, class Lobe>
+std::optional<Bounds> albedo_of_cosine_lobe(std::span<const Bounds>, std::span<const Bounds> weights,
+                                            Bounds turn, double) {
+  I cosine, sine;
+  circle(turn, cosine, sine);
+  const auto w = lobe_weights<F>(weights);
+  const I lobe = turn.lo == 0 && turn.hi == 0 ? I(1) : Lobe::albedo(cosine);
+  const I all =
+      w[0] * I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi) + w[1] * lobe * Lobe::template normalisation<I>();
+  return Bounds{all.lo, all.hi};
+}
+
+template <class Lobe, class F>
+std::optional<EnergyMethod> cosine_lobe(F form, const char* why) {
+  const bool its = is_written_as(form, [](const auto& shape, const auto& g) {
+    return std::array{Recorded(1 / kPi), Lobe::lobe(shape.exponent, g)};
+  });
+  if (!its) return std::nullopt;
+  return EnergyMethod{why, {}, enclose_cosine_lobe<Lobe>, albedo_of_cosine_lobe<F, Lobe>};
+}
+
 // pi f of a constant f.
 Bounds enclose_constant(std::span<const Bounds>) {
   const I r = I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi);
@@ -235,6 +269,11 @@ std::optional<EnergyMethod> method_of(F form) {
         m.domain.variables.push_back({"tilt", 0, 2, Variable::Cut::middle});
         return m;
       }
+    } else if constexpr (CosineForm<F>) {
+      if (auto found =
+              cosine_lobe<PhongLobe>(form, "the lit cosine beside a lobe about the mirror direction"))
+        return found;
+      return cosine_lobe<BlinnLobe>(form, "caps of half vectors reflect most at normal incidence");
     } else if constexpr (FacetForm<F> && (kSchlick<F> || kIndexed<F> || kMetal<F>)) {
       for (const auto& found : {facets<F, GgxSmith>(form), facets<F, BeckmannSmith>(form),
                                 facets<F, BeckmannCavities>(form), facets<F, GgxSchlick>(form)})

@@ -47,7 +47,7 @@ for words in ([], ["--beauty"], ["a", "b"]):
     assert run(checker, *words).returncode == 2, words
 
 assert run(brdf, "prove", "--form", "ward", "--property", "finite", "--require", "reciprocity").returncode == 0
-assert run(brdf, "prove", "--form", "phong", "--require", "energy").returncode == 1  # nothing is known
+assert run(brdf, "prove", "--form", "cook_torrance_student", "--require", "energy").returncode == 1  # nothing is known
 with tempfile.TemporaryDirectory() as folder:
     white = pathlib.Path(folder, "white.json")
     white.write_text('{"format": "brdf-material", "version": 1, "form": "lambert", "channels": ["r", "g"], "weights": {"rho": [0.25, 2]}, "shape": {}}')
@@ -78,10 +78,10 @@ with tempfile.TemporaryDirectory() as folder:
     assert run(brdf, "prove", "--param", "r=0:1").returncode == 2
 
 # validate says beside its checks what is proved, and what is sampled.
-said = json.loads(run(brdf, "validate", "--form", "lambert", "--form", "phong", "--form", "oren_nayar", "--json").stdout)["findings"]
+said = json.loads(run(brdf, "validate", "--form", "lambert", "--form", "phong", "--form", "cook_torrance_student", "--form", "oren_nayar", "--json").stdout)["findings"]
 proof = {(f["subject"], f["check"]): f.get("proof") for f in said}
 for form, check, expected in (("lambert", "finite", "proved"), ("lambert", "energy", "proved"), ("phong", "reciprocity", "proved"), ("phong", "non_negative", "proved"),
-                              ("phong", "energy", "sampled"), ("oren_nayar", "energy", None), ("lambert", "albedo", None)):
+                              ("phong", "energy", "proved"), ("cook_torrance_student", "energy", "sampled"), ("oren_nayar", "energy", None), ("lambert", "albedo", None)):
     assert proof[form, check] == expected, (form, check, proof[form, check])
 for words in (["--form", "ward", "--property", "beauty"], ["--all", "--check", "x"], [], ["--form", "ward", "--seconds", "0"]):
     assert run(brdf, "prove", *words).returncode == 2, words

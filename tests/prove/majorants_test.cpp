@@ -169,6 +169,32 @@ TEST(Majorants, ClosedIntegralIsWhatQuadratureFinds) {
   EXPECT_EQ(compared, 20);
 }
 
+// Phong's lobe between the cosine and its mean with 1, Blinn's at most 1, both 1 at normal incidence; no other lobe has the reason.
+TEST(Majorants, CosineLobesStayWithinTheirReasons) {
+  int known = 0;
+  for (int k = 0; k < int(catalogue().size()); ++k) {
+    const Reflectance& form = catalogue()[std::size_t(k)];
+    const bool phong = form.info().name == "phong", blinn = form.info().name == "blinn_phong";
+    if (form.info().family != "phong" && form.info().family != "blinn_phong") continue;
+    EXPECT_EQ(energy_method(k) != nullptr, phong || blinn) << form.info().name;
+    if (!phong && !blinn) continue;
+    ++known;
+    Term term = make_term(form, 1);
+    term.weights[0] = {0, 1};
+    for (const double n : {0.0, 0.3, 1.0, 4.0, 30.0, 1000.0, 1e5})
+      for (const double theta : {0.0, 20.0, 45.0, 70.0, 85.0, 89.9}) {
+        term.shape[0][0] = n;
+        const double found =
+            directional_albedo(term, 0, degrees(theta), degrees(0), {.tolerance = 1e-9}).value;
+        const double cosine = std::cos(theta * kPi / 180);
+        EXPECT_LE(found, (phong ? 0.5 * (1 + cosine) : 1) + 1e-8) << form.info().name << n << ' ' << theta;
+        EXPECT_GE(found, (phong ? cosine : 0) - 1e-8) << form.info().name << n << ' ' << theta;
+        EXPECT_GE(found, theta == 0 ? 1 - 1e-8 : 0);
+      }
+  }
+  EXPECT_EQ(known, 2);
+}
+
 TEST(Majorants, WhatIsGivenBackIsWhatQuadratureFinds) {
   int compared = 0;
   for (int k = 0; k < int(catalogue().size()); ++k) {

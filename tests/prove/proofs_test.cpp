@@ -78,7 +78,8 @@ TEST(Proofs, EnergyIsProvedWhereAReasonIsKnownAndRefutedWhereDeclared) {
     ++proved;
     EXPECT_LE(p.high, 1 + 1e-15) << p.form;
   }
-  EXPECT_EQ(proved, 8);  // of two diffuse forms, four families of facets and the bounded Ward
+  EXPECT_EQ(proved,
+            10);  // of two diffuse forms, two cosine lobes, four families of facets and the bounded Ward
 }
 
 TEST(Proofs, AnAlbedoAboveOneIsBoundedCloselyAtAllAngles) {
