@@ -138,6 +138,20 @@ std::string unknown_type(const std::string& text, std::uint32_t line) {
   return "";
 }
 
+// What the front end says of a name that it does not know, in GLSL and HLSL.
+constexpr const char* kUnknown[] = {"undeclared identifier", "no matching overloaded", "unknown variable"};
+
+// The parameter of a `//:` line whose name the message quotes; null without.
+const Declared* declared_alone(const Source& source, const std::string& message) {
+  const std::size_t begin = message.find('\''),
+                    end = begin == message.npos ? begin : message.find('\'', begin + 1);
+  if (end == message.npos) return nullptr;
+  const std::string name = message.substr(begin + 1, end - begin - 1);
+  const auto p = std::find_if(source.parameters.begin(), source.parameters.end(),
+                              [&](const Declared& d) { return d.name == name; });
+  return p == source.parameters.end() ? nullptr : &*p;
+}
+
 // "ERROR: 0:12: 'x' : undeclared identifier" as "FILE:12: 'x' : undeclared identifier", the first: others follow from it.
 void take_messages(Translated& out, const Source& source, const std::string& log,
                    const std::vector<std::string>& missing) {
@@ -164,9 +178,15 @@ void take_messages(Translated& out, const Source& source, const std::string& log
   if (const std::string type = syntax ? unknown_type(without_comments(source.text), out.line) : "";
       !type.empty())
     out.messages = source.name + ":" + std::to_string(out.line) + ": the type " + type + " is not defined";
-  else if (out.messages.find("undeclared identifier") == out.messages.npos &&
-           out.messages.find("no matching overloaded") == out.messages.npos)
+  else if (std::none_of(std::begin(kUnknown), std::end(kUnknown),
+                        [&](const char* said) { return out.messages.find(said) != out.messages.npos; }))
     return;
+  if (const Declared* p = declared_alone(source, out.messages)) {
+    out.messages += "; line " + std::to_string(p->line) +
+                    " says that it is a parameter: declare it, as in `uniform " +
+                    (p->initial.size() > 1 ? "vec3 " : "float ") + p->name + ";`";
+    return;
+  }
   out.messages +=
       "; write what is missing into the file, or put the file that has it into the shader's folder and "
       "#include it";

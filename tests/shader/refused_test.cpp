@@ -33,6 +33,15 @@ TEST(Refused, OtherLanguagesByName) {
   EXPECT_THAT(refusal("glm::vec3 brdf(glm::vec3 L, glm::vec3 V) { return L; }"), HasSubstr("C++"));
 }
 
+TEST(Refused, AParameterThatTheCodeDeclaresNowhere) {
+  const std::string note = "//: param shine 0 1 0.5\n";
+  EXPECT_THAT(refusal(note + "float brdf(vec3 L, vec3 V) { return shine; }"),
+              HasSubstr("line 1 says that it is a parameter: declare it, as in `uniform float shine;`"));
+  EXPECT_THAT(refusal("//: color tint 1 1 1\nvec3 brdf(vec3 L, vec3 V) { return tint; }"),
+              HasSubstr("as in `uniform vec3 tint;`"));
+  EXPECT_EQ(refusal(note + "uniform float shine;\nfloat brdf(vec3 L, vec3 V) { return shine; }"), "accepted");
+}
+
 TEST(Refused, WithTheSentenceThatHelps) {
   const std::string only_main = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
   EXPECT_THAT(refusal(only_main), HasSubstr("test.glsl: has main() and no function brdf"));

@@ -278,5 +278,14 @@ TEST(Energy, AClampedProductReflectsMoreThanItReceives) {
   EXPECT_NEAR(albedo("LdotV"), 1.00000, 5e-6);
 }
 
+TEST(Style, AColourIsAParameterInEitherOrderOfWords) {
+  const std::string code = "\nvec3 brdf(vec3 L, vec3 V, vec3 tint) { return tint; }";
+  for (const char* note : {"//: color tint 0.8 0.6 0.1", "//: param tint color 0.8 0.6 0.1"}) {
+    const auto shader = shader_of(note + code);
+    EXPECT_NEAR(value_at(shader, 10, 0, 20, 0, 1), 0.6, 1e-6) << note;
+    EXPECT_NEAR(value_at(shader, 10, 0, 20, 0, 2), 0.1, 1e-6) << note;
+  }
+}
+
 }  // namespace
 }  // namespace brdf::shader
