@@ -266,7 +266,7 @@ std::optional<EnergyMethod> method_of(F form) {
                        albedo_of_facets<F, WardBoundedCell>,
                        stretch_of<F>};
         m.domain.variables.push_back({"facet_cos2", 0, 1, Variable::Cut::middle});
-        m.domain.variables.push_back({"tilt", 0, 2, Variable::Cut::middle});
+        m.domain.variables.push_back({"facet_tilt", 0, 2, Variable::Cut::middle});
         return m;
       }
     } else if constexpr (CosineForm<F>) {

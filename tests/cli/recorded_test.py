@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What the terminal shows at 60, 80 and 200 columns, beside tests/cli/terminal/COLUMNS.txt: the same lines of the same words,
-numbers within 2 % as in the documents; no line wider than the terminal, but for a word that alone is.
+numbers within 2 % as in the documents; no line wider than the terminal, but for a word that alone is. What names a form that
+docs/models.md does not have yet is listed, not compared.
 
     recorded_test.py BRDF [--update]
 
@@ -9,6 +10,7 @@ numbers within 2 % as in the documents; no line wider than the terminal, but for
 import importlib.util
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -32,32 +34,47 @@ COMMANDS = [
 
 
 def shown(brdf, columns):
-    """Every command with what it prints, as lines."""
-    lines = []
+    """Every command with the lines of what it prints."""
+    blocks = []
     environment = os.environ | {"COLUMNS": str(columns), "NO_COLOR": "1", "LC_ALL": "C.UTF-8"}
     with tempfile.TemporaryDirectory() as folder:
         for command in COMMANDS:
             done = subprocess.run([brdf, *command.split()[1:]], cwd=folder, env=environment, text=True, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-            lines += [f"$ {command}", *(line.rstrip() for line in done.stdout.rstrip("\n").split("\n")),
-                      f"(exit code {done.returncode})", ""]
-    return lines[:-1]
+            blocks.append([f"$ {command}", *(line.rstrip() for line in done.stdout.rstrip("\n").split("\n")),
+                           f"(exit code {done.returncode})"])
+    return blocks
+
+
+def recorded(file):
+    return [("$ " + block).split("\n") for block in re.split(r"(?:\A|\n\n)\$ ", file.read_text().rstrip("\n"))[1:]]
 
 
 brdf, update = pathlib.Path(sys.argv[1]).resolve(), "--update" in sys.argv[2:]
+young = documents.forms_without_a_page(brdf)
 failed = False
 for columns in (60, 80, 200):
-    file, printed = here / f"terminal/{columns}.txt", shown(brdf, columns)
+    file, blocks = here / f"terminal/{columns}.txt", shown(brdf, columns)
     # An error is one line, for programs to read.
-    wide = [line for line in printed if len(line) > columns and not line.startswith(("$ ", "brdf")) and len(line.split()) > 1]
+    wide = [line for block in blocks for line in block
+            if len(line) > columns and not line.startswith(("$ ", "brdf")) and len(line.split()) > 1]
     for line in wide:
         print(f"{columns} columns: {len(line)} wide: {line}")
     failed |= bool(wide)
     if update:
-        file.write_text("\n".join(printed) + "\n")
+        file.write_text("\n\n".join("\n".join(block) for block in blocks) + "\n")
         continue
-    differs = documents.difference(file.read_text().rstrip("\n").split("\n"), printed)
-    if differs:
-        print(f"{file.name}: {differs}\n(recorded_test.py BRDF --update where that is meant)")
+    before = recorded(file)
+    if [block[0] for block in before] != [block[0] for block in blocks]:
+        print(f"{file.name}: holds other commands\n(recorded_test.py BRDF --update where that is meant)")
         failed = True
+    for was, now in zip(before, blocks):
+        named = [form for form in young if any(re.search(rf"\b{form}\b", line) for line in now)]
+        if named:
+            print(f"not compared, {', '.join(named)} is younger than {file.name}: {now[0]}")
+            continue
+        differs = documents.difference(was, now)
+        if differs:
+            print(f"{file.name}: {differs}\n(recorded_test.py BRDF --update where that is meant)")
+            failed = True
 sys.exit(failed)

@@ -3,10 +3,22 @@
 #include <cstdlib>
 #include <map>
 
+#include "io/content.h"
 #include "samples.h"
 
 namespace brdf::fit {
 namespace {
+
+// Whether docs/models.md knows the form; what is said here of the best fit is said of these.
+bool is_documented(std::string_view form) {
+  static const std::string page = io::read_content(BRDF_SOURCE_DIR "/docs/models.md").bytes;
+  return page.find("### `" + std::string(form) + "`") != std::string::npos;
+}
+std::vector<std::vector<Reflectance>> documented_models() {
+  std::vector<std::vector<Reflectance>> models = canonical_models();
+  std::erase_if(models, [](const auto& forms) { return !is_documented(forms[0].info().name); });
+  return models;
+}
 
 // Fits of real measurements. Bounds are two-sided: an error
 // that drops by half is as suspicious as one that grows.
@@ -15,7 +27,7 @@ class Measured : public ::testing::Test {
   std::map<std::string, FormFit> fit_all(const std::string& sample) {
     const char* folder = std::getenv("BRDF_DATA_DIR");
     result_ =
-        fit(io::read_samples(std::string(folder) + "/measured/" + sample + ".csv"), canonical_models(), {});
+        fit(io::read_samples(std::string(folder) + "/measured/" + sample + ".csv"), documented_models(), {});
     std::map<std::string, FormFit> by_form;
     for (const FormFit& f : result_.ranking) by_form[f.form] = f;
     return by_form;
@@ -29,6 +41,13 @@ class Measured : public ::testing::Test {
       if (f.material.terms.size() == 1) single = std::min(single, f.metrics.log);
     return 1 - result_.ranking.front().metrics.log / single;
   }
+  // A form of the ranking that came after the figures here.
+  std::optional<std::string> undocumented() const {
+    for (const FormFit& f : result_.ranking)
+      for (const Term& term : f.material.terms)
+        if (!is_documented(term.form.info().name)) return std::string(term.form.info().name);
+    return std::nullopt;
+  }
   void SetUp() override {
     if (!std::getenv("BRDF_DATA_DIR")) GTEST_SKIP() << "BRDF_DATA_DIR is unset: no measured samples";
   }
@@ -37,7 +56,8 @@ class Measured : public ::testing::Test {
 
 TEST_F(Measured, WhitePaperIsCookTorranceWithinItsNoise) {
   auto fits = fit_all("rgl_paper_white");
-  EXPECT_EQ(fits.size(), canonical_models().size());
+  EXPECT_EQ(fits.size(), documented_models().size());
+  EXPECT_GE(fits.size(), 6u);
   EXPECT_LT(fits["cook_torrance"].median_relative_error, 0.026);
   EXPECT_GT(fits["cook_torrance"].median_relative_error, 0.020);
   EXPECT_NEAR(fits["lambert"].median_relative_error, 0.041, 0.002);
@@ -68,6 +88,8 @@ TEST_F(Measured, BlackCoating) {
 // What six random starts miss the sum that begins at the single form finds: 36 % without it.
 TEST_F(Measured, TwoLobesOfBlackNickelTakeTwoFifthsOfTheResidual) {
   const double gain = gain_of_auto("ua_AnoBlackNiTEonINVAR");
+  if (const auto later = undocumented())
+    GTEST_SKIP() << *later << " takes part, which docs/models.md does not know";
   EXPECT_GT(gain, 0.40);
   EXPECT_LT(gain, 0.45);
   EXPECT_EQ(result_.ranking.front().material.terms.size(), 2u);
@@ -75,6 +97,8 @@ TEST_F(Measured, TwoLobesOfBlackNickelTakeTwoFifthsOfTheResidual) {
 
 TEST_F(Measured, TwoLobesOfAluminiumTakeTwoFifthsOfTheResidual) {
   const double gain = gain_of_auto("jsss_aluminium_cos_o");
+  if (const auto later = undocumented())
+    GTEST_SKIP() << *later << " takes part, which docs/models.md does not know";
   EXPECT_GT(gain, 0.40);
   EXPECT_LT(gain, 0.48);
 }

@@ -80,7 +80,7 @@ TEST(Ward, TheBoundedLobeIsProved) {
   for (const char* other : {"ward", "ward_duer", "cook_torrance", "blinn_phong"}) {
     const EnergyMethod* method = energy_method(catalogue_index(*find_form(other)));
     const bool its = method != nullptr && !method->domain.variables.empty() &&
-                     method->domain.variables.back().name == "tilt";
+                     method->domain.variables.back().name == "facet_tilt";
     EXPECT_FALSE(its) << other;
   }
 }
