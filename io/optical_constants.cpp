@@ -147,17 +147,20 @@ class Reader {
         materials_.push_back(found);
       if (found != asked_) return;
     }
+    constexpr double kShortest = 1e-3, kLongest = 1e9;  // of any unit: X rays to radio
     double nm;
-    if (!parse(fields_[*wavelength_], nm) || !(nm > 0))
-      fail(shown(fields_[*wavelength_]) + " is no wavelength");
+    if (!parse(fields_[*wavelength_], nm) || !(nm >= kShortest && nm <= kLongest))
+      fail(shown(fields_[*wavelength_]) + " is no wavelength (0.001 to 1e9)");
     if (n_) add(read_n_, nm, *n_, "n");
     if (k_) add(read_k_, nm, *k_, "k");
   }
 
   void add(IndexColumn& column, double wavelength, std::size_t field, const char* what) {
+    // Far beyond any metal's in the far infrared (some hundreds), and nothing overflows.
+    constexpr double kMostIndex = 1e6;
     double value;
-    if (!parse(fields_[field], value) || value < 0)
-      fail(std::string(what) + " " + shown(fields_[field]) + " must be a number of at least 0");
+    if (!parse(fields_[field], value) || value < 0 || value > kMostIndex)
+      fail(std::string(what) + " " + shown(fields_[field]) + " must be a number from 0 to 1e6");
     column.wavelengths.push_back(wavelength);
     column.values.push_back(value);
   }

@@ -36,7 +36,7 @@ struct OpticalConstants {
 //  - two of them after each other, the second of k at the same wavelengths (refractiveindex.info's CSV);
 //  - a record of refractiveindex.info of type `tabulated nk` or `tabulated n` (Polyanskiy 2024, Sci. Data 11, 94).
 // Wavelengths are in the unit that the column's name says; else in micrometres where all are below 100, in nanometres where
-// not. Without k it is 0. Throws InputError naming file and line.
+// not; they are .001 to 1e9 in it, n and k 0 to 1e6. Without k it is 0. Throws InputError naming file and line.
 OpticalConstants read_optical_constants(const Content& content, std::string_view material = "");
 // The same of a file, "FILE" or "FILE:MATERIAL".
 OpticalConstants read_optical_constants(const std::string& named);

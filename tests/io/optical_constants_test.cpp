@@ -81,7 +81,9 @@ TEST(OpticalConstants, ThatCannotBeReadAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal("theta_i,phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
               HasSubstr("gold.yml, line 1: is no table of refractive indices"));
   EXPECT_THAT(refusal("wl,n\n0.5,1,2\n"), HasSubstr("line 2: 3 columns where 2 are expected"));
-  EXPECT_THAT(refusal("wl,n\n0.5,-1\n"), HasSubstr("line 2: n '-1' must be a number of at least 0"));
+  EXPECT_THAT(refusal("wl,n\n0.5,-1\n"), HasSubstr("line 2: n '-1' must be a number from 0 to 1e6"));
+  EXPECT_THAT(refusal("wl,n\n0.5,1e92\n"), HasSubstr("line 2: n '1e92' must be a number from 0 to 1e6"));
+  EXPECT_THAT(refusal("wl,n\n0.5,1\n1e-9,2\n"), HasSubstr("line 3: '1e-9' is no wavelength (0.001 to 1e9)"));
   EXPECT_THAT(refusal("wl,n\n0.5,1\n0.5,2\n"), HasSubstr("the wavelength 500 nm stands twice"));
   EXPECT_THAT(refusal("wl,n\n"), HasSubstr("holds no row of wavelength and n"));
   EXPECT_THAT(refusal("wl,n\n.5,1\nwl,k\n.6,1\n"), HasSubstr("n and k stand at different wavelengths"));
