@@ -8,9 +8,9 @@
 #include "io/numbers.h"
 #include "io/parallel.h"
 #include "io/text.h"
+#include "prove/largest_albedo.h"
 #include "prove/rounding_proof.h"
 #include "prove/scalar/energy.h"
-#include "prove/scalar/interval.h"
 
 namespace brdf::prove {
 namespace {
@@ -21,24 +21,6 @@ constexpr double kHalfWidth = 1e-3;  // of the largest albedo's interval
 Bounds as_stored(double x, Precision precision) {
   const double rounded = precision == Precision::float_type ? double(float(x)) : x;
   return {std::min(x, rounded), std::max(x, rounded)};
-}
-std::vector<Bounds> points(std::span<const double> values, Precision precision) {
-  std::vector<Bounds> found;
-  for (const double x : values) found.push_back(as_stored(x, precision));
-  return found;
-}
-
-struct Channel {
-  const Term& term;
-  std::size_t index;
-
-  std::span<const double> shape() const { return term.shape_of(index); }
-  std::span<const double> weights() const { return term.weights[index]; }
-};
-
-// False of other programs' models.
-bool is_of_catalogue(const Channel& c) {
-  return catalogue_index(c.term.form) >= 0;
 }
 
 // Whether the form mixes channels: the first channel's weights are variables of its own, then.
@@ -76,116 +58,50 @@ void at_parameters(Proof& p, const Channel& c, const Options& options) {
   if (p.cover.open > 0) p.statement = std::to_string(p.cover.open) + " boxes are open: not known there";
 }
 
-// Terms of a material at a channel's parameters.
-using Channels = std::vector<Channel>;
-
 // A direction for which the integrals of `brdf albedo` are above 1 by more than their error bounds.
 std::optional<Witness> gain_of(const Channels& terms, const std::string& file) {
   std::vector<double> angles{89, 89.9, 89.99, 89.999, 89.9999, 89.999999};  // where Ward's lobes grow
   for (int theta = 0; theta < 89; theta += 3) angles.push_back(theta);
+  const bool turns = std::ranges::any_of(terms, [](const Channel& c) {
+    const auto axes = c.term.form.info().axes();
+    return axes.across >= 0 && c.shape()[std::size_t(axes.along)] != c.shape()[std::size_t(axes.across)];
+  });
   std::optional<Witness> worst;
-  for (const double theta : angles) {
-    double value = 0, error = 0;
-    for (const Channel& c : terms) {
-      const AlbedoResult found = directional_albedo(c.term, c.index, degrees(theta), degrees(0));
-      value += found.value;
-      error += (found.converged ? 1 : 10) * found.error_bound;
+  for (const double phi : turns ? std::vector<double>{0, 30, 60, 90} : std::vector<double>{0})
+    for (const double theta : angles) {
+      double value = 0, error = 0;
+      for (const Channel& c : terms) {
+        const AlbedoResult found = directional_albedo(c.term, c.index, degrees(theta), degrees(phi));
+        value += found.value;
+        error += (found.converged ? 1 : 10) * found.error_bound;
+      }
+      if (!(value - error > 1) || (worst && worst->value >= value)) continue;
+      worst = Witness{{},
+                      {{"theta", theta}, {"phi", phi}},
+                      value,
+                      "brdf albedo --material " + file + " --theta " + io::to_text(theta) +
+                          (phi > 0 ? " --phi " + io::to_text(phi) : "")};
     }
-    if (!(value - error > 1) || (worst && worst->value >= value)) continue;
-    worst = Witness{{},
-                    {{"theta", theta}, {"phi", 0}},
-                    value,
-                    "brdf albedo --material " + file + " --theta " + io::to_text(theta)};
-  }
   return worst;
 }
 
-// The directional albedo of all terms, enclosed over views of a range of turns. A view has one turn for every width by which
-// its tangent is stretched; these are of the least.
-class SumOfAlbedos {
- public:
-  explicit SumOfAlbedos(const Channels& terms) {
-    double least = 1;
-    for (const Channel& c : terms) {
-      const EnergyMethod* method = is_of_catalogue(c) ? energy_method(catalogue_index(c.term.form)) : nullptr;
-      known_ = known_ && method != nullptr && method->albedo != nullptr;
-      if (!known_) return;
-      Part p{method, points(c.shape(), Precision::double_type), points(c.weights(), Precision::double_type)};
-      if (method->stretch != nullptr) p.stretch = method->stretch(p.shape);
-      least = std::min(least, p.stretch);
-      parts_.push_back(std::move(p));
-    }
-    for (Part& p : parts_) {
-      p.stretch /= least;
-      known_ = known_ && p.method->albedo(p.shape, p.weights, {0, 0}, 1);
-    }
-  }
-  bool known() const { return known_; }
-  Bounds operator()(Bounds turn, double accuracy) const {
-    Interval<double> sum;
-    for (const Part& p : parts_) {
-      const Bounds b = *p.method->albedo(p.shape, p.weights, stretched(turn, p.stretch), accuracy);
-      sum = sum + Interval<double>::of(b.lo, b.hi);
-    }
-    return {sum.lo, sum.hi};
-  }
-
- private:
-  struct Part {
-    const EnergyMethod* method;
-    std::vector<Bounds> shape, weights;
-    double stretch = 1;  // beyond the least
-  };
-  // Turns are t/(1 + t) of tangents t.
-  static Bounds stretched(Bounds turn, double by) {
-    using I = Interval<double>;
-    if (by == 1) return turn;
-    const auto at = [&](double t) {
-      const I along = I::widened(by, by) * I::of(t, t);
-      return t == 0 ? I() : along / (along + (I(1) - I::of(t, t)));
-    };
-    return {std::max(at(turn.lo).lo, 0.0), std::min(at(turn.hi).hi, 1.0)};
-  }
-  std::vector<Part> parts_;
-  bool known_ = true;
-};
-
-// The largest directional albedo, between what one direction has and what none exceeds.
-void enclose_largest(Proof& p, const SumOfAlbedos& albedo, const Options& options) {
-  // The view that is likely to reflect most, and what it certainly does.
-  constexpr int kViews = 64;
-  constexpr double kGlance = 0.01, kCoarse = 2e-3, kFine = 2e-4;
-  double best = 0, most_likely = -1;
-  for (int k = 0; k <= kViews; ++k) {
-    const double turn = double(k) / kViews;
-    const Bounds coarse = albedo({turn, turn}, kGlance);
-    if (coarse.lo + coarse.hi <= most_likely) continue;
-    most_likely = coarse.lo + coarse.hi;
-    best = turn;
-  }
-  const double known = albedo({best, best}, kFine / 4).lo, most = known + 2 * kHalfWidth;
-  p.domain = Domain{{{"turn_from_normal", 0, 1, Variable::Cut::middle}}};
-  p.cover = cover(
-      *p.domain,
-      [&](const Box& box) {
-        const Bounds coarse = albedo(box[0], kCoarse);
-        // Views so far apart differ by more than what the fine cells would say.
-        const bool apart = box[0].hi - box[0].lo > 1.0 / 16;
-        return coarse.hi <= most || apart ? coarse : albedo(box[0], kFine);
-      },
-      [&](Bounds b) { return b.hi <= most; }, options.search);
-  p.low = known;
-  p.high = p.cover.range.hi;
+void state_largest(Proof& p, const SumOfAlbedos& albedo, const Options& options) {
+  const LargestAlbedo found = largest_of(albedo, kHalfWidth, options.search);
+  p.domain = found.domain;
+  p.cover = found.cover;
+  p.low = found.low;
+  p.high = found.cover.range.hi;
   p.statement = "the largest albedo is in [" + io::short_number(p.low, 6) + ", " +
                 io::short_number(p.high, 6) + "], all directions";
-  p.verdict = p.high <= 1 + kRoundedConstants && p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
+  if (p.cover.open > 0) p.statement += "; search stopped: " + std::to_string(p.cover.open) + " boxes open";
+  p.verdict = p.high <= 1 + kRoundedConstants ? Verdict::proved : Verdict::bounded;
 }
 
 void largest_albedo(Proof& p, const Channels& terms, const std::string& file, const Options& options) {
   p.arithmetic = "exact";
   const SumOfAlbedos albedo(terms);
   if (albedo.known())
-    enclose_largest(p, albedo, options);
+    state_largest(p, albedo, options);
   else
     p.statement = "no closed or regular integral at these parameters is known to the prover";
   if (albedo.known() && p.low <= 1) return;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "prove/scalar/albedo_of_facets.h"
 #include "prove/scalar/cosine_lobes.h"
 #include "prove/scalar/majorants.h"
 #include "prove/scalar/on_box.h"
@@ -10,21 +11,12 @@
 namespace brdf::prove {
 namespace {
 
+using I = Interval<double>;
+
 template <class F>
 concept FacetForm = LinearForm<F> && (lobe_count<F> > 1) && requires(typename F::template Shape<double> s) {
   { s.alpha_x } -> std::convertible_to<double>;
 };
-template <class F>
-inline constexpr bool kSchlick = std::is_same_v<typename F::template Weights<double>, SchlickWeights<double>>;
-template <class F>
-inline constexpr bool kIndexed = requires(typename F::template Shape<double> s) { s.eta; } &&
-                                 std::is_same_v<typename F::template Weights<double>, LobeWeights<double>>;
-
-template <class F>
-inline constexpr bool kMetal = requires(typename F::template Shape<double> s) {
-  s.n;
-  s.k;
-} && std::is_same_v<typename F::template Weights<double>, LobeWeights<double>>;
 
 template <class T>
 Roughness<T> widths_of(const Roughness<T>& shape) {
@@ -48,8 +40,6 @@ bool has_majorant(F form) {
       return std::array{R(1 / kPi), lobe * fresnel_dielectric(shape.eta, g.cos_d)};
   });
 }
-
-using I = Interval<double>;
 
 void add_directions(Domain& domain) {
   for (const char* w : {"i", "o"}) {
@@ -87,48 +77,6 @@ Bounds enclose_facets(std::span<const Bounds> box) {
   return {r.lo, r.hi};
 }
 
-template <class F>
-auto lobe_weights(std::span<const Bounds> weights) {
-  std::size_t at = 0;
-  return parameters_from<typename F::template Weights<I>, I>(weights, at).linear();
-}
-
-// What facets reflect with these weights, a function of cos_d.
-template <class F>
-auto reflectance_of(const typename F::template Shape<I>& s, const auto& w) {
-  if constexpr (kSchlick<F>)
-    return [w](const auto& c) { return schlick_at(c) * w[2] + w[1]; };
-  else if constexpr (kMetal<F>)
-    return [w, s](const auto& c) { return conductor_at(s.n.lo, s.k.lo, c) * w[1]; };
-  else if constexpr (kIndexed<F>)
-    return [w, s](const auto& c) { return dielectric_at(s.eta.lo, c) * w[1]; };
-  else
-    return [w](const auto&) { return w[1]; };
-}
-
-// The lobes' weights times their albedos: 1 of the diffuse one.
-template <class F, class Cell>
-std::optional<Bounds> albedo_of_facets(std::span<const Bounds> shape, std::span<const Bounds> weights,
-                                       Bounds turn, double accuracy) {
-  std::size_t at = 0;
-  const auto s = parameters_from<typename F::template Shape<I>, I>(shape, at);
-  const double alpha = s.alpha_x.lo;
-  if (!s.alpha_x.is(alpha) || !s.alpha_y.is(alpha)) return std::nullopt;
-  const auto w = lobe_weights<F>(weights);
-  const Bounds facets = facet_albedo<Cell>(alpha, reflectance_of<F>(s, w), turn, accuracy);
-  I most = w[1];  // F G2/G1 beside the density of visible normals, see majorants.h
-  if constexpr (kSchlick<F>) most = most + w[2];
-  const I lobe = I::of(std::min(facets.lo, most.hi), std::min(facets.hi, most.hi));
-  const I all = w[0] * I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi) + lobe;
-  return Bounds{all.lo, all.hi};
-}
-
-template <class F>
-double stretch_of(std::span<const Bounds> shape) {
-  std::size_t at = 0;
-  return parameters_from<typename F::template Shape<I>, I>(shape, at).alpha_x.lo;
-}
-
 template <class F, class Majorant>
 std::optional<EnergyMethod> facets(F form) {
   if (!has_majorant<F, Majorant>(form)) return std::nullopt;
@@ -148,10 +96,27 @@ std::optional<EnergyMethod> facets(F form) {
   }
   add_directions(m.domain);
   m.enclose = enclose_facets<F, Majorant>;
-  if constexpr (requires { typename Majorant::Cell; }) {
-    m.albedo = albedo_of_facets<F, typename Majorant::Cell>;
+  if constexpr (requires { typename Majorant::template Cell<EqualWidths>; }) {
+    m.albedo = albedo_of_facets<F, Majorant::template Cell>;
     m.stretch = stretch_of<F>;
   }
+  return m;
+}
+
+template <class F>
+std::optional<EnergyMethod> student(F form) {
+  const bool its = is_written_as(form, [](const auto& shape, const auto& g) {
+    using R = Recorded;
+    const Roughness<R> a = shape.ggx();
+    const StudentMasking<R> masking(shape.gamma);
+    const Fraction<R> v{R(0.5), g.cos_o * masking.length(a, g.wi) + g.cos_i * masking.length(a, g.wo)};
+    const R lobe = quotient(d_ggx(a, g), v) * student_over_ggx(shape.gamma, a, g);
+    return std::array{R(1 / kPi), lobe, lobe * schlick(g)};
+  });
+  if (!its) return std::nullopt;
+  EnergyMethod m;
+  m.albedo = albedo_of_student<F>;
+  m.stretch = stretch_of_student<F>;
   return m;
 }
 
@@ -167,16 +132,21 @@ Bounds enclose_cosine_lobe(std::span<const Bounds>) {
   return {r.lo, r.hi};
 }
 
+// Known in closed form, so but for the range of turns.
+AlbedoBounds of_turns(const I& albedo) {
+  return {{albedo.lo, albedo.hi}, {albedo.hi - albedo.lo, 0}};
+}
+
 template <class F, class Lobe>
-std::optional<Bounds> albedo_of_cosine_lobe(std::span<const Bounds>, std::span<const Bounds> weights,
-                                            Bounds turn, double) {
+std::optional<AlbedoBounds> albedo_of_cosine_lobe(std::span<const Bounds>, std::span<const Bounds> weights,
+                                                  const Views& views, double) {
   I cosine, sine;
-  circle(turn, cosine, sine);
+  circle(views.turn, cosine, sine);
   const auto w = lobe_weights<F>(weights);
-  const I lobe = turn.lo == 0 && turn.hi == 0 ? I(1) : Lobe::albedo(cosine);
+  const I lobe = views.turn.hi == 0 ? I(1) : Lobe::albedo(cosine);
   const I all =
       w[0] * I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi) + w[1] * lobe * Lobe::template normalisation<I>();
-  return Bounds{all.lo, all.hi};
+  return of_turns(all);
 }
 
 template <class Lobe, class F>
@@ -203,17 +173,17 @@ Bounds enclose_rough(std::span<const Bounds> box) {
 }
 
 template <class F>
-std::optional<Bounds> albedo_of_one_lobe(std::span<const Bounds> shape, std::span<const Bounds> weights,
-                                         Bounds turn, double) {
+std::optional<AlbedoBounds> albedo_of_one_lobe(std::span<const Bounds> shape, std::span<const Bounds> weights,
+                                               const Views& views, double) {
   Bounds lobe{};
   if (shape.empty()) {
     lobe = enclose_constant({});
   } else {
-    const std::array box{shape[0], turn};
+    const std::array box{shape[0], views.turn};
     lobe = enclose_rough(box);
   }
   const I all = lobe_weights<F>(weights)[0] * I::of(lobe.lo, lobe.hi);
-  return Bounds{all.lo, all.hi};
+  return of_turns(all);
 }
 
 // rho, r and the turn.
@@ -245,8 +215,8 @@ Bounds enclose_ward_bounded(std::span<const Bounds> box) {
 template <Form F>
 std::optional<EnergyMethod> method_of(F form) {
   if constexpr (LinearForm<F>) {
+    using Shape = typename F::template Shape<double>;
     if constexpr (lobe_count<F> == 1) {
-      using Shape = typename F::template Shape<double>;
       if (is_written_as(form, [](const auto&, const auto&) { return std::array{Recorded(1 / kPi)}; }))
         return EnergyMethod{"f is constant", {}, enclose_constant, albedo_of_one_lobe<F>};
       if constexpr (std::is_same_v<Shape, SlopeDeviation<double>>) {
@@ -274,6 +244,8 @@ std::optional<EnergyMethod> method_of(F form) {
               cosine_lobe<PhongLobe>(form, "the lit cosine beside a lobe about the mirror direction"))
         return found;
       return cosine_lobe<BlinnLobe>(form, "caps of half vectors reflect most at normal incidence");
+    } else if constexpr (std::is_same_v<Shape, StudentRoughness<double>>) {
+      return student(form);
     } else if constexpr (FacetForm<F> && (kSchlick<F> || kIndexed<F> || kMetal<F>)) {
       for (const auto& found : {facets<F, GgxSmith>(form), facets<F, BeckmannSmith>(form),
                                 facets<F, BeckmannCavities>(form), facets<F, GgxSchlick>(form)})
@@ -293,10 +265,20 @@ std::optional<EnergyMethod> method_of(F form) {
   return std::nullopt;
 }
 
+const EnergyMethod* method_at(int place) {
+  return recorded_method<EnergyMethod>(place, [](auto form) { return method_of(form); });
+}
+
 }  // namespace
 
 const EnergyMethod* energy_method(int place) {
-  return recorded_method<EnergyMethod>(place, [](auto form) { return method_of(form); });
+  const EnergyMethod* method = method_at(place);
+  return method != nullptr && method->enclose != nullptr ? method : nullptr;
+}
+
+const EnergyMethod* albedo_method(int place) {
+  const EnergyMethod* method = method_at(place);
+  return method != nullptr && method->albedo != nullptr ? method : nullptr;
 }
 
 }  // namespace brdf::prove

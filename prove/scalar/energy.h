@@ -1,9 +1,11 @@
 // Forms whose energy is bounded by an authored reason.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "prove/scalar/enclosed.h"
+#include "prove/scalar/views.h"
 
 namespace brdf::prove {
 
@@ -11,19 +13,22 @@ namespace brdf::prove {
 struct EnergyMethod {
   std::string why;
   Domain domain;
-  Bounds (*enclose)(std::span<const Bounds> box);  // of the albedo's bound
-  // The directional albedo itself, of parameters in their tables' order and views of a range of turns from the normal, 0 to
-  // 1 (facets: of the stretched normal, facet_albedo.h); exact. None where it is not known, of unequal widths say. `accuracy`: where an integral that has it in fewer cells may stop.
-  std::optional<Bounds> (*albedo)(std::span<const Bounds> shape, std::span<const Bounds> weights, Bounds turn,
-                                  double accuracy) = nullptr;
-  // What the view's tangent is multiplied by before its turn is taken; null: 1.
-  double (*stretch)(std::span<const Bounds> shape) = nullptr;
+  Bounds (*enclose)(std::span<const Bounds> box) =
+      nullptr;  // of the albedo's bound; null: none over all parameters
+  // The directional albedo itself, of parameters in their tables' order and these views (facets: stretched ones,
+  // facet_albedo.h); exact. None where it is not known. `accuracy`: where an integral that has it in fewer cells may stop.
+  std::optional<AlbedoBounds> (*albedo)(std::span<const Bounds> shape, std::span<const Bounds> weights,
+                                        const Views& views, double accuracy) = nullptr;
+  // What the view's two tangents are multiplied by before its turns are taken; null: 1.
+  std::array<double, 2> (*stretch)(std::span<const Bounds> shape) = nullptr;
 };
 
 // 1/pi rounded, times pi: what is at most 1 of exact constants.
 inline constexpr double kRoundedConstants = 1e-15;
 
-// The one that the form's recorded formula is of; none for others.
+// The one that the form's recorded formula is of; null for others and where it has no bound over all parameters.
 const EnergyMethod* energy_method(int form);
+// The same where the albedo at given parameters is known.
+const EnergyMethod* albedo_method(int form);
 
 }  // namespace brdf::prove

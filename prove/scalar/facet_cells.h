@@ -6,40 +6,39 @@
 namespace brdf::prove {
 
 // The masked weight of a cell's normals beside F and the measure, 0 <= it; nothing where it is not smooth there.
-struct GgxSmithCell {
-  static constexpr double kScale = 4;  // of 1/pi, with both signs of phi
+template <class W>
+struct GgxSmithCell : EvenSteps {
+  using Slopes = typename W::Slopes;
+  static Exactly scale() { return Exactly(2); }  // of 1/pi
   explicit GgxSmithCell(const FacetView&) {}
 
-  std::optional<Slopes> smooth(const FacetCell<Slopes>& n) const {
+  std::optional<Slopes> smooth(const FacetCell<W, Slopes>& n) const {
     if (!(n.rho.a.lo > 1e-9)) return std::nullopt;
-    return n.facing / (masked(n, n.rho) + Exactly(1));
+    return n.facing / (n.cos_view * n.stretched(n.rho) + Exactly(1));
   }
-  Exactly anywhere(const FacetCell<Exactly>& n) const {
+  Exactly anywhere(const FacetCell<W, Exactly>& n) const {
     if (n.rho.hi <= 0) return Exactly();
     // Increasing in rho.
     const auto lit = [&](double rho) {
-      return rho > 1e-9 ? Exactly(1) / (Exactly(1) + masked(n, Exactly::of(rho, rho))) : Exactly();
+      return rho > 1e-9 ? Exactly(1) / (Exactly(1) + n.cos_view * n.stretched(Exactly::of(rho, rho)))
+                        : Exactly();
     };
     return cut(n.facing, 0, 1.01) * Exactly::of(lit(n.rho.lo).lo, n.rho.hi > 1e-9 ? lit(n.rho.hi).hi : 1);
-  }
-
- private:
-  // c l/(k rho)
-  template <class T>
-  static T masked(const FacetCell<T>& n, const T& rho) {
-    return n.cos_view * math::sqrt(n.stretch2 / square(rho) + (Exactly(1) - n.alpha2));
   }
 };
 
 // W of Beckmann's normals.
-struct BeckmannDensity {
+struct BeckmannDensity : EvenSteps {
   static Exactly density(const Exactly& z) {
     Exactly w = hull(density_at(z.lo), density_at(z.hi));
     if (z.lo <= 0.70711 && z.hi >= 0.70710) w = hull(w, Exactly::of(1.4715, 1.4716));
     return w;
   }
   // Of z above .05.
-  static Slopes density(const Slopes& z) { return {density(z.a), z.v * slope(z.a)}; }
+  template <int N>
+  static Dual<Exactly, N> density(const Dual<Exactly, N>& z) {
+    return {density(z.a), z.v * slope(z.a)};
+  }
 
  private:
   // Increasing to z^2 = 1/2, where it is 4/e, then decreasing.
@@ -55,18 +54,21 @@ struct BeckmannDensity {
 };
 
 // Beckmann's normals whose mirrored directions are lit for certain, where all is smooth.
-inline bool smoothly_lit(const FacetCell<Slopes>& n) {
+template <class W>
+bool smoothly_lit(const FacetCell<W, typename W::Slopes>& n) {
   return n.rho.a.lo > 1e-9 && n.up.a.lo > 0.05;
 }
 inline Exactly quotient_at(double x, double y) {
   return Exactly::of(x, x) / Exactly::of(y, y);
 }
 
+template <class W>
 struct BeckmannCavityCell : BeckmannDensity {
-  static constexpr double kScale = 2;
+  using Slopes = typename W::Slopes;
+  static Exactly scale() { return Exactly(1); }
   explicit BeckmannCavityCell(const FacetView&) {}
 
-  std::optional<Slopes> smooth(const FacetCell<Slopes>& n) const {
+  std::optional<Slopes> smooth(const FacetCell<W, Slopes>& n) const {
     if (!smoothly_lit(n)) return std::nullopt;
     const Slopes two = n.up * Exactly(2), blocked = two * n.rho, open = two * n.cos_view;  // times c
     const auto least = [](const Slopes& x, const Slopes& y, const Slopes& z) {
@@ -79,7 +81,7 @@ struct BeckmannCavityCell : BeckmannDensity {
     if (least(blocked, open, n.facing)) return weight * (blocked / n.cos_view);
     return std::nullopt;
   }
-  Exactly anywhere(const FacetCell<Exactly>& n) const {
+  Exactly anywhere(const FacetCell<W, Exactly>& n) const {
     if (n.rho.hi <= 0 || n.up.hi <= 0) return Exactly();
     const Exactly up = cut(n.up, 0, 1.01), rho = cut(n.rho, 0, 1e300), facing = cut(n.facing, 0, 1.01);
     const Exactly two = Exactly(2) * up;
@@ -135,21 +137,24 @@ class BeckmannMasking {
   Tail most_, least_;
 };
 
-class BeckmannSmithCell : BeckmannDensity {
+template <class W>
+class BeckmannSmithCell : public BeckmannDensity {
+  using Slopes = typename W::Slopes;
+
  public:
-  static constexpr double kScale = 2;
+  static Exactly scale() { return Exactly(1); }
   explicit BeckmannSmithCell(const FacetView& view) : area_(area_of(view)) {}
 
-  std::optional<Slopes> smooth(const FacetCell<Slopes>& n) const {
+  std::optional<Slopes> smooth(const FacetCell<W, Slopes>& n) const {
     if (!smoothly_lit(n)) return std::nullopt;
-    const Slopes q2 = n.stretch2 - square(n.rho) * n.alpha2;
+    const Slopes q2 = n.tangent2(n.rho);
     const BeckmannMasking out(n.rho.a, root(q2.a));
     const Slopes hidden{out.value(), n.rho.v * out.by_x() + q2.v * out.by_y2()};
     return density(n.up) * n.facing / (area_ + n.cos_view * hidden / n.rho);
   }
-  Exactly anywhere(const FacetCell<Exactly>& n) const {
+  Exactly anywhere(const FacetCell<W, Exactly>& n) const {
     if (n.rho.hi <= 0 || n.up.hi <= 0) return Exactly();
-    const Exactly q = root(n.stretch2 - square(cut(n.rho, 0, 1e300)) * n.alpha2);
+    const Exactly q = root(n.tangent2(cut(n.rho, 0, 1e300)));
     // Increasing in rho, decreasing in q and in c.
     const auto lit = [](double area, double cosine, double rho, double q_at) {
       const Exactly hidden = BeckmannMasking::value_at(rho, q_at) / Exactly::of(rho, rho);
@@ -164,22 +169,25 @@ class BeckmannSmithCell : BeckmannDensity {
 
  private:
   static Slopes area_of(const FacetView& view) {
-    const BeckmannMasking m(view.cosine, view.sine);
-    return {m.area(), view.cosines().v * (m.by_x() + Exactly(1)) + view.sines().v * m.by_y()};
+    const BeckmannMasking m(view.turn.cosine, view.turn.sine);
+    const Slopes cosines = view.turn.cosines<Slopes>(2), sines = view.turn.sines<Slopes>(2);
+    return {m.area(), cosines.v * (m.by_x() + Exactly(1)) + sines.v * m.by_y()};
   }
   static Exactly root(const Exactly& x) { return sqrt(cut(x, 0, 1e300)); }
   Slopes area_;
 };
 
+template <class W>
 struct WardBoundedCell : BeckmannDensity {
-  static constexpr double kScale = 4;
+  using Slopes = typename W::Slopes;
+  static Exactly scale() { return Exactly(2); }
   explicit WardBoundedCell(const FacetView&) {}
 
-  std::optional<Slopes> smooth(const FacetCell<Slopes>& n) const {
+  std::optional<Slopes> smooth(const FacetCell<W, Slopes>& n) const {
     if (!smoothly_lit(n)) return std::nullopt;
     return density(n.up) * n.up * (n.rho / (n.rho + n.cos_view));
   }
-  Exactly anywhere(const FacetCell<Exactly>& n) const {
+  Exactly anywhere(const FacetCell<W, Exactly>& n) const {
     if (n.rho.hi <= 0 || n.up.hi <= 0) return Exactly();
     const auto ratio = [](double rho, double cosine) {  // increasing in rho, decreasing in c
       return rho > 1e-9 ? Exactly::of(rho, rho) / (Exactly::of(rho, rho) + Exactly::of(cosine, cosine))
@@ -203,7 +211,8 @@ T dielectric_at(double eta, const T& c) {
 inline const Exactly& value_of(const Exactly& x) {
   return x;
 }
-inline const Exactly& value_of(const Slopes& x) {
+template <int N>
+const Exactly& value_of(const Dual<Exactly, N>& x) {
   return x.a;
 }
 

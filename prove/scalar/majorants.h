@@ -20,7 +20,8 @@ T smith_ratio(const T& lambda_o, const T& lambda_i) {
 }
 
 struct GgxSmith {
-  using Cell = GgxSmithCell;
+  template <class W>
+  using Cell = GgxSmithCell<W>;
   static constexpr bool tied = false;
   template <class S, class G>
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {
@@ -39,7 +40,8 @@ struct GgxSmith {
 };
 
 struct BeckmannSmith {
-  using Cell = BeckmannSmithCell;
+  template <class W>
+  using Cell = BeckmannSmithCell<W>;
   static constexpr bool tied = false;
   template <class S, class G>
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {
@@ -58,7 +60,8 @@ struct BeckmannSmith {
 
 // Torrance and Sparrow's cavities mask as G1 = min(1, 2 cos_h cos/cos_d) and G2 = min(G1(wi), G1(wo)).
 struct BeckmannCavities {
-  using Cell = BeckmannCavityCell;
+  template <class W>
+  using Cell = BeckmannCavityCell<W>;
   static constexpr bool tied = false;
   template <class S, class G>
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {

@@ -4,28 +4,9 @@
 #include "brdf/forms.h"
 #include "prove/scalar/enclosed.h"
 #include "prove/scalar/lemmas.h"
+#include "prove/scalar/views.h"
 
 namespace brdf::prove {
-
-// (cos, sin) of a turn in [-2, 2], see Domain: both monotone between whole turns.
-template <class I>
-void circle(Bounds turn, I& cosine, I& sine) {
-  const auto at = [](double t) {
-    const I x = I(1) - I::of(std::fabs(t), std::fabs(t));
-    const I y = std::fabs(t) <= 1 ? I::of(t, t) : (t > 0 ? I(2) - I::of(t, t) : I(-2) - I::of(t, t));
-    const I length = sqrt(square(x) + square(y));
-    return std::pair(x / length, y / length);
-  };
-  const auto [c0, s0] = at(turn.lo);
-  const auto [c1, s1] = at(turn.hi);
-  cosine = hull(c0, c1);
-  sine = hull(s0, s1);
-  const auto holds = [&](double t) { return turn.lo <= t && t <= turn.hi; };
-  if (holds(0)) cosine.hi = 1;
-  if (holds(-2) || holds(2)) cosine.lo = -1;
-  if (holds(1)) sine.hi = 1;
-  if (holds(-1)) sine.lo = -1;
-}
 
 template <class I>
 Vec3<I> direction(Bounds cosine, Bounds turn) {

@@ -9,6 +9,7 @@
 #include "brdf/targets.h"
 #include "prove/proof.h"
 #include "prove/scalar/energy.h"
+#include "prove/sum_of_albedos.h"
 
 namespace brdf::prove {
 namespace {
@@ -19,13 +20,17 @@ double turn_of(double tangent, double stretch) {
   return t / (1 + t);
 }
 
-std::optional<Bounds> albedo_at(const Term& term, double turn, double half = 0, double accuracy = 4e-3) {
-  const EnergyMethod* method = energy_method(catalogue_index(term.form));
-  if (method == nullptr || method->albedo == nullptr) return std::nullopt;
+std::optional<Bounds> albedo_at(const Term& term, const Views& views, double accuracy = 4e-3) {
+  const EnergyMethod* method = albedo_method(catalogue_index(term.form));
+  if (method == nullptr) return std::nullopt;
   std::vector<Bounds> shape, weights;
   for (const double x : term.shape[0]) shape.push_back({x, x});
   for (const double x : term.weights[0]) weights.push_back({x, x});
-  return method->albedo(shape, weights, {std::max(0.0, turn - half), std::min(1.0, turn + half)}, accuracy);
+  if (const auto found = method->albedo(shape, weights, views, accuracy)) return found->value;
+  return std::nullopt;
+}
+std::optional<Bounds> albedo_at(const Term& term, double turn, double half = 0) {
+  return albedo_at(term, Views{{std::max(0.0, turn - half), std::min(1.0, turn + half)}});
 }
 
 bool has_facets(const Reflectance& form) {
@@ -88,26 +93,66 @@ TEST(Material, FaultyAlbedosAreOutsideTheInterval) {
   EXPECT_GE(tried, 3);
 }
 
-TEST(Material, NothingIsSaidOfUnequalWidths) {
-  Options options;
-  options.properties = {Property::energy};
-  for (const Reflectance& form : catalogue()) {
-    Term term = rough(form, 0.3);
-    if (!has_facets(form) || !albedo_at(term, 0)) continue;
-    for (std::size_t k = 0; k < term.shape[0].size(); ++k)
-      if (form.info().shape[k].role == Role::width) term.shape[0][k] = 0.2;
-    EXPECT_EQ(prove(Material{{"fr"}, {term}}, "m", options).front().verdict, Verdict::no_method);
+// Widths `along` and `across`.
+Term rough(const Reflectance& form, double along, double across) {
+  Term term = rough(form, across);
+  for (std::size_t k = 0; k < term.shape[0].size(); ++k)
+    if (form.info().shape[k].role == Role::width) term.shape[0][k] = along;
+  return term;
+}
+
+TEST(Material, OfUnequalWidthsTheyHoldThemFromEveryAzimuth) {
+  int held = 0;
+  for (const Reflectance& form : catalogue())
+    for (const auto& [along, across] : {std::pair{0.15, 0.4}, {0.9, 0.3}}) {
+      const Term term = rough(form, along, across);
+      if (!has_facets(form) || !albedo_at(term, 0)) continue;
+      for (const double theta : {0.0, 40.0, 75.0, 88.0})
+        for (const double phi : {0.0, 35.0, 90.0}) {
+          const double tangent = std::tan(theta * kPi / 180), p = phi * kPi / 180,
+                       turn = turn_of(tangent, std::hypot(along * std::cos(p), across * std::sin(p))),
+                       azimuth = phi == 90 ? 1 : turn_of(std::tan(p), across / along);
+          const AlbedoResult numeric = directional_albedo(term, 0, degrees(theta), degrees(phi));
+          const double half = theta == 75 ? 0.004 : 0;
+          const auto around = [half](double x) {
+            return Bounds{std::max(0.0, x - half), std::min(1.0, x + half)};
+          };
+          const Bounds b = *albedo_at(term, {around(turn), around(azimuth)}, 0.01);
+          EXPECT_LE(b.lo, numeric.value + numeric.error_bound)
+              << form.info().name << ' ' << theta << ' ' << phi;
+          EXPECT_GE(b.hi, numeric.value - numeric.error_bound)
+              << form.info().name << ' ' << theta << ' ' << phi;
+          EXPECT_LT(b.hi - b.lo, 0.35) << form.info().name << ' ' << along << ' ' << theta << ' ' << phi;
+          ++held;
+        }
+    }
+  EXPECT_GE(held, 7 * 2 * 12);  // six with bounds over all parameters and Student's
+}
+
+TEST(Material, StudentsHoldThemForEveryTail) {
+  for (const double gamma : {1.6, 1.75, 3.0, 10.0}) {
+    Term term = rough(*find_form("cook_torrance_student"), 0.3);
+    term.shape[0].back() = gamma;
+    for (const double theta : {0.0, 50.0, 85.0}) {
+      const double turn = turn_of(std::tan(theta * kPi / 180), 0.3 * std::sqrt(gamma - 1));
+      const AlbedoResult numeric = directional_albedo(term, 0, degrees(theta), degrees(0));
+      const Bounds b = *albedo_at(term, turn);
+      EXPECT_LE(b.lo, numeric.value + numeric.error_bound) << gamma << ' ' << theta;
+      EXPECT_GE(b.hi, numeric.value - numeric.error_bound) << gamma << ' ' << theta;
+      EXPECT_LT(b.hi - b.lo, 0.13) << gamma << ' ' << theta;
+    }
   }
 }
 
 // The largest of a grid of views, by the integrals.
-double largest_of(const Material& m) {
+double largest_of(const Material& m, const std::vector<double>& azimuths = {0}) {
   double most = 0;
-  for (double theta = 0; theta < 89.9999; theta += 0.05 * (90 - theta)) {
-    double sum = 0;
-    for (const Term& t : m.terms) sum += directional_albedo(t, 0, degrees(theta), degrees(0)).value;
-    most = std::max(most, sum);
-  }
+  for (const double phi : azimuths)
+    for (double theta = 0; theta < 89.9999; theta += 0.05 * (90 - theta)) {
+      double sum = 0;
+      for (const Term& t : m.terms) sum += directional_albedo(t, 0, degrees(theta), degrees(phi)).value;
+      most = std::max(most, sum);
+    }
   return most;
 }
 
@@ -137,10 +182,43 @@ TEST(Material, SumsOfTermsAreKnownTogether) {
       EXPECT_GE(p.high, largest);
     }
   }
-  const Proof unknown = prove(
-      Material{{"fr"}, {term("lambert", 1, 0.1), term("cook_torrance_student", 1, 0.1)}}, "m", options)[4];
-  EXPECT_EQ(unknown.claim.property, Property::energy);
-  EXPECT_EQ(unknown.verdict, Verdict::no_method) << unknown.statement;
+}
+
+// Brushed across one another: each term sees the view's azimuth by its own widths.
+TEST(Material, OfUnequalWidthsTermsAreSeenFromOneAzimuth) {
+  const Term first = rough(*find_form("cook_torrance"), 0.5, 0.2),
+             second = rough(*find_form("cook_torrance_beckmann"), 0.3, 0.8);
+  const SumOfAlbedos albedo({{first, 0}, {second, 0}});
+  ASSERT_TRUE(albedo.known() && albedo.turns());
+  for (const double theta : {30.0, 80.0})
+    for (const double phi : {20.0, 60.0}) {
+      const double p = phi * kPi / 180, tangent = std::tan(theta * kPi / 180),
+                   turn = turn_of(tangent, std::hypot(0.5 * std::cos(p), 0.2 * std::sin(p))),
+                   azimuth = turn_of(std::tan(p), 0.2 / 0.5);
+      const Bounds b = albedo({{turn, turn}, {azimuth, azimuth}}, 2e-3).value;
+      double sum = 0;
+      for (const Term& t : {first, second})
+        sum += directional_albedo(t, 0, degrees(theta), degrees(phi), {.tolerance = 1e-6}).value;
+      EXPECT_LE(b.lo, sum) << theta << ' ' << phi;
+      EXPECT_GE(b.hi, sum) << theta << ' ' << phi;
+      EXPECT_LT(b.hi - b.lo, 0.1) << theta << ' ' << phi;
+    }
+}
+
+TEST(Material, OfUnequalWidthsAreProvedAlsoWhereTheSearchStops) {
+  Options options;
+  options.properties = {Property::energy};
+  options.search.leaves = 4;
+  Term term = rough(*find_form("cook_torrance"), 0.5, 0.2);
+  term.weights[0] = {0.1, 0.9, 0.6};
+  const Material m{{"fr"}, {term}};
+  const Proof p = prove(m, "m", options).front();
+  const double largest = largest_of(m, {0, 45, 90});
+  EXPECT_EQ(p.verdict, Verdict::proved) << p.statement;
+  EXPECT_GT(p.cover.open, 0);
+  EXPECT_LE(p.low, largest + 1e-3);
+  EXPECT_GE(p.low, largest - 0.02);
+  EXPECT_GE(p.high, largest);
 }
 
 // Phong's and Blinn's reflect most along the normal, which is their weights.
