@@ -165,7 +165,7 @@ TEST(Material, SumsOfTermsAreKnownTogether) {
     return t;
   };
   for (const Material& m :
-       {Material{{"fr"}, {term("cook_torrance", 1, 0.6), term("cook_torrance_beckmann", 1, 0.3)}},
+       {Material{{"fr"}, {term("cook_torrance", 1, 0.2), term("cook_torrance_beckmann", 1, 0.1)}},
         Material{{"fr"}, {term("lambert", 1, 0.4), term("ward_bounded", 0.6, 0.5)}}}) {
     const double largest = largest_of(m);
     for (const Proof& p : prove(m, "m", options)) {
