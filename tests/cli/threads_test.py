@@ -22,6 +22,8 @@ COMMANDS = [
     "synth --microsurface lambert_grooves --set sigma=0.3 --theta-i 30 --surfaces 8 --rays 64 --threads 3 -o l.csv",
     "validate a.json a.csv --form ward",
     "validate --numerics --form lambert",
+    "prove a.json --property energy --seconds 5",
+    "prove --form oren_nayar --form cook_torrance",
     "render a.json --width 64 --height 64 --compare embree -o r.png",
     "trade --quick --only masking",
 ]
