@@ -1,6 +1,7 @@
 #include "prove/largest_albedo.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <queue>
@@ -71,9 +72,8 @@ Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box
     before = width;
   }
   Region r{box, {found.value.lo, std::min(found.value.hi, std::numeric_limits<double>::max())}, 0};
-  if (r.box.size() > 1) {
+  if (box.size() > 1)
     r.cut = (found.reach[0] == found.reach[1] ? size(0) >= size(1) : found.reach[0] > found.reach[1]) ? 0 : 1;
-  }
   return r;
 }
 

@@ -13,14 +13,8 @@ namespace brdf::prove {
 // B and A of one exponent.
 class StudentArea {
  public:
-  explicit StudentArea(const Exactly& gamma) : power_(gamma - Exactly(1)) {
-    const Exactly y = Exactly(detail::kStudentK) * (gamma - Exactly(detail::kStudentP)) /
-                      (gamma + Exactly(detail::kStudentQ));
-    const Exactly scale = square(gamma + Exactly(2)) /
-                          ((gamma - Exactly(1.5)) * ((gamma - Exactly(0.5)) * (gamma + Exactly(0.5))));
-    for (std::size_t k = 0; k < c_.size(); ++k)
-      c_[k] = scale * kernels::horner(y, detail::kStudentMasking[k]);
-  }
+  explicit StudentArea(const Exactly& gamma)
+      : power_(gamma - Exactly(1)), c_(StudentMasking<double>::coefficients(gamma)) {}
   // Of a stretched direction's cosine and sine: A.
   template <class T>
   T seen(const T& cosine, const T& sine) const {

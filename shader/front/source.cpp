@@ -79,8 +79,8 @@ void check(const Declared& p, const std::string& where) {
     throw InputError(where + p.name + ": a log scale needs values above 0");
 }
 
-// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", the latter also as "param NAME color r g b", and
-// BRDF Explorer's "float NAME MIN MAX DEFAULT".
+// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", the last two also as
+// "param NAME bool 0|1" and "param NAME color r g b", and BRDF Explorer's "float NAME MIN MAX DEFAULT".
 Declared read_declared(std::string_view kind, std::span<const std::string_view> words, std::uint32_t line,
                        const std::string& where) {
   if (words.empty()) throw InputError(where + "the parameter's name is missing");

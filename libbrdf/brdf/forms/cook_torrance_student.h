@@ -83,6 +83,8 @@ inline constexpr std::array<std::array<double, 13>, 10> kStudentMasking{{
 // relative 2e-9, by a polynomial in (3 m - 1)/(m + 1) whose coefficients depend on gamma alone.
 template <class S>
 class StudentMasking {
+  static constexpr std::size_t kTerms = std::size(detail::kStudentMasking);
+
  public:
   explicit StudentMasking(const S& gamma) : gamma_(gamma) {
     if constexpr (Differentiated<S>) {  // by the chain rule: three polynomials of plain numbers
@@ -104,18 +106,6 @@ class StudentMasking {
     return stretched * (math::pow(tangent2 / length2, gamma_ - S(1)) * factor(x)) + w.z;
   }
 
- private:
-  static constexpr std::size_t kTerms = std::size(detail::kStudentMasking);
-  using B = base_scalar_t<S>;
-  using Plain = std::conditional_t<Differentiated<S>, B, S>;
-
-  template <class F>
-  static void for_each_term(F&& f) {
-    [&]<std::size_t... k>(std::index_sequence<k...>) {
-      (f(std::integral_constant<std::size_t, k>{}), ...);
-    }(std::make_index_sequence<kTerms>{});
-  }
-
   // P's, by powers of x.
   template <class T>
   static std::array<T, kTerms> coefficients(const T& gamma) {
@@ -124,6 +114,17 @@ class StudentMasking {
     std::array<T, kTerms> c;
     for_each_term([&](auto k) { c[k] = scale * kernels::horner(y, detail::kStudentMasking[k]); });
     return c;
+  }
+
+ private:
+  using B = base_scalar_t<S>;
+  using Plain = std::conditional_t<Differentiated<S>, B, S>;
+
+  template <class F>
+  static void for_each_term(F&& f) {
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      (f(std::integral_constant<std::size_t, k>{}), ...);
+    }(std::make_index_sequence<kTerms>{});
   }
 
   S factor(const S& x) const {
