@@ -40,6 +40,12 @@ void check_outputs(const std::vector<std::string>& files, const std::vector<std:
   io::check_folder_target({"-o", folder}, outputs, {files.begin(), files.end()});
 }
 
+// Of what a report was made of, and of itself: one that was edited is made anew.
+constexpr const char* kSeal = "batch_key";
+std::string sealed(const std::string& key, const Json& report) {
+  return io::fingerprint({key, io::to_text(report)});
+}
+
 std::string recommended_in(const Json& report) {
   const Json& form = report.at("recommended");
   return form.is_null() ? "" : form.get<std::string>();
@@ -112,25 +118,27 @@ class Batch {
     io::write_file_atomically(batch_.folder / (row.name + ".html"),
                               html_report(result, table, options_, batch_.spheres));
     Json j = to_json(result, table, options_);
-    j["batch_key"] = key;
+    j[kSeal] = sealed(key, j);
     row.best = j["ranking"][0];
     row.recommended = recommended_in(j);
     io::write_file_atomically(report, io::to_text(j));  // last: it says that the others are there
   }
 
   bool reuse(BatchRow& row, const fs::path& report, const std::string& key) const {
-    if (!fs::exists(report) || !fs::exists(batch_.folder / (row.name + ".json"))) return false;
+    for (const char* ending : {".json", ".html", ".fit.json"})
+      if (!fs::exists(batch_.folder / (row.name + ending))) return false;
+    Json j;
     try {
-      const Json j = io::read_json(report);
-      if (j.value("batch_key", "") != key) return false;
-      row.best = j.at("ranking").at(0);
-      row.recommended = recommended_in(j);
-      return row.reused = true;
-    } catch (const InputError&) {
-      return false;  // not ours, or from elsewhere: it is written again
-    } catch (const Json::exception&) {
-      return false;
+      j = io::read_json(report);
+    } catch (const InputError&) {  // not ours: it is written again
     }
+    if (!j.is_object() || !j.contains(kSeal)) return false;
+    const Json seal = j[kSeal];
+    j.erase(kSeal);
+    if (seal != sealed(key, j)) return false;
+    row.best = j.at("ranking").at(0);
+    row.recommended = recommended_in(j);
+    return row.reused = true;
   }
 
   void say(const BatchRow& row) {

@@ -15,21 +15,18 @@
 #include "io/near_name.h"
 
 namespace brdf::io {
-namespace {
-
-[[noreturn]] void cannot_be_read(const std::string& name, int error) {
-  const std::string message =
-      name + ": cannot be read: " + std::strerror(error) + (error == ENOENT ? did_you_mean_file(name) : "");
-  if (is_of_the_name(error)) throw InputError(message);
-  throw EnvironmentError(message);
-}
-
-}  // namespace
 
 bool is_of_the_name(int error) {
   constexpr std::array kOfTheName{EACCES, EINVAL, EISDIR,  ELOOP, ENAMETOOLONG, ENODEV,
                                   ENOENT, ENXIO,  ENOTDIR, EPERM, EROFS,        ETXTBSY};
   return std::find(kOfTheName.begin(), kOfTheName.end(), error) != kOfTheName.end();
+}
+
+void cannot_be_read(const std::string& name, int error) {
+  const std::string message =
+      name + ": cannot be read: " + std::strerror(error) + (error == ENOENT ? did_you_mean_file(name) : "");
+  if (is_of_the_name(error)) throw InputError(message);
+  throw EnvironmentError(message);
 }
 
 Content read_content(const std::filesystem::path& path, std::size_t limit) {

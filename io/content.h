@@ -15,6 +15,8 @@ struct Content {
 
 // Whether an error of the system (errno) is of the name or the rights, which is the caller's fault, not the machine's.
 bool is_of_the_name(int error);
+// Throws for an errno: InputError where it is of the name, else EnvironmentError.
+[[noreturn]] void cannot_be_read(const std::string& name, int error);
 
 // The whole of a file, a pipe or /dev/stdin. Throws InputError where it cannot be opened, is a folder or a device
 // or is larger than `limit`; EnvironmentError where the machine fails.

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "io/error.h"
-#include "io/exr_bytes.h"
+#include "io/exr_stream.h"
 #include "io/exr_table.h"
 #include "io/numbers.h"
 #include "io/table_rules.h"

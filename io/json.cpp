@@ -157,6 +157,7 @@ JsonPlace JsonPlace::at(std::string_view key) const {
 }
 
 JsonPlace JsonPlace::at(std::size_t index) const {
+  if (index >= size()) fail("must have more than " + std::to_string(index) + " members");
   return {value_->at(index), file_, path_ + "[" + std::to_string(index) + "]"};
 }
 
@@ -175,6 +176,12 @@ double JsonPlace::number() const {
 double JsonPlace::number(double min, double max) const {
   const double x = number();
   if (!(x >= min && x <= max)) fail("must be between " + to_text(min) + " and " + to_text(max));
+  return x;
+}
+
+double JsonPlace::whole(double min, double max) const {
+  const double x = number(min, max);
+  if (x != std::floor(x)) fail("must be a whole number");
   return x;
 }
 

@@ -44,6 +44,7 @@ class JsonPlace {
   std::size_t size() const;  // of an array; refuses anything else
   double number() const;     // finite
   double number(double min, double max) const;
+  double whole(double min, double max) const;  // a number without a fraction
   std::string text() const;
 
  private:

@@ -4,7 +4,7 @@
 #include "io/astm.h"
 #include "io/csv.h"
 #include "io/error.h"
-#include "io/exr_bytes.h"
+#include "io/exr_stream.h"
 #include "io/exr_table.h"
 #include "io/material_file.h"
 #include "io/merl.h"

@@ -1,5 +1,6 @@
 #include "maps/job.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <tuple>
@@ -19,17 +20,25 @@ namespace {
 
 namespace fs = std::filesystem;
 using io::Json;
+using io::JsonPlace;
 
 constexpr const char* kPlanFile = "plan.json";
 constexpr const char* kFormat = "brdf-plan";
 constexpr const char* kUnitFormat = "brdf-unit 1";
-constexpr std::size_t kUnitsPerFolder = 1000;  // network file systems are slow in large ones
+constexpr std::size_t kUnitsPerFolder = 1000;             // network file systems are slow in large ones
+constexpr std::size_t kMostUnits = std::size_t{1} << 20;  // the largest stack in units of a tile
+constexpr double kMostSide = 1e9, kMostBytes = 0x1p53;
 
 fs::path unit_path(const fs::path& job, std::size_t unit) {
   char folder[24], name[32];
   std::snprintf(folder, sizeof folder, "%03zu", unit / kUnitsPerFolder);
   std::snprintf(name, sizeof name, "%05zu.unit", unit);
   return job / "units" / folder / name;
+}
+
+// As units() makes them.
+std::size_t count_units(const Plan& plan) {
+  return ((plan.width - 1) / plan.unit_width + 1) * ((plan.height - 1) / plan.unit_height + 1);
 }
 
 Json content_of(const Plan& plan) {
@@ -46,7 +55,7 @@ Json content_of(const Plan& plan) {
           {"directory", plan.directory},
           {"extent", {plan.width, plan.height}},
           {"unit_size", {plan.unit_width, plan.unit_height}},
-          {"units", plan.units().size()},
+          {"units", count_units(plan)},
           {"inputs", inputs}};
 }
 
@@ -54,20 +63,31 @@ std::string key_of(const Plan& plan) {
   return sha256(io::to_line(content_of(plan)));
 }
 
-Plan plan_of(const Json& j) {
+// Two whole numbers.
+std::pair<std::size_t, std::size_t> sides_in(const JsonPlace& place) {
+  const auto side = [&](std::size_t k) { return std::size_t(place.at(k).whole(1, kMostSide)); };
+  return {side(0), side(1)};
+}
+
+Plan plan_in(const JsonPlace& root) {
   Plan plan;
-  plan.version = j.at("brdf_version").get<std::string>();
-  plan.command = j.at("command").get<std::string>();
-  plan.verb = j.at("verb").get<std::string>();
-  if (!j.at("stack").is_null()) plan.stack = j.at("stack").get<std::string>();
-  plan.options = j.at("options").get<std::vector<std::string>>();
-  plan.directory = j.at("directory").get<std::string>();
-  std::tie(plan.width, plan.height) = j.at("extent").get<std::pair<std::size_t, std::size_t>>();
-  std::tie(plan.unit_width, plan.unit_height) = j.at("unit_size").get<std::pair<std::size_t, std::size_t>>();
-  for (const Json& input : j.at("inputs"))
-    plan.inputs.push_back({input.at("file").get<std::string>(), input.at("bytes").get<std::uint64_t>(),
-                           input.at("sha256").get<std::string>()});
-  plan.key = j.at("key").get<std::string>();
+  plan.version = root.at("brdf_version").text();
+  plan.command = root.at("command").text();
+  plan.verb = root.at("verb").text();
+  if (!root.at("stack").value().is_null()) plan.stack = root.at("stack").text();
+  const JsonPlace options = root.at("options"), unit_size = root.at("unit_size"), inputs = root.at("inputs");
+  for (std::size_t k = 0; k < options.size(); ++k) plan.options.push_back(options.at(k).text());
+  plan.directory = root.at("directory").text();
+  std::tie(plan.width, plan.height) = sides_in(root.at("extent"));
+  std::tie(plan.unit_width, plan.unit_height) = sides_in(unit_size);
+  if (count_units(plan) > kMostUnits)
+    unit_size.fail("makes more than " + std::to_string(kMostUnits) + " units");
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const JsonPlace input = inputs.at(k);
+    plan.inputs.push_back({input.at("file").text(), std::uint64_t(input.at("bytes").whole(0, kMostBytes)),
+                           input.at("sha256").text()});
+  }
+  plan.key = root.at("key").text();
   return plan;
 }
 
@@ -85,16 +105,26 @@ std::string packed(const std::vector<UnitFile>& files) {
   return out;
 }
 
-// Precondition: made by packed().
-std::vector<UnitFile> unpacked(std::string_view rest) {
+// Names are of files in the folder that results are put in.
+bool stays_inside(const fs::path& name) {
+  if (name.empty() || name.is_absolute() || name.native().find('\0') != name.native().npos) return false;
+  return std::ranges::none_of(name, [](const fs::path& part) { return part == ".."; });
+}
+
+// None where lengths and bytes do not fit: a hash says that nothing was changed, not who wrote it.
+std::optional<std::vector<UnitFile>> unpacked(std::string_view rest) {
   std::vector<UnitFile> files;
   while (!rest.empty()) {
     std::size_t sizes[2] = {};
-    for (std::size_t& size : sizes) {
-      const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), size);
-      rest.remove_prefix(std::size_t(stop - rest.data()) + 1);
+    for (const std::size_t k : {0, 1}) {
+      const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), sizes[k]);
+      const std::size_t read = std::size_t(stop - rest.data());
+      if (error != std::errc() || read == rest.size() || *stop != " \n"[k]) return std::nullopt;
+      rest.remove_prefix(read + 1);
     }
+    if (sizes[0] > rest.size() || sizes[1] > rest.size() - sizes[0]) return std::nullopt;
     files.push_back({std::string(rest.substr(0, sizes[0])), std::string(rest.substr(sizes[0], sizes[1]))});
+    if (!stays_inside(files.back().name)) return std::nullopt;
     rest.remove_prefix(sizes[0] + sizes[1]);
   }
   return files;
@@ -108,22 +138,25 @@ std::optional<std::string> unit_bytes(const fs::path& job, std::size_t unit) {
   return io::read_content(file).bytes;
 }
 
-// What follows the first line, where that is right.
-std::optional<std::string_view> valid_rest(std::string_view bytes, const Plan& plan, std::size_t unit) {
+// What a unit's file holds, where it is that unit's.
+std::optional<std::vector<UnitFile>> files_in(std::string_view bytes, const Plan& plan, std::size_t unit) {
   const std::size_t end = bytes.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
   const std::string_view rest = bytes.substr(end + 1);
   if (bytes.substr(0, end + 1) != head_of(plan, unit, rest)) return std::nullopt;
-  return rest;
+  return unpacked(rest);
 }
 
 }  // namespace
 
 std::vector<texel::Region> Plan::units() const {
-  return units_of({0, 0, width, height}, unit_width, unit_height);
+  return texel::divided({0, 0, width, height}, unit_width, unit_height);
 }
 
 Plan completed(Plan plan, const std::vector<std::string>& inputs) {
+  if (count_units(plan) > kMostUnits)
+    throw InputError("--unit-size: makes " + std::to_string(count_units(plan)) + " units, more than " +
+                     std::to_string(kMostUnits));
   for (const std::string& file : inputs) {
     if (!fs::is_regular_file(file)) throw InputError(file + ": no such file");
     plan.inputs.push_back({file, fs::file_size(file), sha256_of_file(file)});
@@ -148,14 +181,9 @@ void write_plan(const fs::path& job, const Plan& plan) {
 Plan read_plan(const fs::path& job) {
   const fs::path file = job / kPlanFile;
   if (!fs::exists(file)) throw InputError(job.string() + ": no job: no " + kPlanFile + " in it");
-  Plan plan;
-  try {
-    plan = plan_of(io::read_json(file));
-  } catch (const Json::exception& error) {
-    throw InputError(file.string() + ": no plan: " + error.what());
-  }
-  if (plan.unit_width == 0 || plan.unit_height == 0 || plan.key != key_of(plan))
-    throw InputError(file.string() + ": was changed since the work was planned");
+  const Json json = io::read_json(file);
+  Plan plan = plan_in({json, file.string()});
+  if (plan.key != key_of(plan)) throw InputError(file.string() + ": was changed since the work was planned");
   if (const std::string mine = io::provenance().version; plan.version != mine)
     throw InputError(file.string() + ": planned by version " + plan.version + ", this is " + mine);
   return plan;
@@ -172,15 +200,12 @@ void check_input(const Input& input, bool content) {
 UnitState state_of(const fs::path& job, const Plan& plan, std::size_t unit) {
   const std::optional<std::string> bytes = unit_bytes(job, unit);
   if (!bytes) return UnitState::missing;
-  return valid_rest(*bytes, plan, unit) ? UnitState::done : UnitState::damaged;
+  return files_in(*bytes, plan, unit) ? UnitState::done : UnitState::damaged;
 }
 
 std::optional<std::vector<UnitFile>> read_unit(const fs::path& job, const Plan& plan, std::size_t unit) {
   const std::optional<std::string> bytes = unit_bytes(job, unit);
-  if (!bytes) return std::nullopt;
-  const std::optional<std::string_view> rest = valid_rest(*bytes, plan, unit);
-  if (!rest) return std::nullopt;
-  return unpacked(*rest);
+  return bytes ? files_in(*bytes, plan, unit) : std::nullopt;
 }
 
 void write_unit(const fs::path& job, const Plan& plan, std::size_t unit, const std::vector<UnitFile>& files) {

@@ -79,7 +79,7 @@ class SharedFit {
         model_(TexelFitter(stack, settings).model()),
         slots_(slots_of(model_, sharing.names)),
         // Bands whose number does not depend on how many threads there are, nor do sums over them.
-        bands_(units_of({0, 0, stack.width, stack.height}, stack.width, kUnit)),
+        bands_(texel::divided({0, 0, stack.width, stack.height}, stack.width, kUnit)),
         regions_(sharing.count, Shared(slots_.size())) {}
 
   texel::Planes run() {

@@ -110,14 +110,6 @@ Normals read_normals(const std::filesystem::path& path, const texel::Stack& stac
   return normals;
 }
 
-std::vector<texel::Region> units_of(const texel::Region& grid, std::size_t width, std::size_t height) {
-  std::vector<texel::Region> units;
-  for (std::size_t y = 0; y < grid.height; y += height)
-    for (std::size_t x = 0; x < grid.width; x += width)
-      units.push_back({x, y, std::min(width, grid.width - x), std::min(height, grid.height - y)});
-  return units;
-}
-
 void fit_texels(TexelFitter& fitter, const texel::Stack& stack, const Settings& settings,
                 const Normals* normals, const texel::Region& region, std::size_t memory,
                 const BeforeTexel& before, const VisitTexel& visit) {
@@ -167,7 +159,7 @@ texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, con
   // As wide as the images, whose rows are read as a whole; narrower where there is not one for each thread.
   const bool wide = (stack.height + kUnit - 1) / kUnit >= resources.threads;
   const std::vector<texel::Region> units =
-      units_of({0, 0, stack.width, stack.height}, wide ? stack.width : kUnit, kUnit);
+      texel::divided({0, 0, stack.width, stack.height}, wide ? stack.width : kUnit, kUnit);
   std::mutex mutex;
   int done = 0;
   io::parallel_for(

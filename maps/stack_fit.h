@@ -25,9 +25,6 @@ struct Resources {
 using Normals = texel::Planes;
 Normals read_normals(const std::filesystem::path& path, const texel::Stack& stack);
 
-// The grid cut into units of this size, row by row, smaller ones at its right and lower edges.
-std::vector<texel::Region> units_of(const texel::Region& grid, std::size_t width, std::size_t height);
-
 // The planes of a region, over its own texels: every parameter under the name that a fit reports it by (kd.r), its
 // standard error (standard_error.kd.r; half of the 95 % interval over 1.96, so that few images that decide count as few; NaN where it is not identified, 0 where it is held or at a bound), normal.x, .y
 // and .z, `error`, the root mean square of the residuals, `images`, how many were used, `verdict`, the number of the

@@ -36,8 +36,9 @@ void check(const TexelOptions& o) {
   between("--noise-floor", o.noise_floor, 0, 1e6);
   between("--saturation", o.saturation, 0, 1e30);
   between("--dark-level", o.dark_level, 0, 1e6);
-  if (!(o.rig.light_distance > 0 && o.rig.viewer_distance > 0 && o.rig.texel_size >= 0))
-    throw InputError("--light-distance, --viewer-distance, --texel-size: must be above 0");
+  if (!texel::is_in_range(o.rig))
+    throw InputError("--light-distance, --viewer-distance, --texel-size: must be from " +
+                     io::to_text(texel::kShortest) + " to " + io::to_text(texel::kLongest));
   if (o.rig.is_near() && o.rig.texel_size == 0)
     throw InputError("--light-distance, --viewer-distance: need --texel-size, in their unit");
   between("--registration", o.registration, 0, 100);

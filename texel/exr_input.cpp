@@ -1,5 +1,6 @@
 #include "texel/exr_input.h"
 
+#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -10,18 +11,15 @@
 namespace brdf::texel {
 namespace {
 
-Imf::InputFile opened(const std::filesystem::path& path) try {
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": no such file");
-  return Imf::InputFile(path.c_str(), 1);
-} catch (const InputError&) {
-  throw;
-} catch (const std::exception& error) {
-  throw InputError(path.string() + ": no OpenEXR image that can be read: " + error.what());
+Imf::InputFile opened(io::ExrFile& bytes) try {
+  return Imf::InputFile(bytes, 1);
+} catch (const Iex::BaseExc& error) {
+  throw InputError(std::string(bytes.fileName()) + ": no OpenEXR image that can be read: " + error.what());
 }
 
 }  // namespace
 
-ExrInput::ExrInput(const std::filesystem::path& path) : path_(path), file_(opened(path)) {
+ExrInput::ExrInput(const std::filesystem::path& path) : path_(path), bytes_(path), file_(opened(bytes_)) {
   const Imath::Box2i window = file_.header().dataWindow();
   left_ = window.min.x;
   top_ = window.min.y;
@@ -50,7 +48,7 @@ void ExrInput::read_rows(const std::vector<std::string>& channels, std::size_t f
   }
   file_.setFrameBuffer(frame);
   file_.readPixels(top, top + int(rows) - 1);
-} catch (const std::exception& error) {
+} catch (const Iex::BaseExc& error) {
   throw InputError(path_.string() + ": damaged: " + error.what());
 }
 

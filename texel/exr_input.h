@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/exr_stream.h"
 #include "texel/planes.h"
 
 namespace brdf::texel {
@@ -15,7 +16,7 @@ inline constexpr std::size_t kMostTexels = std::size_t{1} << 26;  // 8192 x 8192
 
 class ExrInput {
  public:
-  // Throws InputError where there is no such image.
+  // Throws InputError where there is no such image, EnvironmentError where the machine fails.
   explicit ExrInput(const std::filesystem::path& path);
 
   std::size_t width() const { return width_; }
@@ -31,6 +32,7 @@ class ExrInput {
 
  private:
   std::filesystem::path path_;
+  io::ExrFile bytes_;
   Imf::InputFile file_;
   std::size_t width_ = 0, height_ = 0;
   int left_ = 0, top_ = 0;

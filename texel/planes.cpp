@@ -37,6 +37,14 @@ std::string to_exr(const Planes& planes) {
 
 }  // namespace
 
+std::vector<Region> divided(const Region& grid, std::size_t width, std::size_t height) {
+  std::vector<Region> regions;
+  for (std::size_t y = 0; y < grid.height; y += height)
+    for (std::size_t x = 0; x < grid.width; x += width)
+      regions.push_back({x, y, std::min(width, grid.width - x), std::min(height, grid.height - y)});
+  return regions;
+}
+
 const std::vector<float>* Planes::find(std::string_view name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? nullptr : &values[std::size_t(found - names.begin())];

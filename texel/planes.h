@@ -16,6 +16,9 @@ struct Region {
   std::size_t size() const { return width * height; }
 };
 
+// What covers a grid, row by row; at its right and lower end they may be smaller.
+std::vector<Region> divided(const Region& grid, std::size_t width, std::size_t height);
+
 struct Planes {
   std::size_t width = 0, height = 0;
   std::vector<std::string> names;          // "alpha_x", "kd.r": OpenEXR's layers

@@ -2,6 +2,13 @@
 
 namespace brdf::texel {
 
+bool is_in_range(const Rig& rig) {
+  const auto is_length = [](double x) { return x >= kShortest && x <= kLongest; };
+  const auto is_distance = [&](double x) { return is_length(x) || (std::isinf(x) && x > 0); };
+  return is_distance(rig.light_distance) && is_distance(rig.viewer_distance) &&
+         (rig.texel_size == 0 || is_length(rig.texel_size));
+}
+
 Vec3<double> place_of(const Rig& rig, std::size_t width, std::size_t height, double column, double row) {
   return {rig.texel_size * (column + 0.5 - 0.5 * double(width)),
           rig.texel_size * (0.5 * double(height) - row - 0.5), 0};

@@ -19,6 +19,12 @@ struct Rig {
   bool is_near() const { return std::isfinite(light_distance) || std::isfinite(viewer_distance); }
 };
 
+// Lengths whose squares and ratios stay far from the ends of a double.
+inline constexpr double kShortest = 1e-9, kLongest = 1e9;
+
+// Whether every length lies between these; distances may be infinite, a texel's side 0.
+bool is_in_range(const Rig& rig);
+
 // A texel's middle in the sample's plane: x to the right, y upwards, from the middle of width x height texels.
 Vec3<double> place_of(const Rig& rig, std::size_t width, std::size_t height, double column, double row);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "io/error.h"
+#include "io/numbers.h"
 #include "io/text.h"
 #include "texel/photograph.h"
 
@@ -13,6 +14,9 @@ namespace brdf::texel {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kLargestFloat = std::numeric_limits<float>::max();
+constexpr double kWhitest = 1e30;  // 1/sr
 
 std::vector<fs::path> images_in(const fs::path& folder) {
   std::vector<fs::path> images;
@@ -39,8 +43,9 @@ double number_in(const io::SampleTable& table, std::string_view key, double othe
   const std::optional<std::string> text = table.find_metadata(key);
   if (!text || *text == "none") return otherwise;
   double number = 0;
-  if (!io::parse_number(*text, number))
-    throw InputError(table.name() + ": " + std::string(key) + " " + io::shown(*text) + ": must be a number");
+  if (!io::parse_number(*text, number) || !std::isfinite(number))
+    throw InputError(table.name() + ": " + std::string(key) + " " + io::shown(*text) +
+                     ": must be a finite number");
   return number;
 }
 
@@ -52,7 +57,8 @@ std::optional<Transfer> transfer_in(const io::SampleTable& table) {
     throw InputError(table.name() + ": transfer " + io::shown(*word) +
                      ": must be linear, srgb or a power from 0.1 to 10");
   transfer->white = number_in(table, "white", 1);
-  if (!(transfer->white > 0)) throw InputError(table.name() + ": white: must be above 0");
+  if (!(transfer->white > 0 && transfer->white <= kWhitest))
+    throw InputError(table.name() + ": white: must be above 0, at most " + io::short_number(kWhitest));
   return transfer;
 }
 
@@ -61,9 +67,9 @@ Rig rig_in(const io::SampleTable& table) {
   rig.light_distance = number_in(table, "light_distance", rig.light_distance);
   rig.viewer_distance = number_in(table, "viewer_distance", rig.viewer_distance);
   rig.texel_size = number_in(table, "texel_size", 0);
-  if (!(rig.light_distance > 0 && rig.viewer_distance > 0 && rig.texel_size >= 0))
-    throw InputError(table.name() +
-                     ": light_distance and viewer_distance must be above 0, texel_size not below");
+  if (!is_in_range(rig))
+    throw InputError(table.name() + ": light_distance, viewer_distance and texel_size must be from " +
+                     io::short_number(kShortest) + " to " + io::short_number(kLongest));
   if (rig.is_near() && rig.texel_size == 0)
     throw InputError(table.name() + ": lights or viewers at a distance need texel_size, in its unit");
   return rig;
@@ -140,7 +146,8 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
   std::vector<std::vector<float>> band;
   const float none = std::numeric_limits<float>::quiet_NaN();
   const DirectionArrays<double> far = io::unit_directions(stack.lights);
-  const float saturation = float(stack.saturation);  // rounded as the images' pixels are
+  // Rounded as the images' pixels are.
+  const float saturation = float(std::clamp(stack.saturation, -kLargestFloat, kLargestFloat));
   const auto irradiance = [&](std::size_t column, std::size_t line, std::size_t image) {
     if (!stack.rig.is_near()) return 1.0;
     const Vec3<double> place = place_of(stack.rig, stack.width, stack.height, double(column), double(line));
@@ -160,9 +167,9 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
       for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < columns.size(); ++x) {
           const float pixel = band[c][y * stack.width + columns[x]];
-          const bool known = std::isfinite(pixel) && pixel < saturation;
-          out[((y * columns.size() + x) * channels + c) * images + k] =
-              known ? float((double(pixel) - stack.dark_level) / irradiance(columns[x], row + y, k)) : none;
+          const double value = (double(pixel) - stack.dark_level) / irradiance(columns[x], row + y, k);
+          const bool known = std::isfinite(pixel) && pixel < saturation && std::abs(value) <= kLargestFloat;
+          out[((y * columns.size() + x) * channels + c) * images + k] = known ? float(value) : none;
         }
   }
   return out;

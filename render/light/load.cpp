@@ -7,7 +7,7 @@
 
 #include "io/content.h"
 #include "io/error.h"
-#include "io/exr_bytes.h"
+#include "io/exr_stream.h"
 #include "render/decode/picture_bytes.h"
 #include "render/light/light_map.h"
 

@@ -8,7 +8,7 @@
 
 #include "io/content.h"
 #include "io/error.h"
-#include "io/exr_bytes.h"
+#include "io/exr_stream.h"
 #include "io/output.h"
 #include "io/png.h"
 #include "io/provenance.h"

@@ -1,6 +1,7 @@
 """The commands that faults are tried on, one or more for every verb, and the files that they need."""
 import dataclasses
 import os
+import shutil
 import subprocess
 
 MATERIAL = """{
@@ -44,12 +45,18 @@ class Case:
     draws: bool = False   # needs a driver of Vulkan
     parts: bool = False   # what failed for one output shows in others (a summary), which are whole all the same
     kept: bytes = b""     # what stdout says of results that an earlier run had finished
+    before: list = dataclasses.field(default_factory=list)    # commands that make further inputs, from these
+    fresh: bool = False   # no output is there before: the old state is none
+    optional: list = dataclasses.field(default_factory=list)  # outputs that are old or new, however the command ends
+    window: bool = False  # needs a display
 
     @property
     def verb(self):
         return self.words[0]
 
 
+STACK = ["stack/lights.csv"] + [f"stack/image_{k:05d}.exr" for k in range(4)]
+PLAN = ["plan", "fit", "samples.csv", "more.csv", "--form", "lambert", "--no-pictures", "-o", "job"]
 CASES = [
     Case("models", ["models"], short=True),
     Case("models --json", ["models", "ward", "--json"]),
@@ -110,6 +117,34 @@ CASES = [
          ["material.glsl"], ["material.json"]),
     Case("export to GLSL ES", ["export", "--material", "material.json", "--to", "glsl-es", "-o", "material.glsl"],
          ["material.glsl"], ["material.json"]),
+    Case("fit a stack", ["fit", "stack", "--form", "lambert", "--metric", "log", "-o", "maps", "--report", "maps.html",
+                         "--json"],
+         ["maps/maps.exr", "maps/maps.json", "maps/scene.json", "maps/albedo.png", "maps/normal.png", "maps.html"], STACK,
+         parts=True, same=False),
+    Case("synth --texels", ["synth", "--form", "lambert", "--texels", "8x8", "--lights", "4", "-o", "stack"],
+         [*STACK, "stack/truth/truth.exr"]),
+    Case("plan", ["plan", "fit", "samples.csv", "more.csv", "--form", "lambert", "-o", "job"], ["job/plan.json"],
+         ["samples.csv", "more.csv"], fresh=True, same=False),
+    Case("work", ["work", "job", "--unit", "0"], ["job/units/000/00000.unit"], ["samples.csv", "more.csv"], before=[PLAN],
+         same=False),
+    Case("collect", ["collect", "job", "-o", "out"],
+         ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
+                                     "more.html", "summary.csv", "summary.html")],
+         ["samples.csv", "more.csv"], before=[PLAN, ["work", "job"]], parts=True),
+    Case("collect --missing", ["collect", "job", "--missing"], [], ["samples.csv", "more.csv"], before=[PLAN]),
+    Case("prove", ["prove", "--form", "lambert", "--property", "finite,energy", "-o", "certificate.json"],
+         ["certificate.json"], same=False),
+    Case("prove a material", ["prove", "material.json", "--property", "energy", "--gap", "0.2", "--json"], [],
+         ["material.json"], same=False),
+    Case("prove --check", ["prove", "--check", "certificate.json"], [], ["certificate.json"]),
+    Case("prove a shader", ["prove", "--shader", "shader.glsl", "--property", "finite", "--json"], [], ["shader.glsl"],
+         same=False),
+    Case("eval a shader", ["eval", "--shader", "shader.glsl", "directions.csv", "-o", "values.csv"], ["values.csv"],
+         ["shader.glsl", "directions.csv"]),
+    Case("view", ["view", "material.json", "--measured", "samples.csv", "--hard-light", "--width", "64", "--height", "64",
+                  "--frames", "3"], [], ["material.json", "samples.csv"], optional=["state/brdf/recent"], draws=True,
+         window=True, same=False),
+    Case("view --commands", ["view", "--commands"]),
     Case("describe", ["describe", "json"]),
     Case("describe for a shell", ["describe", "zsh"]),
     Case("describe as pages", ["describe", "man", "-o", "man"],
@@ -152,6 +187,9 @@ def make_inputs(folder, brdf, source):
     synth = ["synth", "--form", "lambert", "--grid", "in_plane", "--theta-i", "0,30", "--step", "15", "-o"]
     run(*synth, "samples.csv")
     run(*synth, "more.csv")
+    run("synth", "--form", "lambert", "--texels", "8x8", "--lights", "4", "-o", "stack")
+    run("prove", "--form", "lambert", "--property", "finite,energy", "-o", "certificate.json")
+    shutil.copy(os.path.join(source, "data", "shaders", "sound.glsl"), os.path.join(folder, "shader.glsl"))
     run("render", "--maps", "tiles", "--size", "8", "-o", ".")
     os.rename(os.path.join(folder, "tiles.png"), os.path.join(folder, "texture.png"))
     with open(os.path.join(source, "data", "ledger.json"), "rb") as file:

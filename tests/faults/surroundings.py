@@ -94,11 +94,12 @@ def try_places(bench, case, expected, tally):
             os.chmod(root, 0o555)
     outcome = finish(bench, case, folder, **user)
     tally.add(case, "read-only folder", wrong_files(case, outcome, expected) + one_line(outcome, (2,), ["denied"]))
-    folder = bench.prepare(case)
-    for name in case.outputs:
-        os.chmod(os.path.join(folder, name), 0o444)
-    outcome = finish(bench, case, folder)
-    tally.add(case, "read-only file", wrong_files(case, outcome, expected) + one_line(outcome, (2,), ["is read-only"]))
+    if not case.fresh:
+        folder = bench.prepare(case)
+        for name in case.outputs:
+            os.chmod(os.path.join(folder, name), 0o444)
+        outcome = finish(bench, case, folder)
+        tally.add(case, "read-only file", wrong_files(case, outcome, expected) + one_line(outcome, (2,), ["is read-only"]))
     # Two at once: both good, the file one of theirs.
     folder = bench.prepare(case)
     both = [subprocess.Popen([bench.brdf, *case.words], cwd=folder, stdin=subprocess.DEVNULL,

@@ -1,6 +1,8 @@
 """One command run once, with or without a fault, and what is judged of it."""
 import bisect
 import collections
+import hashlib
+import json
 import os
 import re
 import shutil
@@ -27,11 +29,27 @@ class Outcome:
         self.code, self.out, self.err, self.files = code, out, err, files
 
 
+class Display:
+    """A virtual display."""
+
+    def __init__(self):
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp"], pass_fds=(writer,),
+                                       stderr=subprocess.DEVNULL)
+        os.close(writer)
+        self.name = ":" + os.read(reader, 16).decode().strip()
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
 class Bench:
-    def __init__(self, arguments, scratch):
+    def __init__(self, arguments, scratch, display):
         self.brdf = os.path.abspath(arguments.brdf)
         self.library = os.path.abspath(arguments.library)
         self.scratch = scratch
+        self.display = display
         self.inputs = os.path.join(scratch, "inputs")
         os.makedirs(self.inputs)
         make_inputs(self.inputs, self.brdf, SOURCE)
@@ -58,6 +76,10 @@ class Bench:
                     file.write(f"{first:x} {last:x} {name}\n")
         return functions
 
+    def verbs(self):
+        told = subprocess.run([self.brdf, "describe", "json"], capture_output=True, check=True)
+        return {verb["name"] for verb in json.loads(told.stdout)["verbs"]}
+
     def name_at(self, address):
         place = bisect.bisect_right(self.symbols, (address, "\x7f", "")) - 1
         return self.symbols[place][1][:90] if place >= 0 else "?"
@@ -65,8 +87,11 @@ class Bench:
     def prepare(self, case):
         folder = tempfile.mkdtemp(dir=self.scratch)
         for name in case.inputs:
-            shutil.copy(os.path.join(self.inputs, name), folder)
-        for name in case.outputs:
+            os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
+            shutil.copy(os.path.join(self.inputs, name), os.path.join(folder, name))
+        for words in case.before:
+            subprocess.run([self.brdf, *words], cwd=folder, check=True, capture_output=True)
+        for name in [] if case.fresh else [*case.outputs, *case.optional]:
             os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
             with open(os.path.join(folder, name), "wb") as file:
                 file.write(OLD)
@@ -74,7 +99,8 @@ class Bench:
 
     def environment(self, folder, kind, at, report):
         return dict(os.environ, LD_PRELOAD=self.library, FAULTS_KIND=kind, FAULTS_AT=str(at), FAULTS_FOLDER=folder,
-                    FAULTS_REPORT=report, FAULTS_FOREIGN=self.foreign, LC_ALL="C")
+                    FAULTS_REPORT=report, FAULTS_FOREIGN=self.foreign, LC_ALL="C",
+                    XDG_STATE_HOME=os.path.join(folder, "state"), DISPLAY=self.display.name if self.display else "")
 
     def start(self, case, folder, kind="none", at=0, report=""):
         with open(os.path.join(folder, "stdout"), "wb") as out:
@@ -116,6 +142,9 @@ def is_whole(name, content):
     """Of outputs that differ from run to run: whether one ends as its kind of file does."""
     ends = {".json": b"}\n", ".csv": b"\n", ".html": b"</html>\n", ".png": b"IEND\xaeB`\x82"}
     end = ends.get(os.path.splitext(name)[1])
+    if name.endswith(".unit"):  # its first line ends with the hash of what follows
+        head, _, rest = content.partition(b"\n")
+        return head.endswith(hashlib.sha256(rest).hexdigest().encode())
     return len(content) > len(OLD) and (end is None or content.rstrip(b"\n").endswith(end.rstrip(b"\n")))
 
 
@@ -126,10 +155,10 @@ def wrong_files(case, outcome, expected, may_leave=0):
     temporaries = [name for name in left if TEMPORARY.match(name)]
     if len(temporaries) > may_leave or len(left) > len(temporaries):
         wrong.append("left " + ", ".join(left))
-    for name in case.outputs:
+    for name in [*case.outputs, *case.optional]:
         content = outcome.files.get(name)
         if content is None:
-            wrong.append(name + " is gone")
+            wrong += [] if case.fresh else [name + " is gone"]
         elif content != OLD and content != expected.files[name] and (
                 (case.same and not case.parts) or not is_whole(name, content)):
             wrong.append(f"{name} is neither old nor new ({len(content)} bytes)")

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "io/error.h"
+#include "io/output.h"
 #include "io/temporary_folder.h"
 #include "samples.h"
 
@@ -59,6 +60,23 @@ TEST_F(BatchOfFiles, RedoesFilesAndSettingsThatChanged) {
   EXPECT_FALSE(rows[2].reused);
   batch_.settings = "others";
   for (const BatchRow& row : run()) EXPECT_FALSE(row.reused);
+}
+
+// Also where what is left has no row, no name or no number.
+TEST_F(BatchOfFiles, RedoesReportsThatWereEdited) {
+  run();
+  const fs::path report = folder_ / "out" / "s0.fit.json";
+  for (const char* path : {"/ranking/0", "/ranking/0/form", "/ranking/0/median_relative_error", "/ranking"}) {
+    io::Json json = io::read_json(report);
+    json[io::Json::json_pointer(path)] = io::Json::object();
+    io::write_file_atomically(report, io::to_text(json));
+    const auto rows = run();
+    EXPECT_FALSE(rows[0].reused) << path;
+    EXPECT_EQ(rows[0].best["form"], "ward");
+    EXPECT_TRUE(rows[1].reused);
+  }
+  fs::remove(folder_ / "out" / "s2.html");
+  EXPECT_FALSE(run()[2].reused);
 }
 
 TEST_F(BatchOfFiles, OneBadFileDoesNotStopTheOthers) {

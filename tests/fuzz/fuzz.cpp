@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <sstream>
 
 #include "io/error.h"
@@ -96,6 +97,14 @@ std::filesystem::path as_file(std::string_view bytes, const std::string& suffix)
   const std::filesystem::path link = folder() / ("input" + suffix);
   if (!std::filesystem::is_symlink(link)) std::filesystem::create_symlink(plain, link);
   return link;
+}
+
+std::filesystem::path folder_with(const std::string& name, const std::string& file, std::string_view bytes) {
+  const std::filesystem::path path = folder() / name;
+  std::filesystem::create_directories((path / file).parent_path());
+  if (!file.empty())
+    require(bool(std::ofstream(path / file, std::ios::binary) << bytes), "files can be written");
+  return path;
 }
 
 std::filesystem::path output() {

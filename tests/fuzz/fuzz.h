@@ -31,6 +31,9 @@ void require(bool holds, std::string_view rule);
 
 // A path that holds these bytes until the next call; readers that go by suffixes see this one.
 std::filesystem::path as_file(std::string_view bytes, const std::string& suffix = "");
+// A folder of that name in which a file holds these bytes, beside what earlier calls put there.
+std::filesystem::path folder_with(const std::string& name, const std::string& file = "",
+                                  std::string_view bytes = "");
 // A path to write to, the same every time.
 std::filesystem::path output();
 

@@ -118,7 +118,13 @@ TEST_F(Stacks, AreRefusedWithTheFileThatIsWrong) {
   write_lights("", 3);
   EXPECT_THAT(refusal(), HasSubstr("lights.csv: 3 rows for 2 images"));
   write_lights("# saturation: much\n");
-  EXPECT_THAT(refusal(), HasSubstr("saturation 'much': must be a number"));
+  EXPECT_THAT(refusal(), HasSubstr("saturation 'much': must be a finite number"));
+  write_lights("# dark_level: nan\n");
+  EXPECT_THAT(refusal(), HasSubstr("dark_level 'nan': must be a finite number"));
+  write_lights("# transfer: srgb\n# white: 1e300\n");
+  EXPECT_THAT(refusal(), HasSubstr("white: must be above 0, at most 1e+30"));
+  write_lights("# light_distance: 1e-300\n# texel_size: 1\n");
+  EXPECT_THAT(refusal(), HasSubstr("texel_size must be from 1e-09 to 1e+09"));
   write_lights("");
   write_image(1, 2, 2);
   EXPECT_THAT(refusal(), HasSubstr("image_1.exr: size or channels are not those of image_0.exr"));
@@ -127,6 +133,11 @@ TEST_F(Stacks, AreRefusedWithTheFileThatIsWrong) {
   write_image(1, 3, 2);
   write_planes(path() / "mask.exr", {2, 2, {"Y"}, {{1, 1, 1, 1}}});
   EXPECT_THAT(refusal(), HasSubstr("mask.exr: must have one channel and 3 x 2 pixels"));
+}
+
+TEST_F(Stacks, HoldNoNumberBeyondFloat) {
+  write_lights("# dark_level: -1e300\n");
+  for (const float value : read_region(open_stack(path()), {0, 0, 3, 2})) EXPECT_TRUE(std::isnan(value));
 }
 
 TEST_F(Stacks, KeepWhatPlanesHold) {

@@ -17,11 +17,8 @@ Enum named(const JsonPlace& place) {
   place.fail("is not one of the known names: " + known_names<Enum>());
 }
 
-// A count.
-double whole(const JsonPlace& place) {
-  const double x = place.number(0, 1e6);
-  if (x != std::floor(x)) place.fail("must be a whole number");
-  return x;
+int count(const JsonPlace& place) {
+  return int(place.whole(0, 1e6));
 }
 
 Json row_json(const LedgerRow& row) {
@@ -57,8 +54,8 @@ LedgerRow row_from(const JsonPlace& place) {
   row.exact = place.at("exact").text();
   row.unit = named<Unit>(place.at("unit"));
   row.cost_ratio = place.at("cost_ratio").number();
-  row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(),
-              int(whole(place.at("rounds"))), place.at("cost_ratio_spread").number()};
+  row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(), count(place.at("rounds")),
+              place.at("cost_ratio_spread").number()};
   const JsonPlace error = place.at("error");
   row.error = {error.at("max").number(), error.at("mean").number(), error.at("p99").number(),
                named<Measure>(error.at("measure")), error.at("where").text()};
@@ -140,7 +137,7 @@ Ledger ledger_from_json(const JsonPlace& place) {
   ledger.quick = place.at("quick").value().is_boolean() && place.at("quick").value().get<bool>();
   const JsonPlace machine = place.at("machine");
   ledger.machine = {machine.at("processor").text(), machine.at("compiler").text(), machine.at("flags").text(),
-                    unsigned(whole(machine.at("threads")))};
+                    unsigned(count(machine.at("threads")))};
   ledger.left_out = place.at("left_out").text();
   const JsonPlace rows = place.at("rows");
   for (std::size_t k = 0; k < rows.size(); ++k) ledger.rows.push_back(row_from(rows.at(k)));
