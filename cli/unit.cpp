@@ -156,7 +156,7 @@ Exit collect_tables(const Task& task, const CollectFiles& files) {
   const auto rows = fit_files({task.samples(), files.output, 1, !task.options().no_pictures}, choice,
                               fit_options(choice, 1), {});
   for (const fit::BatchRow& row : rows)
-    if (!row.error.empty()) std::cerr << row.error << '\n';
+    if (!row.error.empty()) std::cerr << "brdf collect: " << row.error << '\n';
   return summarise(rows, files.output, false);
 }
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "io/leftovers.h"
+
 namespace brdf::io {
 
 // Created beside its target, as TARGET.PROCESS.NUMBER.tmp, and locked while it is written; with the permissions and
@@ -27,12 +29,11 @@ class Temporary {
  private:
   void create(const std::filesystem::path& target);
   void take_over(const struct stat& replaced);
-  void forget();
 
   std::string path_;
   std::filesystem::path shown_;
   int descriptor_ = -1;
-  std::size_t place_;  // in the list of what a signal removes
+  Listed listed_;
 };
 
 // From now on signals that end the process remove its temporaries first, then end it as they would have. Signals

@@ -3,12 +3,14 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <fstream>
+#include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <new>
 #include <span>
 #include <vector>
 
+#include "io/content.h"
 #include "io/error.h"
 
 namespace brdf::maps {
@@ -50,12 +52,13 @@ std::string sha256(std::string_view bytes) {
 }
 
 std::string sha256_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rbe"), &std::fclose);
+  if (!in) io::cannot_be_read(file.string(), errno);
   Digest digest;
   std::vector<char> block(std::size_t{1} << 20);
-  while (in.read(block.data(), std::streamsize(block.size())) || in.gcount() > 0)
-    digest.add({block.data(), std::size_t(in.gcount())});
-  if (!in.eof()) throw InputError(file.string() + ": cannot be read");
+  while (const std::size_t read = std::fread(block.data(), 1, block.size(), in.get()))
+    digest.add({block.data(), read});
+  if (std::ferror(in.get())) io::cannot_be_read(file.string(), errno);
   return digest.digits();
 }
 

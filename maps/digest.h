@@ -8,7 +8,7 @@
 namespace brdf::maps {
 
 std::string sha256(std::string_view bytes);
-// Of a file of any length. Throws InputError where it cannot be read.
+// Of a file of any length. Throws InputError where it cannot be opened, EnvironmentError where the machine fails.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace brdf::maps

@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import types
 
-from trial import OLD, is_complete, wrong_files
+from trial import OF_A_FILE, OLD, is_complete, wrong_files
 
 NOBODY = 65534
 
@@ -27,7 +27,7 @@ def finish(bench, case, folder, **options):
 
 def one_line(outcome, codes, words):
     """What is wrong with a refusal."""
-    lines = [line for line in outcome.err.splitlines() if line.startswith("brdf: ") or re.match(r"\[\d+/\d+\] ", line)]
+    lines = [line for line in outcome.err.splitlines() if line.startswith("brdf: ") or OF_A_FILE.match(line)]
     if outcome.code not in codes or not lines:
         return [f"exit {outcome.code}: {outcome.err.strip()[-200:]}"]
     if not any(word in lines[-1] for word in words):
@@ -58,7 +58,7 @@ def try_small_disk(bench, case, expected, tally):
 
 
 def try_places(bench, case, expected, tally):
-    names = [os.path.basename(name) for name in case.outputs]
+    names = [os.path.basename(name) for name in case.outputs] + [".tmp/"]  # or what is made in a folder on the way
 
     def limit():
         resource.setrlimit(resource.RLIMIT_FSIZE, (1, 1))
@@ -86,7 +86,7 @@ def try_places(bench, case, expected, tally):
         try_small_disk(bench, case, expected, tally)
     folder = bench.prepare(case)
     where = os.path.dirname(os.path.join(folder, case.outputs[0]))
-    os.chmod(where, 0o555)
+    os.chmod(where if os.path.isdir(where) else folder, 0o555)
     user = {"user": NOBODY, "group": NOBODY, "extra_groups": []} if os.getuid() == 0 else {}
     if user:
         os.chmod(bench.scratch, 0o755)

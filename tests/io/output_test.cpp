@@ -192,6 +192,35 @@ TEST(Output, TheNextRunRemovesWhatAKilledOneLeftOfTheSameTarget) {
   ::close(held);
 }
 
+// Of the process that made them: a child that is forked meanwhile leaves them alone.
+TEST(Output, AFolderOnTheWayIsRemovedByASignalAndByTheNextRun) {
+  const io::TemporaryFolder above;
+  const auto die_by = [&](int signal) {
+    return status_of_child([&] {
+      remove_temporaries_on_signals();
+      const io::TemporaryFolder folder(above.path());
+      write_file_atomically(folder.path() / "a.txt", "old");
+      make_folder(folder.path() / "deeper");
+      write_file_atomically(folder.path() / "deeper" / "b.txt", [&](std::ostream& out) {
+        out << "half" << std::flush;
+        status_of_child([] { ::raise(SIGTERM); });
+        if (entries(folder.path() / "deeper") == 1) ::raise(signal);
+      });
+    });
+  };
+  EXPECT_TRUE(WIFSIGNALED(die_by(SIGTERM)));
+  EXPECT_EQ(entries(above.path()), 0);
+  EXPECT_TRUE(WIFSIGNALED(die_by(SIGKILL)));
+  EXPECT_EQ(entries(above.path()), 1);
+  {
+    const io::TemporaryFolder next(above.path());
+    EXPECT_EQ(entries(above.path()), 1);
+    const io::TemporaryFolder beside(above.path());
+    EXPECT_EQ(entries(above.path()), 2);
+  }
+  EXPECT_EQ(entries(above.path()), 0);
+}
+
 TEST(Output, ANameAsLongAsNamesMayBeCanBeWritten) {
   const io::TemporaryFolder folder;
   const fs::path path = folder.path() / std::string(255, 'n');
