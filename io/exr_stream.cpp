@@ -6,14 +6,13 @@
 
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
 #include "io/error.h"
 
 namespace brdf::io {
 
 namespace {
-
-constexpr std::uint64_t kPreamble = 8;  // magic number and version
 
 // What OpenEXR throws, and tells as a damaged file.
 [[noreturn]] void ends_too_soon() {
@@ -38,30 +37,67 @@ bool is_list_of_channels(const std::string& bytes) {
   return at + 1 == bytes.size();
 }
 
-// Walks the attributes of the first header: name, type, size, value.
-bool holds_its_attributes(Imf::IStream& stream, std::uint64_t bytes) try {
-  stream.seekg(kPreamble);
-  while (!word_at(stream).empty()) {
+template <class T>
+T number_at(const std::string& value, std::size_t place) {
+  T number = 0;
+  if (value.size() < (place + 1) * sizeof number) ends_too_soon();
+  std::memcpy(&number, value.data() + place * sizeof number, sizeof number);
+  return number;
+}
+
+// OpenEXR takes memory for a window and a tile as large as a header says.
+void check_extent(const std::string& file, std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t kMost = kMostPixels;
+  if (width > 0 && height > 0 && height > kMost / width)
+    throw InputError(file + ": " + std::to_string(width) + " x " + std::to_string(height) +
+                     " pixels, more than " + std::to_string(kMost));
+}
+
+bool is_sound(const std::string& file, const std::string& name, const std::string& type,
+              const std::string& value) {
+  if (type == "chlist") return is_list_of_channels(value);
+  const auto corner = [&](std::size_t k) { return std::int64_t(number_at<std::int32_t>(value, k)); };
+  const auto side = [&](std::size_t k) { return std::int64_t(number_at<std::uint32_t>(value, k)); };
+  if (name == "dataWindow") check_extent(file, corner(2) - corner(0) + 1, corner(3) - corner(1) + 1);
+  if (type == "tiledesc") check_extent(file, side(0), side(1));
+  return true;
+}
+
+// Walks the attributes of a header: name, type, size, value. How many there are; none where one is damaged.
+std::optional<std::size_t> count_attributes(Imf::IStream& stream, std::uint64_t bytes) {
+  constexpr std::int32_t kLongest = 1 << 20;  // of what is looked at
+  std::size_t count = 0;
+  for (std::string name; !(name = word_at(stream)).empty(); ++count) {
     const std::string type = word_at(stream);
     std::int32_t size = 0;
     stream.read(reinterpret_cast<char*>(&size), sizeof size);
-    const std::uint64_t value = stream.tellg();
-    if (size < 0 || std::uint64_t(size) > bytes - value) return false;
-    if (type == "chlist") {
-      std::string list(std::size_t(size), '\0');
-      stream.read(list.data(), size);
-      if (!is_list_of_channels(list)) return false;
+    const std::uint64_t begin = stream.tellg();
+    if (size < 0 || std::uint64_t(size) > bytes - begin) return std::nullopt;
+    if (size <= kLongest || type == "chlist") {
+      std::string value(std::size_t(size), '\0');
+      stream.read(value.data(), size);
+      if (!is_sound(stream.fileName(), name, type, value)) return std::nullopt;
     }
-    stream.seekg(value + std::uint64_t(size));
+    stream.seekg(begin + std::uint64_t(size));
   }
-  return true;
+  return count;
+}
+
+// A file of several parts has their headers one after another, to an empty one.
+bool has_sound_headers(Imf::IStream& stream, std::uint64_t bytes) try {
+  int preamble[2] = {};  // magic number and version
+  stream.seekg(0);
+  stream.read(reinterpret_cast<char*>(preamble), sizeof preamble);
+  std::optional<std::size_t> count = count_attributes(stream, bytes);
+  while (count && *count > 0 && Imf::isMultiPart(preamble[1])) count = count_attributes(stream, bytes);
+  return count.has_value();
 } catch (const Iex::InputExc&) {
   return false;
 }
 
 // At the file's beginning again.
 void check_header(Imf::IStream& stream, std::uint64_t bytes) {
-  if (!holds_its_attributes(stream, bytes))
+  if (!has_sound_headers(stream, bytes))
     throw InputError(std::string(stream.fileName()) +
                      ": is no OpenEXR picture that can be read: its header is damaged or cut off");
   stream.seekg(0);

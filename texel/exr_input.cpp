@@ -25,9 +25,6 @@ ExrInput::ExrInput(const std::filesystem::path& path) : path_(path), bytes_(path
   top_ = window.min.y;
   width_ = std::size_t(window.max.x - window.min.x + 1);
   height_ = std::size_t(window.max.y - window.min.y + 1);
-  if (height_ > kMostTexels / width_)
-    throw InputError(path.string() + ": " + std::to_string(width_) + " x " + std::to_string(height_) +
-                     " texels, more than " + std::to_string(kMostTexels));
   const Imf::ChannelList& list = file_.header().channels();
   for (auto channel = list.begin(); channel != list.end(); ++channel) {
     if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1)

@@ -12,8 +12,6 @@
 
 namespace brdf::texel {
 
-inline constexpr std::size_t kMostTexels = std::size_t{1} << 26;  // 8192 x 8192
-
 class ExrInput {
  public:
   // Throws InputError where there is no such image, EnvironmentError where the machine fails.

@@ -35,7 +35,7 @@ void Photograph::decode(const std::filesystem::path& path, const std::optional<T
   if (bytes.size() > std::size_t(std::numeric_limits<int>::max())) refuse("too long");
   if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &in_file))
     refuse(stbi_failure_reason());
-  if (std::size_t(height) > kMostTexels / std::size_t(width)) refuse("too many pixels");
+  if (std::size_t(height) > io::kMostPixels / std::size_t(width)) refuse("too many pixels");
   if (!bytes.ends_with(std::string_view("IEND\xae\x42\x60\x82", 8))) refuse("it has no end");
   if (!transfer)
     throw InputError(
