@@ -113,6 +113,7 @@ class Reader {
   }
 
   void read_dimensions() {
+    if (dimensions_ > 0) fail("#DIM is given twice");
     double in = 0, out = 0;
     if (words_.size() != 3 || !parse_number(words_[1], in) || !parse_number(words_[2], out) ||
         !(in >= 1 && in <= 6) || !(out >= 1 && out <= double(kMostChannels)) || in != std::floor(in) ||

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/mutate.h"
 
 namespace {
 brdf::fuzz::Target target = nullptr;
@@ -25,14 +26,19 @@ extern "C" int LLVMFuzzerInitialize(int*, char*** arguments) {
   return 0;
 }
 
-// Three of four inputs by the target's own way of changing them.
+// Three of four inputs by the target's own way of changing them; half of the texts by their words and lines.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
-  if (!mutator || seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
-  const std::string changed = mutator({reinterpret_cast<const char*>(data), size}, seed / 4);
-  if (changed.size() > most) return LLVMFuzzerMutate(data, size, most);
-  std::copy(changed.begin(), changed.end(), reinterpret_cast<char*>(data));
-  return changed.size();
+  const std::string_view input(reinterpret_cast<const char*>(data), size);
+  const bool by_words = !mutator && seed % 2 == 0 && brdf::fuzz::is_text(input);
+  if (by_words || (mutator && seed % 4 != 0)) {
+    const std::string changed = (mutator ? mutator : brdf::fuzz::mutate_text)(input, seed / 4);
+    if (!changed.empty() && changed.size() <= most) {
+      std::copy(changed.begin(), changed.end(), reinterpret_cast<char*>(data));
+      return changed.size();
+    }
+  }
+  return LLVMFuzzerMutate(data, size, most);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -28,7 +28,8 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-std::vector<Token> tokens_of(std::string_view text) {
+// Statements end with semicolons and braces, or with their lines.
+std::vector<Token> tokens_of(std::string_view text, bool by_lines) {
   std::vector<Token> out;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t stop = at + 1;
@@ -42,10 +43,12 @@ std::vector<Token> tokens_of(std::string_view text) {
     } else if (is_digit(text[at])) {
       kind = Kind::number;
       run([](char c) { return is_digit(c) || c == '.' || c == 'e'; });
+    } else if (by_lines && text[at] == '\n') {
+      kind = Kind::end;
     } else if (text[at] == ' ' || text[at] == '\n' || text[at] == '\t') {
       kind = Kind::blank;
-      run([](char c) { return c == ' ' || c == '\n' || c == '\t'; });
-    } else if (text[at] == ';' || text[at] == '{' || text[at] == '}') {
+      run([&](char c) { return c == ' ' || (c == '\n' && !by_lines) || c == '\t'; });
+    } else if (!by_lines && (text[at] == ';' || text[at] == '{' || text[at] == '}')) {
       kind = Kind::end;
     }
     out.push_back({kind, std::string(text.substr(at, stop - at))});
@@ -101,11 +104,42 @@ void change(std::vector<Token>& tokens, Engine& engine) {
 
 }  // namespace
 
-std::string mutate_shader(std::string_view text, std::uint32_t seed) {
+bool is_text(std::string_view bytes) {
+  return std::ranges::all_of(bytes, [](unsigned char c) { return c >= ' ' || (c >= '\t' && c <= '\r'); });
+}
+
+std::string mutate_text(std::string_view text, std::uint32_t seed) {
   Engine engine(seed);
-  std::vector<Token> tokens = tokens_of(text);
+  std::vector<Token> tokens = tokens_of(text, below(engine, 2) == 0);
   for (std::size_t k = 1 + below(engine, 4); k > 0 && !tokens.empty(); --k) change(tokens, engine);
   return text_of(tokens);
+}
+
+std::string mutate_bytes(std::string_view bytes, std::uint32_t seed) {
+  constexpr std::size_t kLongest = 64;  // of a run
+  Engine engine(seed);
+  std::string out(bytes);
+  for (std::size_t k = 1 + below(engine, 4); k > 0 && !out.empty(); --k) {
+    const std::size_t at = below(engine, out.size()), from = below(engine, out.size());
+    const std::size_t length = 1 + below(engine, std::min(kLongest, out.size() - from));
+    switch (below(engine, 5)) {
+      case 0:
+        out[at] = char(engine());
+        break;
+      case 1:
+        out[at] = char(out[at] ^ (1 << below(engine, 8)));
+        break;
+      case 2:
+        out.insert(at, out.substr(from, length));
+        break;
+      case 3:
+        out.erase(from, length);
+        break;
+      default:
+        out.replace(at, std::min(length, out.size() - at), out.substr(from, length));
+    }
+  }
+  return out;
 }
 
 std::string mutate_spirv(std::string_view bytes, std::uint32_t seed) {

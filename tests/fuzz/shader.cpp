@@ -69,7 +69,7 @@ const Registered text(
       run_function<Dual<double, 4>, 1>(f);
       if (std::hash<std::string_view>{}(input) % 16 == 0) make_reflectance(std::move(f));
     },
-    mutate_shader);
+    mutate_text);
 
 const Registered spirv(
     "spirv",
