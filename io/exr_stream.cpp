@@ -47,10 +47,11 @@ T number_at(const std::string& value, std::size_t place) {
 
 // OpenEXR takes memory for a window and a tile as large as a header says.
 void check_extent(const std::string& file, std::int64_t width, std::int64_t height) {
-  constexpr std::int64_t kMost = kMostPixels;
-  if (width > 0 && height > 0 && height > kMost / width)
+  constexpr std::int64_t kMost = kMostPixels, kWidest = kWidestPicture;
+  if (width > kWidest || (width > 0 && height > kMost / width))
     throw InputError(file + ": " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels, more than " + std::to_string(kMost));
+                     " pixels; at most " + std::to_string(kMost) + " in lines of at most " +
+                     std::to_string(kWidest) + " are read");
 }
 
 bool is_sound(const std::string& file, const std::string& name, const std::string& type,
