@@ -19,8 +19,8 @@
 #endif
 #include "io/error.h"
 #include "io/file_buffer.h"
+#include "io/leftovers.h"
 #include "io/provenance.h"
-#include "io/temporary.h"
 #include "io/text.h"
 
 namespace brdf::cli {

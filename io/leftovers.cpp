@@ -13,7 +13,6 @@
 #include <cstring>
 
 #include "io/error.h"
-#include "io/temporary.h"
 
 namespace brdf::io {
 namespace {

@@ -47,5 +47,9 @@ void sweep(const std::filesystem::path& target);
 // Whether an open temporary is locked now and still there: the lock tells others that we live, and one that swept just before
 // took it away.
 bool is_held(int descriptor);
+// From now on signals that end the process remove its temporaries first, then end it as they would have. Signals
+// that the process was told to ignore stay ignored; so does the one for files that grow too large, whose error is
+// reported. For programs, not for libraries: main calls it.
+void remove_temporaries_on_signals();
 
 }  // namespace brdf::io

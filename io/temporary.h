@@ -11,9 +11,9 @@
 namespace brdf::io {
 
 // Created beside its target, as TARGET.PROCESS.NUMBER.tmp, and locked while it is written; with the permissions and
-// the owner of what it replaces. Removed unless it was renamed, also by a signal (remove_temporaries_on_signals);
-// what a killed process left of the same target is removed first. Throws as cannot_write() and broke_off() of
-// io/output.h; `shown` is what messages call the target.
+// the owner of what it replaces. Removed unless it was renamed, also by a signal; what a killed process left of the
+// same target is removed first. Throws as cannot_write() and broke_off() of io/output.h; `shown` is what messages call
+// the target.
 class Temporary {
  public:
   Temporary(const std::filesystem::path& target, const struct stat* replaced,
@@ -35,10 +35,5 @@ class Temporary {
   int descriptor_ = -1;
   Listed listed_;
 };
-
-// From now on signals that end the process remove its temporaries first, then end it as they would have. Signals
-// that the process was told to ignore stay ignored; so does the one for files that grow too large, whose error is
-// reported. For programs, not for libraries: main calls it.
-void remove_temporaries_on_signals();
 
 }  // namespace brdf::io

@@ -15,7 +15,7 @@ FORBIDDEN = re.compile(
     r"|\b(chdir|umask|setenv|unsetenv|putenv|srand|setrlimit|nice|fork|vfork|system|popen|execv\w*)\s*\("
     r"|current_path\s*\([^)]|\bFLAGS_\w+\s*=[^=]|google::(Init|Set|Install|Log)")
 # FILE: the function that a program calls if it wants it; only its own sources may.
-OF_A_PROGRAM = {"io/temporary.cpp": "remove_temporaries_on_signals", "fit/solve/quiet.cpp": "silence_solver_log"}
+OF_A_PROGRAM = {"io/leftovers.cpp": "remove_temporaries_on_signals", "fit/solve/quiet.cpp": "silence_solver_log"}
 
 faults = []
 sources = [p for room in LIBRARIES for p in sorted((root / room).rglob("*")) if p.suffix in (".h", ".cpp", ".in")]

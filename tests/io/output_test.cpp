@@ -16,9 +16,9 @@
 
 #include "io/error.h"
 #include "io/file_buffer.h"
+#include "io/leftovers.h"
 #include "io/provenance.h"
 #include "io/shell.h"
-#include "io/temporary.h"
 #include "io/temporary_folder.h"
 #include "tests/io/reading.h"
 
