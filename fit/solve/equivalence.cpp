@@ -9,8 +9,8 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kSamePoint = 1e-3;
-constexpr double kBarrier = 1e-4;    // rise of the cost between two minima that makes them two
-constexpr double kRounding = 1e-20;  // of a cost, as a share of that of a black surface
+constexpr double kBarrier = 1e-4;        // rise of the cost between two minima that makes them two
+constexpr double kCostRounding = 1e-20;  // of a cost, as a share of that of a black surface
 
 void swap_slots(Minimum& m, std::size_t a, std::size_t b) {
   std::swap(m.p[a], m.p[b]);
@@ -171,7 +171,7 @@ bool same_minimum(const SampleStream& stream, const Minimum& a, const Minimum& b
   std::vector<double> middle = a.p, dark = a.p;
   for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (a.p[k] + b.p[k]);
   std::fill(dark.begin() + std::ptrdiff_t(stream.model().shape_slots()), dark.end(), 0.0);
-  const double rounding = kRounding * stream.normal_equations(dark).cost;
+  const double rounding = kCostRounding * stream.normal_equations(dark).cost;
   return !(cost_of_shapes(stream, std::move(middle)) > (1 + kBarrier) * higher + rounding);
 }
 

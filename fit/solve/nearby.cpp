@@ -11,20 +11,20 @@ namespace {
 constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kMostDamping = 1e12;
 constexpr double kStrongDamping = 0.1;        // from here on a step is short because it was made so
 constexpr double kNear = 1e-6, kMargin = 10;  // promises below this share of the cost fall evenly
-constexpr double kRounding = 1e-12;           // share of a parameter below which a step is rounding
+constexpr double kStepRounding = 1e-12;       // share of a parameter below which a step is rounding
 
-struct Step {
+struct Move {
   std::vector<double> by;
   double promised = 0;  // by which the quadratic falls
 
   bool is_rounding(std::span<const double> p) const {
     for (std::size_t k = 0; k < p.size(); ++k)
-      if (std::abs(by[k]) > kRounding * std::abs(p[k])) return false;
+      if (std::abs(by[k]) > kStepRounding * std::abs(p[k])) return false;
     return true;
   }
 };
 
-Step step_of(const NormalEquations& n, std::span<const double> p, std::span<const double> low,
+Move step_of(const NormalEquations& n, std::span<const double> p, std::span<const double> low,
              std::span<const double> high, double damping) {
   const std::size_t size = p.size();
   Matrix h = n.hessian;
@@ -34,7 +34,7 @@ Step step_of(const NormalEquations& n, std::span<const double> p, std::span<cons
     to_low[k] = low[k] - p[k];
     to_high[k] = high[k] - p[k];
   }
-  Step step{box_quadratic(h, n.gradient, to_low, to_high), 0};
+  Move step{box_quadratic(h, n.gradient, to_low, to_high), 0};
   for (std::size_t i = 0; i < size; ++i) {
     double slope = n.gradient[i];
     for (std::size_t j = 0; j < size; ++j) slope += 0.5 * n.hessian(i, j) * step.by[j];
@@ -60,7 +60,7 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
       s.termination = Termination::interrupted;
       break;
     }
-    const Step step = step_of(here, s.p, low, high, damping);
+    const Move step = step_of(here, s.p, low, high, damping);
     std::vector<double> p = s.p;
     for (std::size_t k = 0; k < p.size(); ++k) p[k] = std::clamp(p[k] + step.by[k], low[k], high[k]);
     const bool small = damping < kStrongDamping && !(step.promised > options.tolerance * here.cost);
