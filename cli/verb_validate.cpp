@@ -14,6 +14,7 @@
 #include "io/content.h"
 #include "io/error.h"
 #include "io/output.h"
+#include "io/png.h"
 #include "io/settings.h"
 #include "io/text.h"
 #include "prove/proof.h"
@@ -43,7 +44,8 @@ std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
   std::vector<validate::Picture> pictures;
   for (const std::string& path : o.pictures) {
     std::string bytes = io::read_content(path).bytes;
-    if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) throw InputError("--picture " + path + ": is no PNG file");
+    if (!io::is_png(bytes)) throw InputError("--picture " + path + ": is no PNG file");
+    if (!io::is_whole_png(bytes)) throw InputError("--picture " + path + ": the PNG file ends too soon");
     pictures.push_back({path, std::move(bytes)});
   }
   return pictures;

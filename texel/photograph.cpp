@@ -8,6 +8,7 @@
 
 #include "io/content.h"
 #include "io/error.h"
+#include "io/png.h"
 
 namespace brdf::texel {
 namespace {
@@ -36,7 +37,7 @@ void Photograph::decode(const std::filesystem::path& path, const std::optional<T
   if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &in_file))
     refuse(stbi_failure_reason());
   if (std::size_t(height) > io::kMostPixels / std::size_t(width)) refuse("too many pixels");
-  if (!bytes.ends_with(std::string_view("IEND\xae\x42\x60\x82", 8))) refuse("it has no end");
+  if (!io::is_whole_png(bytes)) refuse("the file ends too soon");
   if (!transfer)
     throw InputError(
         path.string() +

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "io/error.h"
+#include "io/png.h"
 
 namespace brdf::render {
 namespace {
@@ -49,11 +50,12 @@ Pixels<Value> decoded(const io::Content& content, int channels, const std::strin
   Source source(content.bytes);
   PictureSize size;
   int in_file = 0;
-  Pixels<Value> pixels{
-      {}, {load(&kCalls, &source, &size.width, &size.height, &in_file, channels), stbi_image_free}};
   const auto refuse = [&](const char* reason) {
     throw InputError(content.name + ": " + fault + " (" + reason + ")");
   };
+  if (io::is_png(content.bytes) && !io::is_whole_png(content.bytes)) refuse("the file ends too soon");
+  Pixels<Value> pixels{
+      {}, {load(&kCalls, &source, &size.width, &size.height, &in_file, channels), stbi_image_free}};
   if (!pixels.values) refuse(stbi_failure_reason());
   if (source.ran_out()) refuse("the file ends too soon");
   pixels.size = size;

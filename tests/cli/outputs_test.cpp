@@ -115,6 +115,9 @@ TEST_F(Outputs, LimitsAreSaidInShort) {
 
 TEST_F(Outputs, AReportShowsPicturesThatArePngFiles) {
   expect_refused("validate s.csv -o r.html --picture s.csv", "--picture s.csv: is no PNG file");
+  write("cut.png", "\x89PNG\r\n\x1a\n");
+  expect_refused("validate s.csv -o r.html --picture cut.png",
+                 "--picture cut.png: the PNG file ends too soon");
   expect_refused("validate s.csv -o r.md --picture s.csv", "needs -o with a name that ends in .html");
 }
 
