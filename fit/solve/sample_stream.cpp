@@ -57,11 +57,12 @@ ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::si
 void note_value_slopes(FitData& data, Metric metric) {
   data.value_slope.clear();
   if (metric != Metric::log && metric != Metric::log_relative) return;
-  for (std::size_t c = 0; c < data.values.size(); ++c) {
-    std::vector<double> slopes(data.rows());
-    slopes_at_values({metric, {}, false}, residual_inputs(data, c, 0, data.rows(), nullptr), slopes.data());
-    data.value_slope.push_back(std::move(slopes));
-  }
+  // Noted when all are there: the inputs hold what is noted, of every channel.
+  std::vector<std::vector<double>> slopes(data.values.size(), std::vector<double>(data.rows()));
+  for (std::size_t c = 0; c < slopes.size(); ++c)
+    slopes_at_values({metric, {}, false}, residual_inputs(data, c, 0, data.rows(), nullptr),
+                     slopes[c].data());
+  data.value_slope = std::move(slopes);
 }
 
 SampleStream::SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture,
