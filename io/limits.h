@@ -13,10 +13,10 @@ inline constexpr std::size_t kLongestLine = std::size_t{1} << 24;  // bytes
 inline constexpr std::size_t kMostRows = 4'000'000;                // of a table; a MERL file has 1.46 million
 inline constexpr std::size_t kMostChannels = 4096;
 inline constexpr std::size_t kMostPixels = std::size_t{1} << 26;  // of a picture: 8192 x 8192
-inline constexpr std::size_t kWidestPicture = std::size_t{1}
-                                              << 18;  // pixels: OpenEXR holds up to 256 whole lines
-inline constexpr std::size_t kLongestName = 200;      // bytes of a channel's name; OpenEXR's own limit is 255
-inline constexpr std::size_t kDeepestJson = 100;      // objects and arrays in each other
-inline constexpr double kLargestAzimuth = 1e6;        // degrees: what sin_degrees is accurate for
+// Pixels of a line: OpenEXR holds up to 256 whole lines.
+inline constexpr std::size_t kWidestPicture = std::size_t{1} << 18;
+inline constexpr std::size_t kLongestName = 200;  // bytes of a channel's name; OpenEXR's own limit is 255
+inline constexpr std::size_t kDeepestJson = 100;  // objects and arrays in each other
+inline constexpr double kLargestAzimuth = 1e6;    // degrees: what sin_degrees is accurate for
 
 }  // namespace brdf::io
