@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -17,6 +18,7 @@
 #ifdef BRDF_HAS_FIT
 #include "fit/solve/quiet.h"
 #endif
+#include "io/content.h"
 #include "io/error.h"
 #include "io/file_buffer.h"
 #include "io/leftovers.h"
@@ -100,6 +102,9 @@ int run(int argc, char** argv) try {
   return report(error.what(), Exit::environment);
 } catch (const std::bad_alloc&) {
   return report("not enough memory", Exit::environment);
+} catch (const std::filesystem::filesystem_error& error) {
+  return report(io::cannot_be_used(error),
+                io::is_of_the_name(error.code().value()) ? Exit::bad_input : Exit::environment);
 } catch (const std::exception& error) {
   return report(error.what(), Exit::environment, "stopped: ");
 }

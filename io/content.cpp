@@ -22,11 +22,23 @@ bool is_of_the_name(int error) {
   return std::find(kOfTheName.begin(), kOfTheName.end(), error) != kOfTheName.end();
 }
 
+namespace {
+
+std::string named(const std::string& name) {
+  return name.empty() ? "''" : name;
+}
+
+}  // namespace
+
 void cannot_be_read(const std::string& name, int error) {
-  const std::string message =
-      name + ": cannot be read: " + std::strerror(error) + (error == ENOENT ? did_you_mean_file(name) : "");
+  const std::string message = named(name) + ": cannot be read: " + std::strerror(error) +
+                              (error == ENOENT ? did_you_mean_file(name) : "");
   if (is_of_the_name(error)) throw InputError(message);
   throw EnvironmentError(message);
+}
+
+std::string cannot_be_used(const std::filesystem::filesystem_error& error) {
+  return named(error.path1().string()) + ": cannot be used: " + error.code().message();
 }
 
 Content read_content(const std::filesystem::path& path, std::size_t limit) {

@@ -17,6 +17,8 @@ struct Content {
 bool is_of_the_name(int error);
 // Throws for an errno: InputError where it is of the name, else EnvironmentError.
 [[noreturn]] void cannot_be_read(const std::string& name, int error);
+// What the standard library says of a name (too long, in a folder that may not be entered), in one sentence.
+std::string cannot_be_used(const std::filesystem::filesystem_error& error);
 
 // The whole of a file, a pipe or /dev/stdin. Throws InputError where it cannot be opened, is a folder or a device
 // or is larger than `limit`; EnvironmentError where the machine fails.

@@ -1,6 +1,7 @@
 // The extension behind `import brdf`: the rooms' functions as they are. What people call is in python/brdf.
 #include <filesystem>
 
+#include "io/content.h"
 #include "io/error.h"
 #include "io/text.h"
 #include "python/binding.h"
@@ -27,6 +28,8 @@ void bind_errors(py::module_& module) {
       raise(input, error.what());
     } catch (const EnvironmentError& error) {
       raise(environment, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+      raise(io::is_of_the_name(error.code().value()) ? input : environment, io::cannot_be_used(error));
     } catch (const Stopped&) {
       raise(stopped, "stopped by its progress callback");
     }
