@@ -86,7 +86,6 @@ io::SampleTable material_at_merl_cells(const ExportCall& o) {
 
 Made export_merl(const ExportCall& o) {
   check_output(o);
-  if (o.include) throw InputError("--include: is for shaders");
   const bool measured = !o.measured.empty();
   const io::SampleTable cells = measured ? measured::at_merl_cells(seen(o)) : material_at_merl_cells(o);
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
@@ -98,7 +97,6 @@ Made export_merl(const ExportCall& o) {
 
 Made export_rgl(const ExportCall& o) {
   check_output(o);
-  if (o.include) throw InputError("--include: is for shaders");
   std::string bytes;
   if (o.measured.empty()) {
     const io::MaterialFile file = choose_material_file(o.material, "export");
@@ -141,7 +139,6 @@ Made export_formula(const ExportCall& o) {
 }
 
 Made export_program(const ExportCall& o, const interop::Program& program) {
-  if (o.include) throw InputError("--include: is for shaders");
   io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
@@ -168,11 +165,20 @@ void print_json(const ExportCall& o, const io::Json& made) {
   std::cout << io::to_text(json);
 }
 
-Exit run_export(const ExportCall& o) {
-  const interop::Program* program = interop::find_program(o.to);
+// An option that the target has no use for is refused, not passed over.
+void check_use(const ExportCall& o, const interop::Program* program) {
+  if ((program || o.to == kMerl || o.to == kRgl) && (o.include || o.kernels != "own"))
+    throw InputError(std::string(o.include ? "--include" : "--kernels") + ": is for shaders");
+  if (o.to != kRgl && o.size != interop::kUsualTable)
+    throw InputError("--size: is of the file that --to rgl writes");
   if (!program && (o.naive || o.max_loss))
     throw InputError(std::string(o.naive ? "--naive" : "--max-loss") + ": --to " + o.to +
                      " writes the formula itself: nothing is lost");
+}
+
+Exit run_export(const ExportCall& o) {
+  const interop::Program* program = interop::find_program(o.to);
+  check_use(o, program);
   if (!o.json) return made_by(o, program).exit;
   if (o.output.empty()) throw InputError("--json: needs -o FILE for what is written");
   try {

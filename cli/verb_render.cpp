@@ -167,21 +167,25 @@ void add_show_options(CLI::App& verb, RenderCall& o) {
       "--shape", job.shape,
       "What a MATERIAL is shown on instead of a sphere: shader_ball, cloth, vase, sedan, any mesh of "
       "a scene or a model's file");
-  verb.add_option(
+  CLI::Option* over = verb.add_option(
       "--over", o.over,
       "A row of one MATERIAL over a parameter: NAME=FIRST:LAST, each labelled with the value; log "
       "spacing where the parameter's scale is one");
   verb.add_option("--balls", o.balls, "With --over: how many")
+      ->needs(over)
       ->check(CLI::Range(2, 12))
       ->capture_default_str();
-  verb.add_option("--turntable", job.turntable,
-                  "So many frames, the camera once round its target; -o: an animation.webp, or PNG files "
-                  "named by the frame's number (frames/%03d.png)")
-      ->check(CLI::Range(2, 9999));
+  CLI::Option* turntable =
+      verb.add_option("--turntable", job.turntable,
+                      "So many frames, the camera once round its target; -o: an animation.webp, or PNG files "
+                      "named by the frame's number (frames/%03d.png)")
+          ->check(CLI::Range(2, 9999));
   verb.add_option("--fps", job.frames_per_second, "Of an animation: frames per second")
+      ->needs(turntable)
       ->check(CLI::Range(1.0, 100.0))
       ->capture_default_str();
   verb.add_option("--quality", job.quality, "Of an animation: 0 to 99, or 100: without loss")
+      ->needs(turntable)
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
 }
@@ -209,7 +213,7 @@ void add_comparison_options(CLI::App& verb, RenderCall& o) {
       ->delimiter(',')
       ->expected(2);
   verb.add_flag("--times", o.times, "Print the time of each pass");
-  verb.add_flag(
+  CLI::Option* lobes = verb.add_flag(
       "--lobes", o.lobes,
       "PNG: the polar plot of the material's lobe instead (with --compare FILE: of both, with --measured: "
       "with its points)");
@@ -219,19 +223,22 @@ void add_comparison_options(CLI::App& verb, RenderCall& o) {
           "With --lobes and --lobe3d: angle of the light in degrees (default 45; with --measured the nearest "
           "to it that was measured)")
       ->check(CLI::Range(0.0, 90.0));
-  verb.add_option("--solo", job.solo, "With --lobes: one curve alone, for instance \"A r\"");
+  verb.add_option("--solo", job.solo, "With --lobes: one curve alone, for instance \"A r\"")->needs(lobes);
 }
 
 void add_other_modes(CLI::App& verb, RenderCall& o) {
-  verb.add_flag("--parity", o.parity, "Measure deferred against Embree, form by form; no picture");
-  verb.add_flag("--all", o.all, "With --parity: every form");
-  verb.add_option("--form", o.forms, "With --parity: these forms");
-  verb.add_option("--maps", o.maps, "Write seeded texture maps into the folder -o: rusty_metal or tiles")
-      ->check(CLI::IsMember({"rusty_metal", "tiles"}));
+  CLI::Option* parity =
+      verb.add_flag("--parity", o.parity, "Measure deferred against Embree, form by form; no picture");
+  verb.add_flag("--all", o.all, "With --parity: every form")->needs(parity);
+  verb.add_option("--form", o.forms, "With --parity: these forms")->needs(parity);
+  CLI::Option* maps =
+      verb.add_option("--maps", o.maps, "Write seeded texture maps into the folder -o: rusty_metal or tiles")
+          ->check(CLI::IsMember({"rusty_metal", "tiles"}));
   verb.add_option("--size", o.map_size, "With --maps: pixels")
+      ->needs(maps)
       ->check(CLI::Range(8, 4096))
       ->capture_default_str();
-  verb.add_option("--seed", o.seed, "With --maps: of the random numbers")->capture_default_str();
+  verb.add_option("--seed", o.seed, "With --maps: of the random numbers")->needs(maps)->capture_default_str();
   verb.add_flag("--lookup-pictures", o.lookup_pictures,
                 "Write the lookup article's tables and their factors as PNG into the folder -o");
   verb.add_flag("--json", o.json, "Measures as JSON on stdout");
@@ -255,6 +262,8 @@ Exit run_render(RenderCall& o) {
       others.push_back(material->terms.front().form);
     return run_parity(o.forms, o.all, others, o.json);
   }
+  if (job.plot_theta && !o.lobes && !o.lobe_body)
+    throw InputError("--theta is where the light of a lobe's plot stands: give --lobes or --lobe3d");
   show_shader(o.shader, "render", job);
   if (o.split && !job.show) job.show = "split";
   job.labels = !o.no_labels;

@@ -70,7 +70,9 @@ void add_trade(CLI::App& app) {
                    "file to write: .json (the ledger), .csv, .html; may be repeated");
   verb->add_option("--compare", arguments->compared,
                    "instead: do the cost ratios of two ledgers agree within 25 %? Rows above 1 ns")
-      ->expected(2);
+      ->expected(2)
+      ->excludes(verb->get_option("--quick"))
+      ->excludes(verb->get_option("--only"));
   verb->footer(
       "Examples: brdf trade --quick -o ledger.json -o ledger.html\n"
       "          brdf trade --compare ledger.json another.json\n"

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <iostream>
 #include <memory>
 
@@ -221,6 +222,20 @@ Exit run_validate(const ValidateCall& o) {
   return validate::holds(content.findings, o.require) ? Exit::good : Exit::failed;
 }
 
+// What a mode that judges the library itself passes over may not stand beside it: --require would seem to hold.
+void refuse_what_is_passed_over(const CLI::App& verb) {
+  const auto refuse = [&](const char* mode, std::initializer_list<const char*> others) {
+    if (verb.count(mode) == 0) return;
+    for (const char* other : others)
+      if (verb.count(other) > 0)
+        throw InputError(std::string(other) + ": has no effect beside " + mode + ": leave it out");
+  };
+  for (const char* mode : {"--integrators", "--microsurface", "--numerics", "--gpu"})
+    refuse(mode, {"--require", "--max-theta", "--picture", "--such-that", "--against", "--map"});
+  for (const char* mode : {"--integrators", "--microsurface"}) refuse(mode, {"--form", "--all", "--shader"});
+  refuse("--numerics", {"--shader"});
+}
+
 }  // namespace
 
 void add_validate(CLI::App& app) {
@@ -275,7 +290,10 @@ void add_validate(CLI::App& app) {
       "          brdf validate --microsurface\n"
       "          brdf validate --form ward --gpu\n"
       "          brdf validate --shader ggx.glsl --gpu");
-  on_run(*verb, [o] { return run_validate(*o); });
+  on_run(*verb, [o, verb] {
+    refuse_what_is_passed_over(*verb);
+    return run_validate(*o);
+  });
 }
 
 }  // namespace brdf::cli

@@ -80,6 +80,9 @@ void apply_overrides(const Job& job, Scene& scene) {
   }
   apply_environment(job, scene);
   if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, "--tone-map");
+  if ((job.per_vertex || job.as_coded) && scene.shading == Shading::brdf)
+    throw InputError(std::string(job.per_vertex ? "--per-vertex" : "--as-coded") +
+                     ": is of the articles' shadings: give --shading phong, phong_blinn or lookup");
   scene.per_vertex |= job.per_vertex;
   scene.as_coded |= job.as_coded;
 }
@@ -163,6 +166,8 @@ ViewState state_of(const Job& given) {
   if (job.show) state.display = named<Display>(*job.show, "--show");
   if (job.state.empty() && needs_other(state.display) && !compared(job))
     throw InputError("--show " + *job.show + " needs --compare or --measured");
+  if (job.split && state.display != Display::split)
+    throw InputError("--split-at says where a split picture is divided: give --show split");
   if (job.split)
     state.split = *job.split;
   else if (job.state.empty())

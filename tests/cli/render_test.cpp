@@ -139,6 +139,21 @@ TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
   expect_refused("render m.json --environment studio --shading phong -o x.png", 2, "needs the shading brdf");
 }
 
+TEST_F(RenderCli, OptionsWithoutEffectAreRefused) {
+  for (const auto& [option, needed] :
+       {std::pair{"--solo 'A r'", "--solo requires --lobes"},
+        std::pair{"--balls 3", "--balls requires --over"},
+        std::pair{"--fps 30", "--fps requires --turntable"},
+        std::pair{"--quality 9", "--quality requires --turntable"},
+        std::pair{"--all", "--all requires --parity"}, std::pair{"--form ward", "--form requires --parity"},
+        std::pair{"--size 16", "--size requires --maps"}, std::pair{"--seed 2", "--seed requires --maps"},
+        std::pair{"--per-vertex", "--per-vertex: is of the articles' shadings"},
+        std::pair{"--as-coded", "--as-coded: is of the articles' shadings"},
+        std::pair{"--theta 0", "--theta is where the light of a lobe's plot stands"},
+        std::pair{"--split-at 0.4", "--split-at says where a split picture is divided"}})
+    expect_refused(std::string("render m.json -o x.png ") + option, 2, needed);
+}
+
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
   expect_refused("render m.json --hard-light --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
                  "a picture of 16384 x 16384 needs 19456 MiB of device memory, the limit is 1024 MiB");

@@ -65,6 +65,19 @@ TEST_F(Cli, RefusesWrongUsage) {
   expect_refused("export --form ward --to osll", "osll");
 }
 
+// A check that was asked for and did not run must not look as if it had passed.
+TEST_F(Cli, RefusesOptionsWithoutEffect) {
+  expect_refused("validate --numerics --form lambert --require energy",
+                 "--require: has no effect beside --numerics");
+  expect_refused("validate --form lambert --gpu --max-theta 60", "--max-theta: has no effect beside --gpu");
+  expect_refused("validate --integrators --form lambert", "--form: has no effect beside --integrators");
+  expect_refused("validate --numerics --shader a.glsl", "--shader: has no effect beside --numerics");
+  expect_refused("trade --compare a.json b.json --quick", "--quick excludes --compare");
+  expect_refused("export --form ward --to gltf --kernels builtin", "--kernels: is for shaders");
+  expect_refused("export --form ward --to merl --include -o m.binary", "--include: is for shaders");
+  expect_refused("export --form ward --to glsl --size 1M", "--size: is of the file that --to rgl writes");
+}
+
 TEST_F(Cli, RefusesUnknownFormsAndParametersOutOfRange) {
   write("d.csv", kDirections);
   expect_refused("eval --form wurd d.csv -o o.csv", "'wurd' is no form (did you mean ward? known: lambert, ");
