@@ -58,7 +58,7 @@ void check_measured(const ExportCall& o) {
         "--measured " + o.measured + " --to " + o.to +
         ": samples have no formula; --to merl and --to rgl write them as a table, and a shader is made "
         "of a fitted material");
-  if (!o.material.form.empty() || !o.material.set.empty() || o.include)
+  if (!o.material.form.empty() || !o.material.set.empty())
     throw InputError("--measured: goes with --material alone, whose ratio to the samples is interpolated");
 }
 
