@@ -186,7 +186,7 @@ TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped)
         run("fit '" BRDF_SOURCE_DIR "/data/synthetic/" + name + ".csv' --form " + form + " -o fitted.json")
             .exit_code,
         0);
-    const Outcome outcome = run("render fitted.json --json -o x.exr");
+    const Outcome outcome = run("render fitted.json --json --width 240 --height 240 -o x.exr");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_LT(io::parse_json(outcome.out, "stdout")["clipped"].get<double>(), 0.01) << name;
     const render::Picture picture = render::read_exr(folder_.path() / "x.exr", "");

@@ -72,7 +72,10 @@ with tempfile.TemporaryDirectory() as folder:
     for picture in pictures:
         if picture:
             check("render", picture)
-    recommended = said("recommend", "--scene", source / "data/scenes/recommend_close_up.json", "--reference",
+    scene = json.loads((source / "data/scenes/recommend_close_up.json").read_text())
+    scene["camera"] |= {"width": 64, "height": 64}
+    (pathlib.Path(folder) / "scene.json").write_text(json.dumps(scene))
+    recommended = said("recommend", "--scene", "scene.json", "--reference",
                        source / "data/materials/ivory_plastic.json", "--ledger", ledger, "--tolerance", "0.05", "--json")
     if recommended:
         check("recommend", recommended)

@@ -43,9 +43,10 @@ def values_of(text):
 
 
 def check_consumer(programs, brdf, source):
-    """What examples/consumer prints is what `brdf eval` does, bit for bit."""
+    """What examples/consumer prints is what `brdf eval` does, bit for bit: of all materials and forms in ./test --full."""
+    every = 1 if "BRDF_THOROUGH" in os.environ else 4
     directions = source / "data/directions.csv"
-    for material in sorted((source / "data/materials").glob("*.json")):
+    for material in sorted((source / "data/materials").glob("*.json"))[::every]:
         said = values_of(run([programs / "values", material, directions]))
         expected = [row[4:] for row in values_of(run([brdf, "eval", "--material", material, directions]))]
         assert said == expected and said, f"{material}: {said} instead of {expected}"
@@ -54,9 +55,11 @@ def check_consumer(programs, brdf, source):
     count = 0
     for line in run([programs / "forms"]).splitlines():
         form, value = line.split()
+        count += 1
+        if count % every:
+            continue
         expected = values_of(run([brdf, "eval", "--form", form, pair]))[0][4]
         assert abs(float(value) - expected) <= 1e-14 * abs(expected), f"{form}: {value} instead of {expected}"
-        count += 1
     assert count > 20, count
     if (programs / "best").exists():
         best = run([programs / "best", source / "data/synthetic/ward.csv"])

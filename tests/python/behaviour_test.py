@@ -120,7 +120,8 @@ class Waiting(unittest.TestCase):
                 call()
 
     def test_control_c_is_raised(self):
-        program = ("import brdf\n"
+        program = ("import signal\nimport brdf\n"
+                   "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # in the background of a shell it is ignored
                    "t = brdf.synth(brdf.material('ward', kd=[.3, .2, .1]), noise=.02)\n"
                    "try:\n    brdf.fit(t, 'every', starts=2000, progress=lambda form: print(form, flush=True))\n"
                    "except KeyboardInterrupt:\n    print('interrupted', flush=True)\n"

@@ -8,6 +8,7 @@
 #include "render/proof/parity.h"
 #include "render/reference/reference.h"
 #include "tests/render/drawn.h"
+#include "tests/thorough.h"
 
 namespace brdf::render {
 namespace {
@@ -21,7 +22,7 @@ Scene sphere_scene(const Material& material, int size = 256) {
 TEST(Deferred, EveryFormEqualsTheReference) {
   Device device;
   const std::vector<Reflectance> forms(catalogue().begin(), catalogue().end());
-  for (const ParityRow& row : parity(device, forms, 256)) {
+  for (const ParityRow& row : parity(device, forms, thorough() ? 256 : 128)) {
     EXPECT_TRUE(passes(row)) << row.form << " " << row.parameters << " " << row.gbuffer_bits << " "
                              << row.difference.rel_mse;
   }

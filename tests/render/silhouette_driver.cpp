@@ -10,6 +10,7 @@
 #include "render/gpu/renderer.h"
 #include "render/light/formula.h"
 #include "render/reference/reference.h"
+#include "tests/thorough.h"
 
 namespace brdf::render {
 namespace {
@@ -123,14 +124,21 @@ void expect_lit(Device& device, const Scene& scene, const std::string& what, By 
   if (by == By::both) check(render_reference(prepared, {.samples = kSamples}), "reference");
 }
 
+// A shipped scene, its picture smaller by this factor; in ./test --full by the other one.
+Scene small_scene(const std::filesystem::path& file, int factor, int thorough_factor) {
+  Scene scene = load_scene(file);
+  const int by = thorough() ? thorough_factor : factor;
+  scene.camera.width /= by;
+  scene.camera.height /= by;
+  return scene;
+}
+
 TEST(Silhouette, NoPixelOfASceneInAnEnvironmentIsBlackWhereLightFallsOnIt) {
   Device device;
   for (const auto& file : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
     if (file.path().extension() != ".json") continue;
-    Scene scene = load_scene(file.path());
+    const Scene scene = small_scene(file.path(), 8, 4);  // samples take their time
     if (!scene.environment) continue;
-    scene.camera.width /= 4;  // its samples take their time
-    scene.camera.height /= 4;
     expect_lit(device, scene, file.path().stem().string(), By::renderer);
   }
 }
@@ -141,7 +149,7 @@ TEST(Silhouette, InLightsAloneMetalIsBlackWhereTheReferenceIsTooAndNothingElse) 
   std::size_t black = 0, pixels = 0;
   for (const auto& file : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
     if (file.path().extension() != ".json") continue;
-    Scene scene = load_scene(file.path());
+    Scene scene = small_scene(file.path(), 2, 1);
     if (scene.environment) continue;
     scene.shadow = false;
     const PreparedScene prepared = prepare(scene);
@@ -166,7 +174,7 @@ TEST(Silhouette, InLightsAloneMetalIsBlackWhereTheReferenceIsTooAndNothingElse) 
 TEST(Silhouette, NoPixelOfAPaintedSceneIsBlackWhereLightFallsOnIt) {
   Device device;
   for (const char* name : {"rusty_metal", "rusty_metal_families", "car", "vase"}) {
-    Scene scene = load_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json");
+    Scene scene = small_scene(std::string(BRDF_SOURCE_DIR "/data/scenes/") + name + ".json", 2, 1);
     scene.environment.reset();
     for (Object& object : scene.objects) {
       object.material = make_material(*find_form("lambert"));
@@ -189,14 +197,16 @@ TEST(Silhouette, NoPixelOfAMaterialIsBlackWhereLightFallsOnIt) {
     const Material material =
         io::read_material(std::string(BRDF_SOURCE_DIR "/data/materials/") + name + ".json");
     expect_lit(device, scene_of(name, material, {640, 360}), name);
-    Scene studio = scene_of(name, material, {240, 180});
+    Scene studio = scene_of(name, material, thorough() ? glm::ivec2(240, 180) : glm::ivec2(80, 60));
     studio.lights.clear();
     studio.environment = Environment{std::string(name_of(Formula::studio))};
     expect_lit(device, studio, name + std::string(" in the studio"));
   }
-  for (const Reflectance& form : catalogue())
+  for (std::size_t k = 0; k < catalogue().size(); k += thorough() ? 1 : 5) {
+    const Reflectance form = catalogue()[k];
     expect_lit(device, scene_of(std::string(info(form).name), make_material(form), {200, 200}),
                std::string(info(form).name));
+  }
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ import xdnd
 from desk import Desk
 
 brdf, source = sys.argv[1], sys.argv[2]
-soak_frames = sys.argv[3] if len(sys.argv) > 3 else "120"
+soak_frames = sys.argv[3] if len(sys.argv) > 3 else "40"
+WIDTH, HEIGHT = 400, 300  # of the window: a software driver draws it
 folder = tempfile.mkdtemp(prefix="brdf-view-")
 desk = Desk(brdf, folder)
 state_file, picture, environment, display = desk.state_file, desk.picture, desk.environment, desk.display
@@ -92,7 +93,7 @@ def same_from_the_command_line(shot):
 
 
 try:
-    viewer = start("--width", "640", "--height", "480")
+    viewer = start("--width", str(WIDTH), "--height", str(HEIGHT))
     window = desk.find_window("^brdf$")
 
     # Every form by key.
@@ -106,9 +107,9 @@ try:
 
     # Dragging turns the camera, the wheel moves it, r brings it home.
     home = saved_state()["scene"]["camera"]["position"]
-    x("mousemove", "--window", window, 500, 240, "mousedown", 1)
+    x("mousemove", "--window", window, 300, 150, "mousedown", 1)
     for step in range(10):
-        x("mousemove", "--window", window, 500 + 8 * step, 240 + 4 * step)
+        x("mousemove", "--window", window, 300 + 8 * step, 150 + 4 * step)
         time.sleep(0.05)
     x("mouseup", 1)
     time.sleep(0.5)
@@ -143,15 +144,15 @@ try:
     # The line of a split follows the mouse; the camera stands still.
     press("s")
     before = saved_state()
-    x("mousemove", "--window", window, round(640 * before["split"]), 300)
+    x("mousemove", "--window", window, round(WIDTH * before["split"]), HEIGHT // 2)
     time.sleep(1)
     x("mousedown", 1)
     time.sleep(1)  # the window asks where the pointer is when it hears of the button
-    x("mousemove", "--window", window, 480, 300)
+    x("mousemove", "--window", window, 3 * WIDTH // 4, HEIGHT // 2)
     time.sleep(1)
     x("mouseup", 1)
     after = saved_state()
-    assert abs(after["split"] - 480 / 640) < 0.01, (before["split"], after["split"])
+    assert abs(after["split"] - 0.75) < 0.01, (before["split"], after["split"])
     assert after["scene"]["camera"] == before["scene"]["camera"]
     press("s", "h")
 
@@ -166,7 +167,7 @@ try:
     assert saved_state()["scene"]["objects"][0]["rotation"][1] != 0, "the turntable stood still"
 
     # Resizing.
-    for width, height in ((800, 500), (300, 700), (640, 480)):
+    for width, height in ((500, 350), (250, 400), (WIDTH, HEIGHT)):
         x("windowsize", "--sync", window, width, height)
         end = time.time() + 60
         while (size := picture_size(saved_state())) != (width, height):

@@ -14,36 +14,36 @@ with tempfile.TemporaryDirectory() as name:
     place = Place(sys.argv[1], name)
     run, refused = place.run, place.refused
 
-    # A stack, in 64 units.
+    # A stack, in 32 units.
     place.make_stack("64x64")
     fit = "fit stack --form cook_torrance --normals stack/truth/truth.exr "
     run(fit + "-o at_once --jobs 2 --report at_once.html")
-    plan = f"plan {fit}--unit-size 8x8 -o job"
-    assert run(plan).stdout == "64 units: 0-63\n"
+    plan = f"plan {fit}--unit-size 16x8 -o job"
+    assert run(plan).stdout == "32 units: 0-31\n"
     first = (place.folder / "job/plan.json").read_bytes()
     run(plan)
     assert (place.folder / "job/plan.json").read_bytes() == first
     run(plan.replace("-o job", "-o another"))
     assert (place.folder / "another/plan.json").read_bytes() == first, "a plan is decided by what is asked for"
-    refused(plan.replace("8x8", "16x8"), "job: holds another plan")
+    refused(plan.replace("16x8", "8x8"), "job: holds another plan")
     refused(plan + " --max-theta 70", "job: holds another plan")
-    refused(plan.replace("8x8", "12x8"), "--unit-size 12x8: of a stack it must be WIDTHxHEIGHT, both multiples of 8")
-    assert run("collect job --missing", 1).stdout == "0-63\n"
-    order = list(range(64))
+    refused(plan.replace("16x8", "12x8"), "--unit-size 12x8: of a stack it must be WIDTHxHEIGHT, both multiples of 8")
+    assert run("collect job --missing", 1).stdout == "0-31\n"
+    order = list(range(32))
     random.Random(1).shuffle(order)
     elsewhere = place.folder / "elsewhere"
     elsewhere.mkdir()
     for unit in order[:3]:
         Place(sys.argv[1], elsewhere).run(f"work ../job --unit {unit}")
-    for unit in order[3:60]:
+    for unit in order[3:28]:
         run(f"work job --unit {unit}")
-    left = sorted(order[60:])
+    left = sorted(order[28:])
     said = run("collect job -o maps --missing", 1).stdout
     expanded = [k for part in said.strip().split(",") for a, _, b in [part.partition("-")] for k in range(int(a), int(b or a) + 1)]
     assert expanded == left, (said, left)
     states = json.loads(run("collect job --json", 1).stdout)
     assert [r["unit"] for r in states["results"] if r["state"] == "missing"] == left
-    assert "4 of 64 units are missing or damaged" in run("collect job -o maps", 1).stderr
+    assert "4 of 32 units are missing or damaged" in run("collect job -o maps", 1).stderr
     assert not (place.folder / "maps").exists()
     run("work job")
     run("collect job -o maps --report maps.html")
@@ -56,13 +56,13 @@ with tempfile.TemporaryDirectory() as name:
     run("work job")
     assert time.monotonic() - begin < 1 and place.units("job") == before
     before[17][0].unlink()
-    damage(before[42][0])
-    assert run("collect job --missing", 1).stdout == "17,42\n"
+    damage(before[22][0])
+    assert run("collect job --missing", 1).stdout == "17,22\n"
     states = {r["unit"]: r["state"] for r in json.loads(run("collect job --json", 1).stdout)["results"]}
-    assert states[17] == "missing" and states[42] == "damaged" and states[41] == "done"
+    assert states[17] == "missing" and states[22] == "damaged" and states[21] == "done"
     run("work job")
     after = place.units("job")
-    assert {k for k in before if before[k] != after[k]} == {17, 42}
+    assert {k for k in before if before[k] != after[k]} == {17, 22}
     assert run("collect job --missing").stdout == ""
     run("collect job -o again")
     place.same("at_once", "again")
@@ -73,7 +73,7 @@ with tempfile.TemporaryDirectory() as name:
     (place.folder / "job/plan.json").write_bytes(first.replace(b'"form"', b'"from"').replace(b"8,", b"16,", 1))
     refused("work job", "plan.json: was changed since the work was planned")
     refused("work stack", "stack: no job")
-    refused("work another --unit 64", "--unit 64: the units are 0 to 63")
+    refused("work another --unit 32", "--unit 32: the units are 0 to 31")
     lights = place.folder / "stack/lights.csv"
     text = lights.read_text()
     lights.write_text(text + "# more\n")
