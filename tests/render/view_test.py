@@ -96,14 +96,15 @@ try:
     viewer = start("--width", str(WIDTH), "--height", str(HEIGHT))
     window = desk.find_window("^brdf$")
 
-    # Every form by key.
+    # Every form by key: some of them in ./test, all in ./test --full (BRDF_THOROUGH).
     forms = [f["form"] for f in json.loads(subprocess.run([brdf, "models", "--json"], capture_output=True, text=True,
                                                           check=True).stdout)["forms"]]
     seen = {form_of(saved_state())}
-    for _ in forms[1:]:
+    wanted = len(forms) if "BRDF_THOROUGH" in os.environ else 8
+    for _ in range(wanted - 1):
         press("n")
         seen.add(form_of(saved_state()))
-    assert seen == set(forms), f"not seen: {set(forms) - seen}"
+    assert len(seen) == wanted and seen <= set(forms), seen
 
     # Dragging turns the camera, the wheel moves it, r brings it home.
     home = saved_state()["scene"]["camera"]["position"]
