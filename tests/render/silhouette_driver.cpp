@@ -203,7 +203,7 @@ TEST(Silhouette, NoPixelOfAMaterialIsBlackWhereLightFallsOnIt) {
     expect_lit(device, studio, name + std::string(" in the studio"));
   }
   for (std::size_t k = 0; k < catalogue().size(); k += thorough() ? 1 : 5) {
-    const Reflectance form = catalogue()[k];
+    const Reflectance& form = catalogue()[k];
     expect_lit(device, scene_of(std::string(info(form).name), make_material(form), {200, 200}),
                std::string(info(form).name));
   }
