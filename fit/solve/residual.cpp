@@ -44,13 +44,45 @@ void log_residuals(const Residual& residual, const ResidualInputs& b, double off
     log_residuals<kWithCosO, false, false>(b, offset, r, d);
 }
 
-void divide_by_noise(const Residual& residual, const ResidualInputs& b, double* r, double* d) {
+BRDF_CLONES void linear_residuals(const ResidualInputs& b, double* __restrict r, double* __restrict d) {
   for (std::size_t j = 0; j < b.rows; ++j) {
-    const double c = residual.metric == Metric::log_relative ? b.cos_i[j] * b.cos_o[j] : b.cos_i[j];
-    const double offset = residual.metric == Metric::log ? 1 : kE;
-    const bool linear = residual.metric == Metric::cosine_l2 || residual.metric == Metric::cube_root;
-    const double slope = linear ? c : c / (b.g[j] * c + offset);
-    const double w = 1 / (slope * b.sigma[j]);
+    r[j] = (b.f[j] - b.g[j]) * b.cos_i[j];
+    d[j] = b.cos_i[j];
+  }
+}
+
+// Over what the noise makes of a residual: its slope at the measurement, times sigma.
+BRDF_CLONES void divide_linear_by_noise(const ResidualInputs& b, double* __restrict r, double* __restrict d) {
+  for (std::size_t j = 0; j < b.rows; ++j) {
+    const double w = 1 / (b.cos_i[j] * b.sigma[j]);
+    r[j] *= w;
+    d[j] *= w;
+  }
+}
+template <bool kWithCosO>
+BRDF_CLONES void divide_log_by_noise(const ResidualInputs& b, double offset, double* __restrict r,
+                                     double* __restrict d) {
+  for (std::size_t j = 0; j < b.rows; ++j) {
+    const double w = 1 / (slope_at_value<kWithCosO>(b, offset, j) * b.sigma[j]);
+    r[j] *= w;
+    d[j] *= w;
+  }
+}
+
+void divide_by_noise(const Residual& residual, const ResidualInputs& b, double* r, double* d) {
+  switch (residual.metric) {
+    case Metric::log:
+      return divide_log_by_noise<false>(b, 1, r, d);
+    case Metric::log_relative:
+      return divide_log_by_noise<true>(b, kE, r, d);
+    default:
+      return divide_linear_by_noise(b, r, d);
+  }
+}
+
+BRDF_CLONES void multiply_by_roots(const ResidualInputs& b, double* __restrict r, double* __restrict d) {
+  for (std::size_t j = 0; j < b.rows; ++j) {
+    const double w = std::sqrt(b.weight[j]);
     r[j] *= w;
     d[j] *= w;
   }
@@ -74,18 +106,10 @@ void residuals(const Residual& residual, const ResidualInputs& b, double* r, dou
       log_residuals<true>(residual, b, kE, r, d);
       break;
     default:
-      for (std::size_t j = 0; j < b.rows; ++j) {
-        r[j] = (b.f[j] - b.g[j]) * b.cos_i[j];
-        d[j] = b.cos_i[j];
-      }
+      linear_residuals(b, r, d);
   }
   if (b.sigma) divide_by_noise(residual, b, r, d);
-  if (b.weight)
-    for (std::size_t j = 0; j < b.rows; ++j) {
-      const double w = std::sqrt(b.weight[j]);
-      r[j] *= w;
-      d[j] *= w;
-    }
+  if (b.weight) multiply_by_roots(b, r, d);
 }
 
 void apply_loss(const LossFunction& loss, std::size_t rows, const double* r, double* rho, double* root_slope,

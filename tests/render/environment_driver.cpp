@@ -121,7 +121,7 @@ TEST(Environment, LightsWhatIsNotInTheCatalogue) {
       "vec3 brdf_eval_cos_plain(vec3 wi, vec3 wo, vec3 part) { return brdf_eval_plain(wi, wo, part) * wi.z; "
       "}\n";
   Device device;
-  for (const Reflectance& form : {Reflectance(std::make_shared<Plain>(1, glsl)), Reflectance(gleam{})}) {
+  for (const Reflectance& form : {Reflectance(std::make_shared<Plain>(1, glsl)), gleam()}) {
     const PreparedScene scene = sphere_in(make_material(form), "studio", 24);
     EXPECT_LE(relative_mse(lit(device, scene, 512), render_reference(scene, {.samples = 2048, .seed = 5})),
               1e-3)

@@ -61,7 +61,7 @@ TEST(Reference, DrawsWhatIsNotInTheCatalogue) {
   const float cosine = glm::dot(pixel_probe(plain, 24, 24).normal, glm::normalize(glm::vec3(-1, 1, 1)));
   EXPECT_NEAR(picture.at(24, 24).g, 0.7f * cosine * float(kPi), 1e-5f);
   // A grey material takes its one channel everywhere.
-  const PreparedScene grey = prepare(small_scene(make_material(gleam{}, {"fr"})));
+  const PreparedScene grey = prepare(small_scene(make_material(gleam(), {"fr"})));
   const PixelProbe at = pixel_probe(grey, 20, 20);
   std::vector<double> f(1);
   eval(grey.scene.objects[0].material, {at.wi.x, at.wi.y, at.wi.z}, {at.wo.x, at.wo.y, at.wo.z}, f);
@@ -70,7 +70,7 @@ TEST(Reference, DrawsWhatIsNotInTheCatalogue) {
 
 TEST(Reference, MapsDriveByRole) {
   // The rule knows no names: a lobe's weight beside no f0, a diffuse one beside a specular, an exponent.
-  const Reflectance form = gleam{};
+  const Reflectance form = gleam();
   const ReflectanceInfo& about = form.info();
   EXPECT_EQ(rule_of(about.weights[0], about), Rule::specular);
   EXPECT_EQ(rule_of(about.weights[1], about), Rule::diffuse);

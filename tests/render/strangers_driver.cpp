@@ -25,13 +25,13 @@ std::string refusal(const Reflectance& reflectance) {
 }
 
 TEST(Strangers, AreDrawnBesideTheCatalogue) {
-  Scene scene = material_scene({{"a", make_material(gleam{})},
+  Scene scene = material_scene({{"a", make_material(gleam())},
                                 {"b", make_material(*find_form("ward"))},
-                                {"c", make_material(glint{})},
-                                {"d", make_material(gleam{})}});
+                                {"c", make_material(glint())},
+                                {"d", make_material(gleam())}});
   scene.camera.width = 512;
   scene.camera.height = 128;
-  scene.objects[3].material.terms.push_back(make_term(glint{}, 3));
+  scene.objects[3].material.terms.push_back(make_term(glint(), 3));
   Device device;
   const auto against_reference = [&](const RendererOptions& options) {
     const PreparedScene prepared = prepare(scene);
@@ -54,7 +54,7 @@ TEST(Strangers, AreDrawnByARendererThatBeganWithoutThem) {
   PreparedScene prepared = prepare(scene);
   Device device;
   Renderer renderer(device, prepared, {.gbuffer_bits = 32});
-  for (const Reflectance& form : {Reflectance(gleam{}), Reflectance(glint{}), Reflectance(gleam{})}) {
+  for (const Reflectance& form : {gleam(), glint(), gleam()}) {
     prepared.scene.objects[0].material = make_material(form);
     update_items(prepared);
     renderer.update(prepared);
@@ -66,7 +66,7 @@ TEST(Strangers, AreDrawnByARendererThatBeganWithoutThem) {
 
 TEST(Strangers, PassParityAndProof) {
   Device device;
-  const std::vector<Reflectance> forms{gleam{}, glint{}};
+  const std::vector<Reflectance> forms{gleam(), glint()};
   const std::vector<ParityRow> rows = parity(device, forms, 128);
   EXPECT_EQ(rows.size(), 8u);  // an exponent makes them narrow
   for (const ParityRow& row : rows)
