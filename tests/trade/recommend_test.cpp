@@ -59,6 +59,7 @@ TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
 TEST(Recommend, SaysNoneAndNamesTheBest) {
   RecommendOptions options = close_up();
   options.max_cost_ns = 1e-3;  // nothing is that cheap
+  options.models = {*find_form("lambert"), *find_form("ward"), *find_form("cook_torrance")};
   const Recommendation r = recommend(options);
   EXPECT_FALSE(r.chosen.has_value());
   for (const Candidate& c : r.candidates) EXPECT_GE(c.image_error, r.candidates[r.best].image_error);
