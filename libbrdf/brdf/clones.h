@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-// The one macro of the library: an attribute cannot be named otherwise. Without `flatten` what a loop calls
+// The macros of the library: an attribute cannot be named otherwise. Without `flatten` what a loop calls
 // would not be inlined into the clones, which costs a factor of 8. clang refuses the two together: correct
 // there, and slow. Under the sanitizers plain code: instrumented clones take minutes to compile, and cannot
 // be resolved before their runtime starts. BRDF_FEW_CLONES leaves out the last generation, a third of the compiler's work:
@@ -14,6 +14,8 @@
 #define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3"), gnu::flatten]]
 #else
 #define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
+// What a loop of the widest vectors is compiled as, beside one of narrower ones: for has_widest_vectors() only.
+#define BRDF_WIDEST [[gnu::target("arch=x86-64-v4"), gnu::flatten]]
 #endif
 #elif defined(__clang__)
 #define BRDF_CLONES [[gnu::flatten]]
@@ -22,6 +24,12 @@
 #endif
 
 namespace brdf {
+
+#ifdef BRDF_WIDEST
+inline bool has_widest_vectors() {
+  return __builtin_cpu_supports("x86-64-v4");
+}
+#endif
 
 // body(i) for i in [0, count). No two calls may touch the same place.
 template <class Body>
