@@ -217,27 +217,6 @@ class Notebooks(unittest.TestCase):
         self.assertIn("reciprocity", brdf.validate(WARD)._repr_html_())
         self.assertIn("&lt;b&gt;", brdf.Table.from_csv("theta_i,phi_i,theta_o,phi_o,<b>\n0,0,0,0,1\n")._repr_html_())
 
-    def test_the_sphere_shows_its_colour(self):
-        import matplotlib.image as images
-        import io
-
-        red = brdf.material("lambert", rho=[0.6, 0.1, 0.1]).picture(64)
-        pixels = images.imread(io.BytesIO(red))
-        self.assertEqual(pixels.shape, (64, 64, 4))
-        lit = pixels[pixels[..., 3] == 1]
-        self.assertGreater(lit[:, 0].max(), 2 * lit[:, 1].max())
-        self.assertEqual(pixels[0, 0, 3], 0)
-
-    def test_slices(self):
-        import matplotlib
-        matplotlib.use("Agg")
-        axes = WARD.plot([0, 45], table=TABLE)
-        lines = axes.get_lines()
-        self.assertEqual(len(lines), 4)
-        x, y = lines[2].get_data()
-        np.testing.assert_allclose(y, WARD.eval_degrees(45, 180, abs(x), np.where(x < 0, 180, 0)).mean(axis=-1))
-        self.assertEqual(lines[0].get_data()[0].size, 357)
-
 
 class Programs(unittest.TestCase):
     def test_a_verb_of_the_program(self):
