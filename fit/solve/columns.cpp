@@ -9,7 +9,7 @@ namespace brdf::fit {
 namespace {
 
 // Eight lanes in vectors as wide as registers are: g++ keeps wider ones in memory, copied word by word, which costs a factor of
-// eight.
+// seven.
 struct __attribute__((may_alias)) Quads {
   typedef double Vector __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
   static constexpr std::size_t width = 4;
