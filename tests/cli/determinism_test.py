@@ -1,6 +1,6 @@
 """The same command writes the same bytes: on 1, 2 and 3 threads, under a locale with decimal commas, and from
 another folder each time. Usage: determinism_test.py EXECUTABLE SOURCE_TREE; exit 77 where the locale cannot be made.
-The run on two threads is one of ./test --full (BRDF_THOROUGH).
+The run on two threads, the pictures of `study` and `recommend` are of ./test --full (BRDF_THOROUGH): they take most of the time.
 
 `trade`, and `recommend` without a ledger, measure time: they are left out; so is `recommend` where the ledger lacks a form.
 """
@@ -30,7 +30,7 @@ COMMANDS = [
     "fit c.csv --form all --json -o c.json --report c.html",
     "fit w.csv --form ward --anisotropic --json -o w.json",
     "fit m.csv g.csv --form lambert+ward --jobs {threads} --no-pictures -o batch",
-    "study g.csv c.csv --form ward --jobs {threads} --json -o studied",
+    "study g.csv c.csv --form ward --jobs {threads} --json -o studied {pictures}",
     "albedo --material c.json --theta 0,30,60,85 --json",
     "validate c.json --json -o v.html",
     "validate --form ward --form oren_nayar_full --json",
@@ -46,8 +46,10 @@ COMMANDS = [
     "export --material c.json --to glsl-es -o c.es.glsl",
     "render c.json --width 96 --height 96 --compare embree --json -o c.png",
     "render w.json --width 64 --height 64 -o w.exr",
-    "recommend --scene {data}/scenes/recommend_grazing.json --reference c.json --ledger {data}/ledger.json --json -o advice",
 ]
+THOROUGH = "BRDF_THOROUGH" in os.environ
+if THOROUGH:
+    COMMANDS.append("recommend --scene {data}/scenes/recommend_grazing.json --reference c.json --ledger {data}/ledger.json --json -o advice")
 LOCALE = "de_DE.UTF-8"
 
 
@@ -63,7 +65,7 @@ def outputs(threads, **environment):
         for command in COMMANDS:
             if command.startswith(("render", "recommend", "synth --microsurface")) and not can_render:
                 continue
-            words = command.format(threads=threads, data=data).split()
+            words = command.format(threads=threads, data=data, pictures="" if THOROUGH else "--no-pictures").split()
             done = subprocess.run([executable, *words], cwd=folder, capture_output=True, check=False,
                                   env=os.environ | {"BRDF_THREADS": str(threads)} | environment)
             if command.startswith("recommend") and json.loads(done.stdout)["measured_now"]:
@@ -91,7 +93,7 @@ with tempfile.TemporaryDirectory(prefix="locale.") as locales:
         sys.exit(77)
     first = outputs(1)
     variants = {"on three threads, with decimal commas": outputs(3, LC_ALL=LOCALE, LOCPATH=locales)}
-    if "BRDF_THOROUGH" in os.environ:
+    if THOROUGH:
         variants["on two threads"] = outputs(2)
 differing = 0
 for variant, found in variants.items():

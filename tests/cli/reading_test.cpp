@@ -79,7 +79,7 @@ TEST_F(ReadingCli, EveryVerbReadsAPipeAsItReadsAFile) {
 TEST_F(ReadingCli, ABatchReadsPipes) {
   pipe("a.pipe", "s.csv");
   pipe("b.pipe", "s.csv");
-  const Outcome outcome = run("fit a.pipe b.pipe --form lambert -o out");
+  const Outcome outcome = run("fit a.pipe b.pipe --form lambert --no-pictures -o out");
   EXPECT_LE(outcome.exit_code, 1) << outcome.err;
   const Material a = io::read_material(folder_.path() / "out/a.json");
   EXPECT_EQ(a, io::read_material(folder_.path() / "out/b.json"));

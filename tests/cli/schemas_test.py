@@ -47,7 +47,7 @@ with tempfile.TemporaryDirectory() as folder:
     check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "--bootstrap", "3", "--json"))
     check("fit", said("fit", synthetic / "ward_anisotropic.csv", "--form", "ward+lambert", "--anisotropic", "--fix",
                       "kd=0.1", "--metric", "log", "--free-scale", "--json"))
-    check("fit", said("fit", synthetic / "phong_sparse.csv", synthetic / "README.md", "--form", "auto", "-o", "many",
+    check("fit", said("fit", synthetic / "phong_sparse.csv", synthetic / "README.md", "--form", "auto", "-o", "many", "--no-pictures",
                       "--json"))
     subprocess.run([brdf, "synth", "--form", "ward", "--texels", "3x2", "--lights", "40", "-o", "stack"], cwd=folder, check=True)
     check("fit", said("fit", "stack", "--form", "ward", "-o", "maps", "--json"))

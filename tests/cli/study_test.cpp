@@ -100,7 +100,7 @@ TEST_F(StudyVerb, NamesThatAreNoWebAddressesAreLinked) {
 
 // 50 samples, two at a time, killed while it works: the next run keeps all that was finished.
 TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
-  constexpr std::size_t kSamples = 50, kJobs = 2;
+  constexpr std::size_t kSamples = 30, kJobs = 2;
   const std::string table = file_text(folder_.path() / "s.csv");
   std::vector<std::string> words{"study",  "--form",
                                  "ward",   "--no-pictures",

@@ -111,7 +111,7 @@ TEST_F(Turntable, InterruptedItLeavesTheOldFileAndNothingElse) {
 }
 
 TEST_F(Turntable, ARowOverAParameterHasItsEndsAtItsEnds) {
-  const std::string gold = "'" BRDF_SOURCE_DIR "/data/materials/gold.json' ";
+  const std::string gold = "'" BRDF_SOURCE_DIR "/data/materials/gold.json' --hard-light ";
   ASSERT_EQ(run(gold + "--over alpha=0.05:0.8 --balls 4 --width 512 --height 128 -o row.png").exit_code, 0);
   ASSERT_EQ(run(gold + "--over alpha=0.05:0.8 --balls 4 --width 512 --height 128 --no-labels -o bare.png")
                 .exit_code,
@@ -134,7 +134,8 @@ TEST_F(Turntable, ARowOverAParameterHasItsEndsAtItsEnds) {
 }
 
 TEST_F(Turntable, AShapeTakesTheSpheresPlace) {
-  const std::string gold = "'" BRDF_SOURCE_DIR "/data/materials/gold.json' --width 96 --height 96 ";
+  const std::string gold =
+      "'" BRDF_SOURCE_DIR "/data/materials/gold.json' --width 96 --height 96 --hard-light --supersample 1 ";
   ASSERT_EQ(run(gold + "-o sphere.png").exit_code, 0);
   std::vector<std::string> seen{file_text(folder_.path() / "sphere.png")};
   for (const char* shape : {"shader_ball", "vase", "cloth", "sedan"}) {

@@ -29,7 +29,7 @@ class BatchOfFiles : public ::testing::Test {
       io::write_samples(file, measured(truth, {"hemisphere"}, 0.02));
       files_.push_back(file.string());
     }
-    batch_ = {folder_ / "out", 2, "settings", {}};
+    batch_ = {.folder = folder_ / "out", .jobs = 2, .settings = "settings", .spheres = false};
     options_.cross_validation = false;
   }
 

@@ -45,16 +45,16 @@ with temporary_folder() as folder:
         assert "/* of this prefix */" in (elsewhere / "module.html").read_text()
     say("study", share / "brdf/synthetic/lambert.csv", "--form", "lambert", "--no-pictures", "-o", "study")
     assert (elsewhere / "study/index.html").is_file()
-    drawn = subprocess.run([brdf, "render", "--scene", "scenes/vase.json", "--width", "64", "--height", "64", "-o",
-                            "vase.png"], cwd=elsewhere, text=True, capture_output=True)
+    drawn = subprocess.run([brdf, "render", "--scene", "scenes/rusty_metal.json", "--width", "64", "--height", "64",
+                            "-o", "scene.png"], cwd=elsewhere, text=True, capture_output=True)
     # Exit code 3: this build or this machine cannot draw, and the scene was found all the same.
-    assert drawn.returncode == 0 and (elsewhere / "vase.png").is_file() or drawn.returncode == 3, drawn.stderr
+    assert drawn.returncode == 0 and (elsewhere / "scene.png").is_file() or drawn.returncode == 3, drawn.stderr
 
     # Planned work, a unit of it by the script for job arrays.
     (elsewhere / "tables").mkdir()
     for k in range(2):
         shutil.copy(share / "brdf/synthetic/lambert.csv", elsewhere / f"tables/{k}.csv")
-    say("plan", "fit", "tables", "--form", "lambert", "--unit-size", "1", "-o", "job")
+    say("plan", "fit", "tables", "--form", "lambert", "--no-pictures", "--unit-size", "1", "-o", "job")
     for k in range(2):
         run(["bash", share / "brdf/slurm/brdf-array.sbatch", "job"], cwd=elsewhere,
             env={**os.environ, "BRDF_PROGRAM": str(brdf), "SLURM_ARRAY_TASK_ID": str(k)})

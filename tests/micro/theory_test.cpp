@@ -112,6 +112,7 @@ TEST(Samples, AreATableOfDirectionsInDegrees) {
   for (const std::string& name : surface_names()) {
     SampleSettings settings = small(name);
     settings.azimuths = {0, 90};
+    settings.rays = 300;
     const io::SampleTable table = trace_samples(settings);
     ASSERT_GT(table.rows(), 20u) << name;
     EXPECT_EQ(table.channels, std::vector<std::string>{"fr"});

@@ -137,7 +137,7 @@ TEST(Silhouette, NoPixelOfASceneInAnEnvironmentIsBlackWhereLightFallsOnIt) {
   Device device;
   for (const auto& file : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
     if (file.path().extension() != ".json") continue;
-    const Scene scene = small_scene(file.path(), 8, 4);  // samples take their time
+    const Scene scene = small_scene(file.path(), 12, 4);  // samples take their time
     if (!scene.environment) continue;
     expect_lit(device, scene, file.path().stem().string(), By::renderer);
   }

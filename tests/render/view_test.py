@@ -19,6 +19,7 @@ from desk import Desk
 
 brdf, source = sys.argv[1], sys.argv[2]
 soak_frames = sys.argv[3] if len(sys.argv) > 3 else "40"
+THOROUGH = "BRDF_THOROUGH" in os.environ  # ./test --full
 WIDTH, HEIGHT = 400, 300  # of the window: a software driver draws it
 folder = tempfile.mkdtemp(prefix="brdf-view-")
 desk = Desk(brdf, folder)
@@ -67,14 +68,18 @@ def highlight_across(state):
     ahead = unit(minus(camera["target"], camera["position"]))
     up = camera["up"]
     right = unit([ahead[1] * up[2] - ahead[2] * up[1], ahead[2] * up[0] - ahead[0] * up[2], ahead[0] * up[1] - ahead[1] * up[0]])
-    best, place = -1, None
-    for k in range(181):
-        for j in range(360):
-            theta, phi = math.radians(k), math.radians(j)
-            n = [math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta)]
-            half = unit([a + b for a, b in zip(unit(minus(camera["position"], n)), to_light)])
-            if dot(n, half) > best:
-                best, place = dot(n, half), minus(n, camera["position"])
+
+    def normal(degrees):
+        theta, phi = map(math.radians, degrees)
+        return [math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta)]
+
+    def halves(degrees):
+        n = normal(degrees)
+        return dot(n, unit([a + b for a, b in zip(unit(minus(camera["position"], n)), to_light)]))
+
+    best = max(((theta, phi) for theta in range(0, 181, 5) for phi in range(0, 360, 5)), key=halves)
+    best = max(((best[0] + a / 4, best[1] + b / 4) for a in range(-24, 25) for b in range(-24, 25)), key=halves)
+    place = minus(normal(best), camera["position"])
     width = math.tan(math.radians(camera["vertical_fov"]) / 2) * camera["width"] / camera["height"]
     return 0.5 + 0.5 * dot(place, right) / (width * dot(place, ahead))
 
@@ -96,11 +101,11 @@ try:
     viewer = start("--width", str(WIDTH), "--height", str(HEIGHT))
     window = desk.find_window("^brdf$")
 
-    # Every form by key: some of them in ./test, all in ./test --full (BRDF_THOROUGH).
+    # Every form by key: some of them in ./test, all in ./test --full.
     forms = [f["form"] for f in json.loads(subprocess.run([brdf, "models", "--json"], capture_output=True, text=True,
                                                           check=True).stdout)["forms"]]
     seen = {form_of(saved_state())}
-    wanted = len(forms) if "BRDF_THOROUGH" in os.environ else 8
+    wanted = len(forms) if THOROUGH else 8
     for _ in range(wanted - 1):
         press("n")
         seen.add(form_of(saved_state()))
@@ -135,7 +140,8 @@ try:
         press(key)
         assert saved_state()["display"] == name
         shots.append(screenshot())
-        assert same_from_the_command_line(shots[-1]), f"brdf render makes another picture of {name}"
+        if THOROUGH or name in ("split", "flip"):
+            assert same_from_the_command_line(shots[-1]), f"brdf render makes another picture of {name}"
     press("b")
     assert screenshot() == plain
     x("mousemove", 1270, 790)  # the pointer is on the screen, too

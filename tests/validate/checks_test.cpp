@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/thorough.h"
+
 namespace brdf::validate {
 namespace {
 
@@ -114,7 +116,8 @@ TEST(Judgement, FoundAndDeclaredIsKnown) {
 
 TEST(Judgement, EveryCheckOfEveryFormIsAsDeclared) {
   std::vector<Subject> subjects;
-  for (const Reflectance& form : catalogue()) subjects.push_back(Subject::form(form));
+  for (std::size_t k = 0; k < catalogue().size(); k += thorough() ? 1 : 5)
+    subjects.push_back(Subject::form(catalogue()[k]));
   for (const Finding& f : run_checks(subjects, {}))
     EXPECT_NE(f.outcome, Outcome::fail) << f.subject << " " << f.check << ": " << f.statement;
 }

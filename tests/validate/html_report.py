@@ -59,7 +59,7 @@ def make_reports(executable, folder):
     run([executable, "synth", "--form", "cook_torrance", "--set", "kd=0.3,0.2,0.1", "--set", "alpha=0.3",
          "--noise", "0.05", "-o", table])
     reports = [folder / "forms.html", folder / "table.html"]
-    run([executable, "validate", "--form", "ward_duer", "--form", "cook_torrance_as_printed", "-o", reports[0]])
+    run([executable, "validate", "--form", "phong_unnormalised", "--form", "cook_torrance_as_printed", "-o", reports[0]])
     run([executable, "validate", table, "-o", reports[1]])
     return reports
 
