@@ -255,7 +255,7 @@ TEST_F(RenderCli, MaterialsToLookAtStandInTheStudio) {
 TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {
   write("red.json", R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],)"
                     R"("weights":{"rho":[0.8,0.1,0.1]}})");
-  const std::string size = " --width 120 --height 100 ";
+  const std::string size = " --width 120 --height 100 --supersample 2 ";
   const auto picture = [&](const std::string& arguments) {
     const Outcome outcome = run("render m.json --compare red.json" + size + arguments + " -o out.png");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

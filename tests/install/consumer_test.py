@@ -20,11 +20,11 @@ with temporary_folder() as folder:
     else:
         prefix = moved_prefix(build, folder, ("development",))
         if way == "find_package":
-            run(["cmake", "-S", consumer, "-B", out, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Debug"])
+            run(["cmake", "-S", consumer, "-B", out, f"-DCMAKE_PREFIX_PATH={prefix}"])
             run(["cmake", "--build", out])
         else:
             out = consumer
-            run(["make", "-C", consumer, "CXXFLAGS=-O0"],
+            run(["make", "-C", consumer],
                 env={**os.environ, "PKG_CONFIG_PATH": str(library_folder(prefix) / "pkgconfig")})
     check_consumer(out, brdf, source)
     foreign = [name for name in needed(out / "forms")

@@ -20,7 +20,7 @@ from desk import Desk
 brdf, source = sys.argv[1], sys.argv[2]
 soak_frames = sys.argv[3] if len(sys.argv) > 3 else "40"
 THOROUGH = "BRDF_THOROUGH" in os.environ  # ./test --full
-WIDTH, HEIGHT = 400, 300  # of the window: a software driver draws it
+WIDTH, HEIGHT = 280, 210  # of the window: a software driver draws it
 folder = tempfile.mkdtemp(prefix="brdf-view-")
 desk = Desk(brdf, folder)
 state_file, picture, environment, display = desk.state_file, desk.picture, desk.environment, desk.display
@@ -113,9 +113,9 @@ try:
 
     # Dragging turns the camera, the wheel moves it, r brings it home.
     home = saved_state()["scene"]["camera"]["position"]
-    x("mousemove", "--window", window, 300, 150, "mousedown", 1)
+    x("mousemove", "--window", window, 180, HEIGHT // 2, "mousedown", 1)
     for step in range(10):
-        x("mousemove", "--window", window, 300 + 8 * step, 150 + 4 * step)
+        x("mousemove", "--window", window, 180 + 8 * step, HEIGHT // 2 + 4 * step)
         time.sleep(0.05)
     x("mouseup", 1)
     time.sleep(0.5)
@@ -174,7 +174,7 @@ try:
     assert saved_state()["scene"]["objects"][0]["rotation"][1] != 0, "the turntable stood still"
 
     # Resizing.
-    for width, height in ((500, 350), (250, 400), (WIDTH, HEIGHT)):
+    for width, height in ((350, 250), (180, 280), (WIDTH, HEIGHT)):
         x("windowsize", "--sync", window, width, height)
         end = time.time() + 60
         while (size := picture_size(saved_state())) != (width, height):
