@@ -163,7 +163,8 @@ TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
 TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render m.json", 2, "-o is required");
   expect_refused("render m.json -o x.tiff", 2, "must end in .exr or .png");
-  expect_refused("render m.json -o nowhere/x.png", 2, "nowhere/x.png: cannot be written");
+  for (const char* name : {"nowhere/x.png", "nowhere/x.exr"})
+    expect_refused("render m.json -o " + std::string(name), 2, std::string(name) + ": cannot be written");
   expect_refused("render m.json --show wrong -o x.png", 2, "must be one of picture, split");
   expect_refused("render m.json --show split -o x.png", 2, "needs --compare or --measured");
   expect_refused("render m.json --compare absent.json -o x.png", 2, "absent.json: cannot be read");

@@ -41,7 +41,8 @@ class Display:
 
     def __init__(self):
         reader, writer = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp"], pass_fds=(writer,),
+        # -noreset: a server that begins anew when its last client has left refuses the next one for a moment.
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-nolisten", "tcp", "-noreset"], pass_fds=(writer,),
                                        stderr=subprocess.DEVNULL)
         os.close(writer)
         self.name = ":" + os.read(reader, 16).decode().strip()

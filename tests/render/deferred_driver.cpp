@@ -22,7 +22,7 @@ Scene sphere_scene(const Material& material, int size = 256) {
 TEST(Deferred, EveryFormEqualsTheReference) {
   Device device;
   const std::vector<Reflectance> forms(catalogue().begin(), catalogue().end());
-  for (const ParityRow& row : parity(device, forms, thorough() ? 256 : 128)) {
+  for (const ParityRow& row : parity(device, forms, thorough() ? 256 : 96)) {
     EXPECT_TRUE(passes(row)) << row.form << " " << row.parameters << " " << row.gbuffer_bits << " "
                              << row.difference.rel_mse;
   }

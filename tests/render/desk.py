@@ -22,7 +22,7 @@ class Desk:
         self.picture = os.path.join(folder, "picture.png")
         reader, writer = os.pipe()
         self.server = subprocess.Popen(  # -r: keys do not repeat on a busy machine
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "-r",
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "-r", "-noreset",
              "-fbdir", folder], pass_fds=(writer,), stderr=subprocess.DEVNULL)
         os.close(writer)
         number = os.read(reader, 16).decode().strip()
