@@ -34,6 +34,7 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
         {"shared", "free", "smooth"});
   verb.add_flag("--free-scale", choice.options.free_scale,
                 "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
+  add_keep_fill_option(verb, choice.options.keep_fill);
   add_arrangement_options(verb, choice.options.arrangement);
   verb.add_option("--max-theta", choice.options.max_theta, "Degrees; rows with a steeper angle are left out")
       ->capture_default_str()

@@ -21,13 +21,10 @@ void print(const fit::FitResult& result, const io::SampleTable& table, const fit
 
 }  // namespace
 
-io::SampleTable table_to_fit(const std::string& file, const fit::FitOptions& options) {
-  io::SampleTable read = io::read_samples(file);
-  const std::size_t said = read.warnings.size();
-  io::SampleTable table = fit::arranged(std::move(read), options);
-  for (std::size_t k = said; k < table.warnings.size(); ++k)
-    std::cerr << "brdf fit: " << table.warnings[k] << '\n';
-  return table;
+fit::Samples samples_to_fit(const std::string& file, const fit::FitOptions& options) {
+  fit::Samples samples = fit::arranged(io::read_samples(file), options);
+  for (const std::string& warning : samples.table.warnings) std::cerr << "brdf fit: " << warning << '\n';
+  return samples;
 }
 
 Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,

@@ -10,7 +10,7 @@
 namespace brdf::cli {
 
 // What is fitted, read and arranged as the options ask; warnings go to stderr.
-io::SampleTable table_to_fit(const std::string& file, const fit::FitOptions& options);
+fit::Samples samples_to_fit(const std::string& file, const fit::FitOptions& options);
 
 struct FitTargets {
   std::string material, report;  // files; empty: none

@@ -58,6 +58,11 @@ void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
       "Directions measured more than once: a row each, or their mean with its standard deviation");
 }
 
+void add_keep_fill_option(CLI::App& verb, bool& keep_fill) {
+  verb.add_flag("--keep-fill", keep_fill,
+                "Use rows of fill values, too: numbers that stand for directions that were not measured");
+}
+
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,
                        const std::string& description) {
   verb.add_option(name, bytes, description)->transform(CLI::Validator(to_bytes, "SIZE"));

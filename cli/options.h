@@ -42,6 +42,9 @@ void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
 // Adds --polarisation and --repeats, the same in every verb that reads samples to use them.
 void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);
 
+// Adds --keep-fill, the same in every verb that reads samples.
+void add_keep_fill_option(CLI::App& verb, bool& keep_fill);
+
 // Adds an option that takes an amount of bytes above 0, or with K, M or G (powers of 1024).
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,
                        const std::string& description);

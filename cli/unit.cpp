@@ -96,8 +96,8 @@ std::vector<maps::UnitFile> study_tables(const Task& task, const texel::Region& 
 std::vector<maps::UnitFile> solve_refits(const Task& task, const texel::Region& region) {
   const fit::FitOptions options = fit_options(task.options().choice, 2);
   const fit::RefitSolutions solutions =
-      fit::solve_refits(table_to_fit(task.samples()[0], options), fit::models_of(task.options().choice.form),
-                        options, region.x, region.width);
+      fit::solve_refits(samples_to_fit(task.samples()[0], options).table,
+                        fit::models_of(task.options().choice.form), options, region.x, region.width);
   std::vector<maps::UnitFile> files;
   for (std::size_t k = 0; k < solutions.size(); ++k)
     files.push_back({std::to_string(region.x + k), bytes_of(solutions[k])});
@@ -108,14 +108,14 @@ Exit collect_refits(const Task& task, const CollectFiles& files) {
   const fit::FitOptions options = fit_options(task.options().choice, 1);
   maps::check_input(task.plan().inputs[0], true);
   io::check_targets({{"-o", files.output}, {"--report", files.report}}, {task.samples()[0]});
-  const io::SampleTable table = table_to_fit(task.samples()[0], options);
+  const fit::Samples samples = samples_to_fit(task.samples()[0], options);
   fit::RefitSolutions solutions;
   for (std::size_t k = 0; k < task.plan().units().size(); ++k)
     if (const auto content = maps::read_unit(task.job(), task.plan(), k))
       for (const maps::UnitFile& file : *content) solutions.push_back(values_in<double>(file));
   const fit::FitResult result =
-      fit::fit(table, fit::models_of(task.options().choice.form), options, {}, &solutions);
-  return write_fit(result, table, options, {files.output, files.report, false});
+      fit::fit(samples, fit::models_of(task.options().choice.form), options, {}, &solutions);
+  return write_fit(result, samples.table, options, {files.output, files.report, false});
 }
 
 Exit collect_stack(const Task& task, const CollectFiles& files) {

@@ -11,27 +11,40 @@
 #include "io/material_file.h"
 #include "io/output.h"
 #include "measured/measured.h"
+#include "sheet/data_sheet.h"
 #include "synth/instrument.h"
 
 namespace brdf::cli {
 namespace {
 
+struct ConvertCall {
+  std::string in, out;
+  io::Arrangement arrangement;
+  bool keep_fill = false;
+};
+
+void arrange(const ConvertCall& o, io::SampleTable& table) {
+  if (!o.keep_fill) sheet::leave_out(sheet::not_measured(table), table);
+  io::arrange(table, o.arrangement);
+}
+
 // A material, or samples with what lies between them.
-Material between_samples(const std::string& in, const io::Arrangement& arrangement) {
+Material between_samples(const ConvertCall& o) {
+  const std::string& in = o.in;
   io::Content content = io::read_content(in);
   if (io::is_json(content)) return io::read_material(content);
   io::SampleTable table = io::read_samples(std::move(content));
-  io::arrange(table, arrangement);
+  arrange(o, table);
   const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
   if (seen->turning() == measured::Turning::turned)
     throw InputError(in + ": the samples were turned, and an RGL file is written for one azimuth");
   return measured::material_of(seen);
 }
 
-Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
-  io::check_targets({{"OUT", out}}, {in});
-  const std::string bytes =
-      interop::rgl_of(between_samples(in, arrangement), std::filesystem::path(in).stem().string());
+Exit to_rgl(const ConvertCall& o) {
+  const std::string& out = o.out;
+  io::check_targets({{"OUT", out}}, {o.in});
+  const std::string bytes = interop::rgl_of(between_samples(o), std::filesystem::path(o.in).stem().string());
   io::write_file_atomically(out, bytes);
   std::cerr << "brdf convert: " << bytes.size() << " bytes to " << out << '\n'
             << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
@@ -39,12 +52,13 @@ Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement
   return Exit::good;
 }
 
-Exit run_convert(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
-  if (out.ends_with(".bsdf")) return to_rgl(in, out, arrangement);
+Exit run_convert(const ConvertCall& o) {
+  const std::string &in = o.in, &out = o.out;
+  if (out.ends_with(".bsdf")) return to_rgl(o);
   io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
   io::SampleTable table = synth::table_of_file(in);
-  io::arrange(table, arrangement);
+  arrange(o, table);
   for (const std::string& warning : table.warnings)
     std::cerr << "brdf convert: " << in << ": " << warning << '\n';
   const std::vector<std::string> lost = io::write_table(out, table);
@@ -56,10 +70,6 @@ Exit run_convert(const std::string& in, const std::string& out, const io::Arrang
 }  // namespace
 
 void add_convert(CLI::App& app) {
-  struct ConvertCall {
-    std::string in, out;
-    io::Arrangement arrangement;
-  };
   auto options = std::make_shared<ConvertCall>();
   CLI::App* verb =
       add_verb(app, Purpose::measure, "convert", "Convert samples between formats; says what is lost");
@@ -73,13 +83,14 @@ void add_convert(CLI::App& app) {
           "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392) or .zemax (lens-design "
           "text)")
       ->required();
+  add_keep_fill_option(*verb, options->keep_fill);
   add_arrangement_options(*verb, options->arrangement);
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
       "          brdf convert paper.csv paper.bsdf\n"
-      "          brdf convert scan.csv scan.zemax\n"
+      "          brdf convert scan.csv scan.zemax --keep-fill\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
-  on_run(*verb, [options] { return run_convert(options->in, options->out, options->arrangement); });
+  on_run(*verb, [options] { return run_convert(*options); });
 }
 
 }  // namespace brdf::cli

@@ -49,11 +49,11 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
 
 Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
-  const io::SampleTable table = table_to_fit(o.samples[0], options);
+  const fit::Samples samples = samples_to_fit(o.samples[0], options);
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
-  return write_fit(fit::fit(table, models_of(o), options, progress), table, options,
+  return write_fit(fit::fit(samples, models_of(o), options, progress), samples.table, options,
                    {o.output, o.report, o.json});
 }
 
@@ -124,7 +124,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
       "          brdf fit polarised.csv --polarisation average --repeats average\n"
-      "          brdf fit a.csv b.csv --free-scale --jobs 2 --no-pictures -o fits\n"
+      "          brdf fit a.csv b.csv --free-scale --keep-fill --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/\n"
       "          brdf fit stack --form cook_torrance --share alpha --regions parts.exr -o maps/");

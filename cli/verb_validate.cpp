@@ -30,7 +30,7 @@ namespace {
 
 struct ValidateCall {
   std::vector<std::string> files, forms, pictures, require;
-  bool all = false, json = false;
+  bool all = false, json = false, keep_fill = false;
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
@@ -73,6 +73,7 @@ void restrict_all(const ValidateCall& o, std::vector<validate::Subject>& subject
 validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptions& options) {
   validate::ReportContent content;
   content.max_theta = o.max_theta;
+  content.keep_fill = o.keep_fill;
   if (o.all)
     for (const Reflectance& form : catalogue()) content.subjects.push_back(validate::Subject::form(form));
   for (const std::string& name : o.forms)
@@ -231,7 +232,8 @@ void refuse_what_is_passed_over(const CLI::App& verb) {
         throw InputError(std::string(other) + ": has no effect beside " + mode + ": leave it out");
   };
   for (const char* mode : {"--integrators", "--microsurface", "--numerics", "--gpu"})
-    refuse(mode, {"--require", "--max-theta", "--picture", "--such-that", "--against", "--map"});
+    refuse(mode,
+           {"--require", "--max-theta", "--keep-fill", "--picture", "--such-that", "--against", "--map"});
   for (const char* mode : {"--integrators", "--microsurface"}) refuse(mode, {"--form", "--all", "--shader"});
   refuse("--numerics", {"--shader"});
 }
@@ -255,10 +257,10 @@ void add_validate(CLI::App& app) {
       ->capture_default_str();
   offer(verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(','),
         validate::required_names());
-  verb->add_option(
-          "--max-theta", o->max_theta,
-          "degrees: largest angle of the energy check; outliers of samples beyond it are named apart")
+  verb->add_option("--max-theta", o->max_theta,
+                   "degrees: largest angle of the energy check; rows of samples beyond it are set apart")
       ->capture_default_str();
+  add_keep_fill_option(*verb, o->keep_fill);
   verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
   add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
   verb->add_option("-o,--output", o->output, "report.html or report.md");
@@ -278,7 +280,8 @@ void add_validate(CLI::App& app) {
       "function with correctly rounded ones");
   verb->footer(
       "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
-      "          brdf validate samples.csv --max-theta 80 --picture photograph.png -o sheet.html\n"
+      "          brdf validate samples.csv --max-theta 80 --keep-fill --picture photograph.png -o "
+      "sheet.html\n"
       "          brdf validate --form ward --effort full --seed 2\n"
       "          brdf validate --all --json\n"
       "          brdf validate --shader disney.brdf --param roughness=0.05:1 --require finite,non_negative\n"

@@ -1,4 +1,4 @@
-# What is installed, and under which names others link it: brdf::core, brdf::io, brdf::fit, brdf::validate, each a
+# What is installed, and under which names others link it: brdf::core, brdf::io, brdf::sheet, brdf::fit, brdf::validate, each a
 # component of find_package(brdf) with a set of targets and a .pc file of its own. `package.cmake` makes packages of it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -23,11 +23,12 @@ set(BRDF_ENTRY_HEADERS
     io/exr_table.h io/glsl.h io/provenance.h io/relative_scale.h
     measured/measured.h
     fit/fit.h fit/stepwise.h fit/file_batch.h fit/report/report.h fit/report/html.h
-    validate/checks.h validate/data_sheet.h validate/report.h)
+    sheet/data_sheet.h
+    validate/checks.h validate/report.h)
 
 function(brdf_public_headers)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/io/*.h ${PROJECT_SOURCE_DIR}/measured/*.h
-       ${PROJECT_SOURCE_DIR}/fit/*.h ${PROJECT_SOURCE_DIR}/validate/*.h)
+       ${PROJECT_SOURCE_DIR}/sheet/*.h ${PROJECT_SOURCE_DIR}/fit/*.h ${PROJECT_SOURCE_DIR}/validate/*.h)
   set(script ${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake)
   set(stamp ${PROJECT_BINARY_DIR}/public_headers.stamp)
   add_custom_command(OUTPUT ${stamp}

@@ -1,7 +1,7 @@
 # cmake -D SOURCE=tree -D OUT=folder -D ENTRIES=headers -P public_headers.cmake: writes these headers, and those that
 # they include, as OUT/brdf/ROOM/NAME.h; `#include "ROOM/NAME.h"` becomes `#include "brdf/ROOM/NAME.h"`.
 cmake_minimum_required(VERSION 3.25)
-set(rooms "io|measured|fit|validate")
+set(rooms "io|sheet|measured|fit|validate")
 set(waiting ${ENTRIES})
 set(done "")
 while(waiting)

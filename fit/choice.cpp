@@ -148,7 +148,8 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
     for (const std::string& word : *list) add(option, word);
   for (const auto& [option, flag] :
        {std::pair{"--anisotropic", o.options.anisotropic}, std::pair{"--per-channel", o.options.per_channel},
-        std::pair{"--free-scale", o.options.free_scale}, std::pair{"--physical", o.physical}})
+        std::pair{"--free-scale", o.options.free_scale}, std::pair{"--keep-fill", o.options.keep_fill},
+        std::pair{"--physical", o.physical}})
     if (flag) words.emplace_back(option);
   if (o.options.arrangement.polarisation != plain.options.arrangement.polarisation)
     add("--polarisation", std::string(name_of(o.options.arrangement.polarisation)));

@@ -102,8 +102,9 @@ class Batch {
         {batch_.settings + constants_text(options_) + (batch_.spheres ? "" : " no spheres"), content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
-    const io::SampleTable table = arranged(io::read_samples(std::move(content)), options_);
-    const FitResult result = fit(table, models_, options_);
+    const Samples samples = arranged(io::read_samples(std::move(content)), options_);
+    const io::SampleTable& table = samples.table;
+    const FitResult result = fit(samples, models_, options_);
     const FormFit& best = result.ranking.front();
     if (result.interrupted) {
       row.error = "interrupted";

@@ -81,24 +81,41 @@ constexpr const char* kChooses =
 
 }  // namespace
 
-FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
-              const FitOptions& asked, const Progress& progress, const RefitSolutions* known) {
-  if (models.empty() && asked.bootstrap > 0) throw InputError(kChooses);
-  const Prepared p = prepared(table, asked);
+namespace {
+
+FitResult fit_prepared(const Prepared& p, const io::SampleTable& table,
+                       const std::vector<std::vector<Reflectance>>& models, const Progress& progress,
+                       const RefitSolutions* known) {
+  if (models.empty() && p.options.bootstrap > 0) throw InputError(kChooses);
   if (models.empty()) return fit_stepwise(p, progress);
   if (known && known->size() != models.size() * count_refits(p.data.groups, p.options))
     throw InputError(table.source + ": has not as many refits as were solved of it");
   return fit(p, models, p.options, progress, known);
 }
 
+}  // namespace
+
+FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
+              const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
+  Prepared p = prepared(samples.table, options);
+  p.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !options.anisotropic);
+  FitResult result = fit_prepared(p, samples.table, models, progress, known);
+  result.sheet = samples.sheet;
+  return result;
+}
+
+FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
+              const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
+  return fit_prepared(prepared(table, options), table, models, progress, known);
+}
+
 FitResult fit(const Prepared& p, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
   const FitData& data = p.data;
   FitResult result;
-  result.noise_floor = p.noise.value;
+  result.noise_floor = p.scatter();
   result.channel_noise = p.noise.channels;
   result.metric = p.metric;
-  result.input_fault = p.input_fault;
   result.rows = data.rows();
   result.beyond_max_theta = data.beyond_max_theta;
   result.outside_domain = data.outside_domain;

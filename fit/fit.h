@@ -7,6 +7,7 @@
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
 #include "fit/prepared.h"
+#include "fit/samples.h"
 
 namespace brdf::fit {
 
@@ -16,6 +17,11 @@ using RefitSolutions = std::vector<std::vector<double>>;
 // Fits each model (a form, or several that are summed). Without any it chooses one step by step (fit/stepwise.h).
 // `progress` hears each before it is fitted. `refits`: those of all models, which solve_refits() gave, and which are then
 // not solved again. Throws InputError on options that do not fit.
+// The result holds the samples' sheet, and judges lack of fit by the scatter that the sheet found.
+FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
+              const FitOptions& options, const Progress& progress = {},
+              const RefitSolutions* refits = nullptr);
+// The same of a table that a program made, which needs no sheet.
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress = {},
               const RefitSolutions* refits = nullptr);

@@ -1,12 +1,11 @@
 #include "fit/prepared.h"
 
 #include "fit/assess/metric_choice.h"
-#include "io/cosine_factor.h"
 
 namespace brdf::fit {
 
 Prepared prepared(const io::SampleTable& table, const FitOptions& asked) {
-  Prepared out{asked, {}, {}, {}, {}};
+  Prepared out{asked, {}, {}, {}};
   out.data = prepare(table, out.options);
   out.noise = io::relative_noise(table, out.data.row);
   out.metric = choose_metric(table, out.data, out.noise.value, out.options);
@@ -14,8 +13,6 @@ Prepared prepared(const io::SampleTable& table, const FitOptions& asked) {
     out.options.metric = out.metric.metric;
     out.data = prepare(table, out.options);  // rows without a residual under this one are left out
   }
-  if (const io::CosineFactor cosine = io::cosine_factor(table); cosine.found != io::Cosine::none)
-    out.input_fault = cosine.statement;
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "fit/model/data.h"
 #include "fit/model/options.h"
 #include "io/noise.h"
+#include "sheet/scatter.h"
 
 namespace brdf::fit {
 
@@ -16,7 +17,14 @@ struct Prepared {
   FitData data;
   io::Noise noise;
   MetricChoice metric;
-  std::string input_fault;  // a cosine that is left in the values, one clause; empty: none found
+  const sheet::Agreement* agreement =
+      nullptr;  // of rows that a symmetry makes equal, where it shows more than the noise
+
+  // Relative, of one value: the larger of the two; none where neither is known.
+  std::optional<double> scatter() const {
+    if (agreement && agreement->value > noise.value.value_or(0)) return agreement->value;
+    return noise.value;
+  }
 };
 
 Prepared prepared(const io::SampleTable& table, const FitOptions& asked);

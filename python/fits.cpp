@@ -17,7 +17,7 @@ namespace {
 // A result with what it was made of, for the reports.
 struct Fitted {
   fit::FitResult result;
-  std::shared_ptr<const io::SampleTable> table;
+  io::SampleTable table;
   fit::FitOptions options;
 };
 
@@ -25,7 +25,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                          const std::string& robust, const std::vector<std::string>& fix,
                          const std::vector<std::string>& start, const std::vector<std::string>& bounds,
                          const std::vector<std::string>& tie, bool physical, bool anisotropic,
-                         bool per_channel, bool free_scale, const std::string& polarisation,
+                         bool per_channel, bool free_scale, bool keep_fill, const std::string& polarisation,
                          const std::string& repeats, double max_theta, double aperture, int starts,
                          std::uint64_t seed, const std::string& shape) {
   const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
@@ -34,6 +34,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                                 .anisotropic = anisotropic,
                                 .per_channel = per_channel,
                                 .free_scale = free_scale,
+                                .keep_fill = keep_fill,
                                 .arrangement = arrangement_of(polarisation, repeats),
                                 .tie = tie,
                                 .random_starts = starts,
@@ -42,13 +43,11 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
   return {form, robust, fix, start, bounds, physical, shape, options};
 }
 
-// The table as it is fitted: its own values, unless another arrangement is asked for, and a name for reports.
-std::shared_ptr<const io::SampleTable> prepared(const Samples& samples, const fit::FitOptions& options) {
-  const bool as_it_is = !options.free_scale && options.arrangement == io::Arrangement();
-  if (as_it_is && !samples.table().source.empty()) return samples.held;
+// The samples as they are fitted, with a name for reports.
+fit::Samples prepared(const Samples& samples, const fit::FitOptions& options) {
   io::SampleTable table = samples.table();
   if (table.source.empty()) table.source = "samples";
-  return std::make_shared<io::SampleTable>(fit::arranged(std::move(table), options));
+  return fit::arranged(std::move(table), options);
 }
 
 std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice& choice,
@@ -58,9 +57,10 @@ std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice
   Watch watch(std::move(progress));
   fitted->options.interrupted = &watch.stop();
   run_watched(watch, [&] {
-    fitted->table = prepared(samples, fitted->options);
-    fitted->result = fit::fit(*fitted->table, fit::models_of(choice.form), fitted->options,
+    fit::Samples prepared_samples = prepared(samples, fitted->options);
+    fitted->result = fit::fit(prepared_samples, fit::models_of(choice.form), fitted->options,
                               [&](const std::string& what) { watch.tell(what); });
+    fitted->table = std::move(prepared_samples.table);
   });
   fitted->options.interrupted = nullptr;
   return fitted;
@@ -69,12 +69,12 @@ std::unique_ptr<Fitted> fit_samples(const Samples& samples, const fit::FitChoice
 Optics material_of(const Fitted& f, std::size_t k) {
   const fit::FormFit& form = f.result.ranking.at(k);
   if (!form.solved()) return {{form.material, nullptr}};
-  return {{form.material, fit::material_block(form, f.result, *f.table, f.options)}};
+  return {{form.material, fit::material_block(form, f.result, f.table, f.options)}};
 }
 
 std::string text_of(const Fitted& f) {
   std::ostringstream out;
-  fit::print(out, f.result, *f.table, f.options);
+  fit::print(out, f.result, f.table, f.options);
   return out.str();
 }
 
@@ -102,7 +102,7 @@ void bind_fits(py::module_& module) {
   py::class_<fit::FitChoice>(module, "FitChoice").def(py::init(&choice_of));
   py::class_<Fitted>(module, "Fitted")
       .def_property_readonly(
-          "json", [](const Fitted& f) { return io::to_text(fit::to_json(f.result, *f.table, f.options)); })
+          "json", [](const Fitted& f) { return io::to_text(fit::to_json(f.result, f.table, f.options)); })
       .def_property_readonly("text", &text_of)
       .def_property_readonly("interrupted", [](const Fitted& f) { return f.result.interrupted; })
       .def_property_readonly("recommended", [](const Fitted& f) { return f.result.recommended; })
@@ -111,7 +111,7 @@ void bind_fits(py::module_& module) {
       .def("material", &material_of)
       .def("html", [](const Fitted& f) {
         const py::gil_scoped_release unlocked;
-        return fit::html_report(f.result, *f.table, f.options);
+        return fit::html_report(f.result, f.table, f.options);
       });
   module.def("fit", &fit_samples);
   module.def("fit_files", &fit_files);

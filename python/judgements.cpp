@@ -20,12 +20,13 @@ io::Progress told_to(Watch& watch) {
 
 // Whole forms, then files, materials and tables in their order.
 Judged judge(const std::vector<std::string>& forms, const py::list& items, const std::string& effort,
-             double max_theta, std::uint64_t seed, py::object progress) {
+             double max_theta, bool keep_fill, std::uint64_t seed, py::object progress) {
   if (effort != "quick" && effort != "full") throw InputError("--effort: " + effort + " not in {quick,full}");
   validate::check_max_theta(max_theta);
   Judged judged;
   validate::ReportContent& content = judged.content;
   content.max_theta = max_theta;
+  content.keep_fill = keep_fill;
   for (const std::string& name : forms)
     content.subjects.push_back(validate::Subject::form(io::require_form(name)));
   for (const py::handle item : items) {

@@ -7,6 +7,7 @@
 #include "io/error.h"
 #include "io/table_rules.h"
 #include "python/binding.h"
+#include "sheet/data_sheet.h"
 #include "synth/instrument.h"
 
 namespace brdf::python {
@@ -131,6 +132,13 @@ void bind_samples(py::module_& module) {
            [](const Samples& s, const std::string& polarisation, const std::string& repeats) {
              io::SampleTable table = s.table();
              io::arrange(table, arrangement_of(polarisation, repeats));
+             return Samples(std::move(table));
+           })
+      .def("measured",
+           [](const Samples& s) {
+             const py::gil_scoped_release unlocked;
+             io::SampleTable table = s.table();
+             sheet::leave_out(sheet::not_measured(table), table);
              return Samples(std::move(table));
            })
       .def("write", [](const Samples& s, const std::string& path) {

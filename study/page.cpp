@@ -57,7 +57,7 @@ void add_sheet(io::HtmlReport& report, const Findings& found, const SampleOption
   report.subheading("Data sheet");
   validate::add_properties(report, found.sheet.findings);
   report.begin_fold("Rows, angles, values and what they reflect");
-  validate::add_to_report(report, found.table, found.sheet);
+  sheet::add_to_report(report, found.table, found.sheet);
   report.end_fold();
 }
 

@@ -42,9 +42,9 @@ Json failed_checks(const std::vector<validate::Finding>& findings) {
 // What stands in the way of using the fit without a thought.
 Json warnings_of(const fit::FitResult& result) {
   Json texts = Json::array();
+  for (const std::string& fault : fit::sheet_in_words(result)) texts.push_back("The samples: " + fault + ".");
   for (const io::Remark& remark : fit::remarks_on(result.ranking.front()))
     if (remark.mark == io::Mark::warn || remark.mark == io::Mark::bad) texts.push_back(remark.text);
-  if (!result.input_fault.empty()) texts.push_back("The samples: " + result.input_fault + ".");
   return texts;
 }
 
@@ -117,10 +117,11 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   Findings found;
   found.table = io::read_samples(std::move(content));
   found.name = std::filesystem::path(found.table.source).filename().string();
-  found.sheet = validate::data_sheet(found.table, validate::CheckOptions{}.max_theta);
-  found.table = fit::arranged(std::move(found.table), options.fit);
+  fit::Samples samples = fit::arranged(std::move(found.table), options.fit);
   step();
-  found.fit = fit::fit(found.table, options.models, options.fit);
+  found.fit = fit::fit(samples, options.models, options.fit);
+  found.table = std::move(samples.table);
+  found.sheet = std::move(samples.sheet);
   step();
   SampleStudy out;
   out.interrupted = found.fit.interrupted;

@@ -10,9 +10,9 @@
 #include "fit/model/options.h"
 #include "io/content.h"
 #include "io/samples.h"
+#include "sheet/data_sheet.h"
 #include "study/folder.h"
 #include "study/spheres.h"
-#include "validate/data_sheet.h"
 #include "validate/finding.h"
 #include "validate/subject.h"
 
@@ -30,7 +30,7 @@ struct SampleOptions {
 struct Findings {
   std::string name;  // for people: the file's, without its folder
   io::SampleTable table;
-  validate::DataSheet sheet;
+  sheet::DataSheet sheet;
   fit::FitResult fit;
   std::optional<validate::Subject> subject;  // the best fit's material; none where there is no fit
   std::vector<validate::Finding> properties;

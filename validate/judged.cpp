@@ -25,7 +25,7 @@ void add_material(ReportContent& content, const std::string& name, io::MaterialF
 }
 
 void add_table(ReportContent& content, io::SampleTable table) {
-  DataSheet sheet = data_sheet(table, content.max_theta);
+  sheet::DataSheet sheet = sheet::data_sheet(table, {content.max_theta, content.keep_fill});
   content.tables.push_back({std::move(table), std::move(sheet)});
 }
 
@@ -37,7 +37,7 @@ void add_file(ReportContent& content, const std::string& path) {
   } catch (const ExchangedColumns& e) {
     io::SampleTable table;
     table.source = path;
-    content.tables.push_back({table, exchanged_columns(table, e.what())});
+    content.tables.push_back({table, sheet::exchanged_columns(table, e.what())});
   }
 }
 
@@ -55,7 +55,7 @@ void judge_all(ReportContent& content, const CheckOptions& options, const io::Pr
 
 std::vector<std::string> required_names() {
   std::vector<std::string> known = check_names();
-  for (const std::string& name : data_sheet_names()) known.push_back(name);
+  for (const std::string& name : sheet::data_sheet_names()) known.push_back(name);
   return known;
 }
 

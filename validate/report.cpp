@@ -24,28 +24,6 @@ std::string plain(Outcome outcome) {
   return name;
 }
 
-io::Json to_json(const Witness& w) {
-  io::Json json = io::Json::object();
-  for (const auto& [name, value] : w.parameters) json[name] = value;
-  for (const auto& [name, value] : w.angles) json[name] = value;
-  if (!w.channel.empty()) json["channel"] = w.channel;
-  json["command"] = w.command;
-  return json;
-}
-
-io::Json to_json(const NamedRow& row) {
-  io::Json json{
-      {"row", row.row + 1},           {"line", row.line > 0 ? io::Json(row.line) : io::Json(nullptr)},
-      {"theta_i", row.theta_i},       {"phi_i", row.phi_i},
-      {"theta_o", row.theta_o},       {"phi_o", row.phi_o},
-      {"beyond_max_theta", row.apart}};
-  if (row.channel.empty()) return json;
-  json["channel"] = row.channel;
-  json["value"] = row.value;
-  json["expected"] = row.expected;
-  return json;
-}
-
 std::size_t count(const std::vector<Finding>& findings, Outcome outcome) {
   return std::size_t(std::count_if(findings.begin(), findings.end(),
                                    [&](const Finding& f) { return f.outcome == outcome; }));
@@ -83,27 +61,6 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
     if (!f.witness->command.empty()) out << "      $ " << f.witness->command << '\n';
   }
   out << '\n' << summary(findings) << '\n';
-}
-
-io::Json to_json(const Finding& f) {
-  io::Json json{{"subject", f.subject}, {"check", f.check}, {"verdict", name_of(f.outcome)}};
-  json["value"] = std::isfinite(f.value) ? io::Json(f.value) : io::Json(nullptr);
-  json["bound"] = f.bound;
-  json["statement"] = f.statement;
-  json["witness"] = f.witness ? to_json(*f.witness) : io::Json(nullptr);
-  if (f.tied) json["tied"] = {{"value", f.tied->value}, {"witness", to_json(f.tied->witness)}};
-  for (const auto& [name, value] : f.channels)
-    json["channels"][name] = std::isfinite(value) ? io::Json(value) : io::Json(nullptr);
-  if (!f.proof.empty()) json["proof"] = f.proof;
-  json["evaluations"] = f.evaluations;
-  for (const NamedRow& row : f.rows) json["rows"].push_back(to_json(row));
-  return json;
-}
-
-io::Json to_json(const std::vector<Finding>& findings) {
-  io::Json json{{"findings", io::Json::array()}};
-  for (const Finding& f : findings) json["findings"].push_back(to_json(f));
-  return json;
 }
 
 namespace {

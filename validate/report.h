@@ -9,14 +9,13 @@
 
 #include "io/html_report.h"
 #include "io/json.h"
+#include "sheet/data_sheet.h"
 #include "validate/checks.h"
-#include "validate/data_sheet.h"
 
 namespace brdf::validate {
 
 void print_findings(std::ostream& out, const std::vector<Finding>& findings, bool colour);
-io::Json to_json(const Finding& finding);
-io::Json to_json(const std::vector<Finding>& findings);
+using sheet::to_json;
 std::string to_markdown(const std::vector<Finding>& findings);
 
 struct Picture {
@@ -25,7 +24,7 @@ struct Picture {
 
 struct MeasuredTable {
   io::SampleTable table;
-  DataSheet sheet;
+  sheet::DataSheet sheet;
 };
 
 struct ReportContent {
@@ -35,6 +34,7 @@ struct ReportContent {
   std::vector<Picture> pictures;
   std::map<std::string, std::string> fits;  // by subject: a clause on the fit that the material came from
   double max_theta = 89.5;                  // degrees, to which plots go
+  bool keep_fill = false;                   // of tables: rows of fill values are judged like others
 };
 
 // Verdict, pictures in a row with a line each, properties as a matrix, then the plots of each table and subject, with the

@@ -146,7 +146,7 @@ std::string to_html(const ReportContent& content) {
   add_properties(report, of_tables);
   for (const MeasuredTable& measured : content.tables) {
     report.heading(io::file_name(measured.table.source));
-    add_to_report(report, measured.table, measured.sheet);
+    sheet::add_to_report(report, measured.table, measured.sheet);
     report.footnote("samples", measured.table.source);
   }
   constexpr std::size_t kOpen = 2;  // of more subjects the plots are folded

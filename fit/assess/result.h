@@ -13,6 +13,7 @@
 #include "fit/assess/half_angles.h"
 #include "fit/assess/metric_choice.h"
 #include "fit/model/row_groups.h"
+#include "sheet/data_sheet.h"
 
 namespace brdf::fit {
 
@@ -181,8 +182,8 @@ struct Step {
 struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
-  std::string input_fault;            // a cosine that is left in the values, one clause; empty: none found
-  MetricChoice metric;                // the residual in use
+  sheet::DataSheet sheet;  // of the samples as they were read; empty of a table that a program made
+  MetricChoice metric;     // the residual in use
   std::optional<double> noise_floor;  // relative, from the table itself (io/noise.h)
   std::vector<std::optional<double>> channel_noise;
   RowGroups groups;              // what was left out together

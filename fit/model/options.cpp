@@ -1,15 +1,8 @@
 #include "fit/model/options.h"
 
-#include "io/relative_scale.h"
 #include "io/text.h"
 
 namespace brdf::fit {
-
-io::SampleTable arranged(io::SampleTable table, const FitOptions& options) {
-  io::arrange(table, options.arrangement);
-  if (options.free_scale) io::make_relative(table);
-  return table;
-}
 
 std::string constants_text(const FitOptions& options) {
   std::string text;

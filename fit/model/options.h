@@ -81,6 +81,7 @@ struct FitOptions {
   bool per_channel = false;     // shapes, too
   int smooth = 0;               // shapes follow a polynomial of this degree in 1/wavelength; 0: none
   bool free_scale = false;      // the samples are uncalibrated: arranged() divides them
+  bool keep_fill = false;       // arranged() keeps rows whose value stands for "not measured"
   io::Arrangement arrangement;  // what arranged() makes of polarisations and repeats
   // Whether a shape may differ between channels.
   bool shapes_differ() const { return per_channel || smooth > 0; }
@@ -104,10 +105,6 @@ struct FitOptions {
 
   bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }
 };
-
-// The table that is fitted: polarisations and repeats as the options ask, divided by a scale where that is free.
-// Throws InputError as io::arrange and io::make_relative do.
-io::SampleTable arranged(io::SampleTable table, const FitOptions& options);
 
 // What the tables of refractive indices hold that the options name, for fingerprints; empty where there are none.
 std::string constants_text(const FitOptions& options);

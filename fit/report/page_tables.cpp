@@ -130,11 +130,12 @@ void add_minima(io::HtmlReport& report, const FormFit& f) {
 
 void add_verdict(io::HtmlReport& report, const FitResult& result) {
   const FormFit& best = result.ranking.front();
-  report.verdict(result.input_fault.empty() ? mark_of(best) : std::max(mark_of(best), Mark::warn),
+  const std::vector<std::string> faults = sheet_in_words(result);
+  report.verdict(faults.empty() ? mark_of(best) : std::max(mark_of(best), Mark::warn),
                  verdict_sentence(best));
-  std::vector<io::Remark> remarks = remarks_on(best);
-  if (!result.input_fault.empty())
-    remarks.insert(remarks.begin(), {Mark::warn, "The samples: " + result.input_fault + "."});
+  std::vector<io::Remark> remarks;
+  for (const std::string& fault : faults) remarks.push_back({Mark::warn, "The samples: " + fault + "."});
+  for (io::Remark& remark : remarks_on(best)) remarks.push_back(std::move(remark));
   report.remarks(remarks);
   if (std::string text = recommendation(result); !text.empty()) {
     text[0] = 'R';

@@ -157,10 +157,29 @@ std::string recommendation(const FitResult& result) {
          " and no worse on the rows left out";
 }
 
+std::vector<std::string> sheet_in_words(const FitResult& result) {
+  constexpr std::size_t kMost = 5;
+  std::vector<std::string> lines;
+  for (const sheet::Finding* f : result.sheet.faults()) {
+    if (lines.size() == kMost) {
+      lines.back() += " (and more: brdf validate lists all)";
+      break;
+    }
+    lines.push_back(f->check + (f->outcome == sheet::Outcome::fail ? " fails: " : " is in doubt: ") +
+                    f->statement);
+  }
+  return lines;
+}
+
 std::string scatter_text(const FitResult& result) {
   if (!result.noise_floor)
     return "how much the values scatter is not known: rows are too few, too far apart or too smooth";
-  std::string text = "values scatter about their neighbours by " + io::percent(*result.noise_floor);
+  const sheet::Scatter& scatter = result.sheet.scatter;
+  const sheet::Agreement* const largest = scatter.largest(scatter.is_isotropic);
+  std::string text = largest && *result.noise_floor == largest->value
+                         ? "values scatter by " + io::percent(*result.noise_floor) + ", as " +
+                               std::string(largest->rows) + " rows show"
+                         : "values scatter about their neighbours by " + io::percent(*result.noise_floor);
   if (result.channels.size() == 1 || result.channels.size() > kListedChannels) return text;
   std::string channels;
   for (std::size_t c = 0; c < result.channels.size(); ++c)
@@ -182,7 +201,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   if (options.free_scale)
     out << "  values divided by the scale " << io::short_number(table.scale, 6)
         << ", which is unknown: weights are relative\n";
-  if (!result.input_fault.empty()) out << "  the samples: " << result.input_fault << '\n';
+  for (const std::string& fault : sheet_in_words(result)) out << "  the samples: " << fault << '\n';
   out << "  " << scatter_text(result) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
   for (const Step& step : result.steps) out << "  " << in_words(step) << '\n';

@@ -30,6 +30,8 @@ std::string recommendation(const FitResult& result);
 
 // What the values scatter by, of each channel where they differ, or that it is not known.
 std::string scatter_text(const FitResult& result);
+// What the data sheet of the samples says against them, a clause each, worst first; empty where it has nothing to say.
+std::vector<std::string> sheet_in_words(const FitResult& result);
 
 // The shape of `brdf fit --json`.
 io::Json to_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options);

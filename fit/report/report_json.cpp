@@ -160,7 +160,10 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
          {"outside_domain", result.outside_domain},
          {"skipped", table.skipped}};
   if (options.free_scale) j["scale"] = table.scale;
-  j["fault"] = result.input_fault.empty() ? Json(nullptr) : Json(result.input_fault);
+  const std::vector<const sheet::Finding*> faults = result.sheet.faults();
+  j["fault"] = faults.empty() ? Json(nullptr) : Json(faults.front()->statement);
+  j["sheet"] = sheet::to_json(result.sheet.findings)["findings"];
+  j["read_as"] = table.warnings;
   j["noise_floor"] = optional_json(result.noise_floor);
   j["noise_floors"] = Json::object();
   for (std::size_t c = 0; c < result.channel_noise.size(); ++c)

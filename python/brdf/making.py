@@ -33,11 +33,12 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
         seed_of(seed), progress))
 
 
-def convert(source: Path | Table | Material, output: Path, *, polarisation: str = "keep",
+def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
             repeats: str = "keep") -> list[str]:
     """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`); of a material its
     values at the MERL cells. Returns what is lost, a phrase each.
 
+    keep_fill: write rows of fill values, too: numbers that stand for directions that were not measured.
     polarisation: what is made of channels whose names say one (fr_s, 465nm p): keep, average, s, p, ss, sp, ps, pp.
     repeats: keep a row for each, or average directions that were measured more than once.
     """
@@ -46,6 +47,8 @@ def convert(source: Path | Table | Material, output: Path, *, polarisation: str 
     if isinstance(source, Material):
         source = synth(source, grid="merl", azimuths=(0,))
     samples = source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source))
+    if not keep_fill:
+        samples = samples.measured()
     return samples.arranged(polarisation, repeats).write(name)
 
 

@@ -6,7 +6,7 @@ import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-LIBRARIES = ["libbrdf", "io", "measured", "synth", "fit", "validate"]
+LIBRARIES = ["libbrdf", "io", "sheet", "measured", "synth", "fit", "validate"]
 FORBIDDEN = re.compile(
     r"std::(cout|cerr|clog|cin)\b|\b(printf|puts|putchar|perror|vprintf|fputs|fputc|fprintf)\s*\("
     r"|\b(exit|_exit|_Exit|quick_exit|abort|terminate|set_terminate|set_new_handler|atexit|at_quick_exit)\s*\("

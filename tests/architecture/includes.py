@@ -21,7 +21,7 @@ import textwrap
 ORDER = [
     ["libbrdf"],
     ["io"],
-    ["measured", "texel", "shader"],
+    ["sheet", "measured", "texel", "shader"],
     ["synth", "fit", "validate", "prove", "render", "micro"],
     ["study", "trade", "maps", "interop"],
     ["cli", "docs", "bench", "python"],

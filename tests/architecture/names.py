@@ -14,7 +14,7 @@ import re
 import subprocess
 import sys
 
-ROOMS = ("libbrdf", "io", "synth", "fit", "validate", "prove", "render", "micro", "trade", "interop", "cli", "docs", "bench",
+ROOMS = ("libbrdf", "io", "sheet", "synth", "fit", "validate", "prove", "render", "micro", "trade", "interop", "cli", "docs", "bench",
          "python")
 FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/targets/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {

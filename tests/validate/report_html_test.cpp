@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "sheet/data_sheet.h"
 #include "validate/check_words.h"
-#include "validate/data_sheet.h"
 #include "validate/report.h"
 
 namespace brdf::validate {
@@ -15,7 +15,7 @@ Finding finding(const char* subject, const char* check, Outcome outcome, const c
 }
 
 TEST(ValidatePage, EveryCheckSaysWhatItAsks) {
-  for (const auto& names : {check_names(), data_sheet_names()})
+  for (const auto& names : {check_names(), sheet::data_sheet_names()})
     for (const std::string& name : names) EXPECT_TRUE(check_meaning(name).ends_with('.')) << name;
   EXPECT_EQ(check_meaning("no such check"), "");
 }
@@ -70,7 +70,7 @@ TEST(ValidatePage, OfManyLightsEightAreShownFromTheFirstToTheLast) {
       table.lines.push_back(std::uint32_t(table.lines.size() + 2));
     }
   io::HtmlReport report("sheet");
-  add_to_report(report, table, data_sheet(table));
+  sheet::add_to_report(report, table, sheet::data_sheet(table));
   const std::string html = report.document({});
   EXPECT_NE(html.find("8 of 16 lights are shown."), std::string::npos);
   for (const char* light : {"light at 5 degrees", "light at 80 degrees"})

@@ -7,15 +7,25 @@
 
 #include "io/merl.h"
 #include "io/numbers.h"
-#include "validate/sheet_checks.h"
+#include "sheet/checks.h"
 
-namespace brdf::validate {
+namespace brdf::sheet {
 namespace {
 
 constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
 
+}  // namespace
+
+struct CellEvidence {
+  class Cells;
+  const View& view;
+  const Cells& cells;
+  double max_theta;                    // degrees
+  std::vector<MeasuredAlbedo> albedo;  // of some angles of the light
+};
+
 // The row of each cell.
-class Cells {
+class CellEvidence::Cells {
  public:
   explicit Cells(const io::SampleTable& t) : rows_(io::merl::kCells, kNone) {
     for (std::size_t k = 0; k < t.rows(); ++k)
@@ -52,16 +62,17 @@ class Cells {
 };
 
 // Values that depart from all neighbours by more than a factor of two and by more than these differ.
-Finding cell_outliers(const io::SampleTable& t, const Cells& cells, double max_theta) {
+Finding outliers(const CellEvidence& e) {
+  const io::SampleTable& t = e.view.table();
   constexpr std::size_t kFewest = 4;
   std::vector<NamedRow> found;
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const std::vector<double>& values = t.values[c];
     for (std::size_t cell = 0; cell < io::merl::kCells; ++cell) {
       std::array<std::uint32_t, 6> near{};
-      const std::uint32_t row = cells[cell];
+      const std::uint32_t row = e.cells[cell];
       if (row == kNone) continue;
-      const std::size_t count = cells.around(cell, near);
+      const std::size_t count = e.cells.around(cell, near);
       if (count < kFewest) continue;
       std::array<double, 6> around{};
       for (std::size_t n = 0; n < count; ++n) around[n] = values[near[n]];
@@ -69,14 +80,15 @@ Finding cell_outliers(const io::SampleTable& t, const Cells& cells, double max_t
       const double low = around[1], high = around[count - 2], v = values[row];
       const double spread = low > 0 ? std::pow(high / low, 3) : HUGE_VAL;
       if (v <= 2 * high * spread && 2 * v * spread >= low) continue;
-      found.push_back(named_row(t, row, c));
+      found.push_back(named_row(e.view, row, c));
       found.back().expected = around[count / 2];
     }
   }
-  return outliers_of(t, std::move(found), max_theta);
+  return outliers_of(e.view, std::move(found), e.max_theta);
 }
 
-Finding cell_coverage(const io::SampleTable& t) {
+Finding coverage(const CellEvidence& e) {
+  const io::SampleTable& t = e.view.table();
   std::size_t above = 0;
   for (std::size_t cell = 0; cell < io::merl::kCells; ++cell) {
     const io::merl::CellDirections d = io::merl::cell_directions(cell);
@@ -91,11 +103,14 @@ Finding cell_coverage(const io::SampleTable& t) {
   return f;
 }
 
+namespace {
+
 // The integral by the midpoints of rings and sectors of equal projected solid angle.
-MeasuredAlbedo integrate_cells(const io::SampleTable& t, const Cells& cells, double theta_i, int rings) {
+MeasuredAlbedo integrate_cells(const io::SampleTable& t, const CellEvidence::Cells& cells, double theta_i,
+                               int rings) {
   const int sectors = 2 * rings;  // of the half that the mirror image doubles
   const std::vector<double> zero(t.channels.size());
-  MeasuredAlbedo m{theta_i, 0, zero, zero, zero};
+  MeasuredAlbedo m{theta_i, 0, 0, zero, zero, zero, {}};
   const double weight = kPi / (double(rings) * sectors);
   for (int ring = 0; ring < rings; ++ring) {
     const double theta_o = radians(std::asin(std::sqrt((ring + 0.5) / rings))).degrees();
@@ -110,7 +125,7 @@ MeasuredAlbedo integrate_cells(const io::SampleTable& t, const Cells& cells, dou
 }
 
 // The bound: what a rule of half the steps differs by, and as much again for each share that no cell covers.
-MeasuredAlbedo albedo_of_cells(const io::SampleTable& t, const Cells& cells, double theta_i) {
+MeasuredAlbedo albedo_of_cells(const io::SampleTable& t, const CellEvidence::Cells& cells, double theta_i) {
   const MeasuredAlbedo coarse = integrate_cells(t, cells, theta_i, 60);
   MeasuredAlbedo fine = integrate_cells(t, cells, theta_i, 120);
   for (std::size_t c = 0; c < fine.value.size(); ++c) {
@@ -126,7 +141,7 @@ MeasuredAlbedo albedo_of_cells(const io::SampleTable& t, const Cells& cells, dou
 }  // namespace
 
 io::Series cells_in_plane(const io::SampleTable& t, double theta_i) {
-  const Cells cells(t);
+  const CellEvidence::Cells cells(t);
   io::Series s;
   for (double theta = -85; theta <= 85; theta += 1) {
     const std::uint32_t row = cells.at(theta_i, std::abs(theta), theta < 0 ? 0 : 180);
@@ -137,24 +152,39 @@ io::Series cells_in_plane(const io::SampleTable& t, double theta_i) {
   return s;
 }
 
-void add_cell_findings(const io::SampleTable& t, double max_theta, DataSheet& sheet) {
-  const Cells cells(t);
-  for (double theta_i = 0; theta_i <= 75; theta_i += 15)
-    sheet.albedo.push_back(albedo_of_cells(t, cells, theta_i));
-  const auto without = [&](const char* check, const char* why) {
-    sheet.findings.push_back(not_applicable(t.source, check, why));
-  };
-  for (const char* check : {"duplicates", "angle_unit", "polar_angle", "azimuth", "directions"})
-    without(check, "the format's cells fix the directions");
-  sheet.findings.push_back(cell_outliers(t, cells, max_theta));
-  sheet.findings.push_back(saturation(t));
-  without("reciprocity", "the format holds one value for both directions of a pair");
-  without("noise_floor", "the format's cells are means of many pixels");
-  sheet.findings.push_back(cosine_factor(t, io::cosine_factor(t, {})));
-  sheet.findings.push_back(quantity(t, sheet.albedo));
-  without("isotropy", "the format is isotropic");
-  sheet.findings.push_back(cell_coverage(t));
-  sheet.findings.push_back(energy(t, sheet.albedo));
+Finding negative(const CellEvidence& e) {
+  return negative_of(e.view);
 }
 
-}  // namespace brdf::validate
+Finding missing(const CellEvidence& e) {
+  return missing_of(e.view.table());
+}
+
+Finding saturation(const CellEvidence& e) {
+  return saturation_of(e.view, 0);
+}
+
+Finding quantity(const CellEvidence& e) {
+  return quantity_of(e.view, e.albedo);
+}
+
+Finding energy(const CellEvidence& e) {
+  return energy_of(e.view.table(), e.albedo);
+}
+
+DataSheet sheet_of_cells(const io::SampleTable& t, double max_theta) {
+  const View view(t);
+  const CellEvidence::Cells cells(t);
+  CellEvidence evidence{view, cells, max_theta, {}};
+  for (double theta_i = 0; theta_i <= 75; theta_i += 15)
+    evidence.albedo.push_back(albedo_of_cells(t, cells, theta_i));
+  DataSheet sheet;
+  for (const Check& check : checks())
+    sheet.findings.push_back(
+        check.run_cells ? check.run_cells(evidence)
+                        : not_applicable(t.source, std::string(check.name), std::string(check.not_of_cells)));
+  sheet.albedo = std::move(evidence.albedo);
+  return sheet;
+}
+
+}  // namespace brdf::sheet

@@ -2,12 +2,11 @@
 #include <numeric>
 
 #include "io/evenly.h"
-#include "io/in_plane.h"
 #include "io/shell.h"
 #include "io/text.h"
-#include "validate/sheet_checks.h"
+#include "sheet/checks.h"
 
-namespace brdf::validate {
+namespace brdf::sheet {
 namespace {
 
 constexpr std::size_t kMostCurves = 8;  // that a legend holds
@@ -33,14 +32,12 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
       plane.series.back().style = io::Series::Style::points;
     }
   std::vector<io::Series> lights;
-  const auto groups = is_of_cells(t) ? decltype(by_light(t)){} : by_light(t);
-  for (const auto& [light, members] : groups) {
-    io::Series s{"light at " + io::to_text(light.first) + " degrees", {}, {}, io::Series::Style::points};
-    for (const std::size_t k : members) {
-      const double angle = io::in_plane_angle(t, k);
-      if (std::isnan(angle)) continue;
-      s.x.push_back(angle);
-      s.y.push_back(t.values.front()[k]);
+  const View view(t);
+  for (const Scan& scan : view.scans()) {
+    io::Series s{"light at " + io::to_text(scan.theta_i) + " degrees", {}, {}, io::Series::Style::points};
+    for (const InPlane& p : in_plane(view, scan)) {
+      s.x.push_back(p.angle);
+      s.y.push_back(t.values.front()[p.row]);
     }
     if (!s.x.empty()) lights.push_back(std::move(s));
   }
@@ -78,4 +75,4 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   if (!albedo.series.empty() && albedo.series[0].x.size() > 1) report.plot(albedo);
 }
 
-}  // namespace brdf::validate
+}  // namespace brdf::sheet

@@ -1,0 +1,16 @@
+#include "fit/samples.h"
+
+#include "io/relative_scale.h"
+
+namespace brdf::fit {
+
+Samples arranged(io::SampleTable read, const FitOptions& options) {
+  Samples samples{std::move(read), {}};
+  samples.sheet = sheet::data_sheet(samples.table, {.keep_fill = options.keep_fill});
+  sheet::leave_out(samples.sheet.not_measured, samples.table);
+  io::arrange(samples.table, options.arrangement);
+  if (options.free_scale) io::make_relative(samples.table);
+  return samples;
+}
+
+}  // namespace brdf::fit

@@ -1,0 +1,354 @@
+// Angles in another unit or convention than the table format's: degrees, polar angles from the normal, the mirror
+// direction at phi_o = phi_i + 180. Each is told by what no surface does in these coordinates.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "io/numbers.h"
+#include "io/text.h"
+#include "sheet/checks.h"
+
+namespace brdf::sheet {
+namespace {
+
+bool round_to(double x, double step, double tolerance) {
+  return std::abs(x - step * std::round(x / step)) <= tolerance;
+}
+
+double sum_of_channels(const io::SampleTable& t, std::size_t k) {
+  double sum = 0;
+  for (const auto& v : t.values) sum += v[k];
+  return sum;
+}
+
+// What the light from one angle shows in the plane of incidence, all channels together.
+struct Highlight {
+  double theta_i;
+  double mirror = -1,
+         back = -1;      // largest value within reach of theta_o = theta_i on either side; -1: no row
+  double exact = -1;     // value at theta_o = theta_i on the mirror side
+  double shoulder = -1;  // the same towards the light, 20 to 30 degrees nearer the normal
+  double middle = 0;     // median of all rows
+  double peak = 0, peak_theta = 0;  // on the mirror side
+};
+
+std::vector<Highlight> highlights(const View& view) {
+  const io::SampleTable& t = view.table();
+  constexpr double kReach = 10;  // degrees
+  std::vector<Highlight> found;
+  for (const Scan& scan : view.scans()) {
+    if (scan.theta_i < 15 || scan.theta_i > 75 || scan.rows.size() < 5) continue;
+    Highlight h{scan.theta_i};
+    std::vector<double> all;
+    for (const Row k : scan.rows) {
+      const double value = sum_of_channels(t, k), phi = std::abs(view.turn(k));
+      all.push_back(value);
+      const bool forward = std::abs(phi - 180) <= kReach, backward = phi <= kReach;
+      const bool near = std::abs(t.theta_o[k] - scan.theta_i) <= kReach;
+      if (std::abs(phi - 180) < 0.5 && std::abs(t.theta_o[k] - scan.theta_i) < 0.5) h.exact = value;
+      const double nearer = scan.theta_i - t.theta_o[k];
+      if (backward && nearer >= 20 && nearer <= 30) h.shoulder = std::max(h.shoulder, value);
+      if (forward && near) h.mirror = std::max(h.mirror, value);
+      if (backward && near) h.back = std::max(h.back, value);
+      if (forward && value > h.peak) {
+        h.peak = value;
+        h.peak_theta = t.theta_o[k];
+      }
+    }
+    h.middle = io::median(std::move(all));
+    if (h.middle > 0) found.push_back(h);
+  }
+  return found;
+}
+
+// How much the logarithm of the values varies with the azimuth on the ring of rows at a polar angle, median over the
+// lights of middling angles; none where no such light has two azimuths a right angle apart on it. One row at a pole
+// (where the azimuth means nothing) is a ring without variation.
+std::optional<double> variation(const View& view, double theta, bool pole) {
+  const io::SampleTable& t = view.table();
+  std::vector<double> found;
+  for (const Scan& scan : view.scans()) {
+    if (scan.theta_i < 25 || scan.theta_i > 65) continue;
+    std::vector<double> azimuths, logs;
+    for (const Row k : scan.rows)
+      if (std::abs(t.theta_o[k] - theta) < 0.5 && sum_of_channels(t, k) > 0) {
+        azimuths.push_back(std::abs(view.turn(k)));
+        logs.push_back(std::log(sum_of_channels(t, k)));
+      }
+    if (logs.size() == 1 && pole) found.push_back(0);
+    if (logs.size() < 2) continue;
+    const auto [low, high] = std::minmax_element(azimuths.begin(), azimuths.end());
+    if (*high - *low <= 90) continue;
+    std::sort(logs.begin(), logs.end());
+    const std::size_t apart = logs.size() < 6 ? 0 : 1;  // one row may be an outlier
+    found.push_back(logs[logs.size() - 1 - apart] - logs[apart]);
+  }
+  if (found.empty()) return std::nullopt;
+  return io::quantile(std::move(found), 0.49);  // the lower of two
+}
+
+// Where the peak on the mirror side lies, if a light's angle is an elevation and the viewer's is not, or the reverse:
+// at 90 degrees less the light's. True where that explains the peaks of several lights and the mirror does not.
+bool peaks_at_the_complement(const std::vector<Highlight>& lights) {
+  std::vector<double> mirror, complement;
+  std::set<double> angles;
+  for (const Highlight& h : lights) {
+    if (h.peak < 3 * h.middle) continue;
+    mirror.push_back(std::abs(h.peak_theta - h.theta_i));
+    complement.push_back(std::abs(h.peak_theta - (90 - h.theta_i)));
+    angles.insert(h.theta_i);
+  }
+  return angles.size() >= 3 && io::median(mirror) > 12 && io::median(complement) < 6;
+}
+
+// A highlight that stands out less and less as the light goes from the smallest stated angle to the largest, by half at
+// least: Fresnel's and the facets' laws make it grow.
+bool fades_with_theta(const std::vector<Highlight>& lights) {
+  std::map<double, std::vector<double>> contrasts;
+  for (const Highlight& h : lights)
+    if (h.exact > 0 && h.theta_i >= 20 && h.theta_i <= 70) contrasts[h.theta_i].push_back(h.exact / h.middle);
+  std::vector<double> series;
+  for (const auto& [theta, values] : contrasts) series.push_back(io::median(values));
+  if (series.size() < 3 || series.front() < 2 || series.front() < 2 * series.back()) return false;
+  return std::adjacent_find(series.begin(), series.end(), [](double a, double b) { return b > 1.05 * a; }) ==
+         series.end();
+}
+
+// The logarithm of how wide a highlight is across the plane of incidence over how wide it is in it, between the places where the
+// value falls to half; none where the rows do not reach these places.
+std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
+  const io::SampleTable& t = view.table();
+  constexpr double kNear = 6, kFew = 0.3, kSide = 60;  // degrees
+  const Row* top = nullptr;
+  for (const Row& k : scan.rows)
+    if (std::abs(view.turn(k)) > 180 - kFew && std::abs(t.theta_o[k] - scan.theta_i) <= kNear &&
+        !std::isnan(view.level(k)) && (!top || view.level(k) > view.level(*top)))
+      top = &k;
+  if (!top) return std::nullopt;
+  const double half = view.level(*top) - std::log(2.0);
+  std::vector<double> levels;
+  for (const Row k : scan.rows)
+    if (!std::isnan(view.level(k))) levels.push_back(view.level(k));
+  const double floor = io::median(std::move(levels)) + std::log(1.5);
+  // The first place along a series of rows where the level falls below half: from the top a parabola leads there, unless the next row
+  // lies beyond the highlight already.
+  const auto reach = [&](std::vector<std::pair<double, double>> series) {
+    std::sort(series.begin(), series.end());
+    double at = 0, level = view.level(*top);
+    for (const auto& [distance, next] : series) {
+      const double share = (level - half) / (level - next);
+      if (next < half && at > 0) return at + (distance - at) * share;
+      if (next < half) return next > floor ? distance * std::sqrt(share) : HUGE_VAL;
+      at = distance;
+      level = next;
+    }
+    return HUGE_VAL;
+  };
+  std::vector<std::pair<double, double>> across, inward, outward;
+  for (const Row k : scan.rows) {
+    const double aside = 180 - std::abs(view.turn(k)), along = t.theta_o[k] - t.theta_o[*top];
+    if (std::isnan(view.level(k)) || k == *top) continue;
+    if (std::abs(along) < kFew && aside < kSide)
+      across.emplace_back(aside * io::sin_degrees(t.theta_o[k]), view.level(k));
+    if (aside < kFew && along != 0)
+      (along > 0 ? outward : inward).emplace_back(std::abs(along), view.level(k));
+  }
+  const double width = reach(across), depth = std::min(reach(std::move(inward)), reach(std::move(outward)));
+  if (!std::isfinite(width) || !std::isfinite(depth)) return std::nullopt;
+  return std::log(width / depth);
+}
+
+// A highlight is as wide across as along where it surrounds the mirror direction, and narrower the steeper the light where it
+// surrounds the half vector (as the cosine). Read with elevations for polar angles it grows wider, as the tangent or faster.
+bool widens_with_theta(const View& view) {
+  constexpr double kApart = 15, kGrows = 0.03;  // degrees; per degree
+  std::vector<std::pair<double, double>> shapes;
+  for (const Scan& scan : view.scans())
+    if (scan.theta_i >= 10 && scan.theta_i <= 80)
+      if (const auto shape = shape_of_highlight(view, scan)) shapes.emplace_back(scan.theta_i, *shape);
+  std::vector<double> slopes;
+  for (std::size_t a = 0; a < shapes.size(); ++a)
+    for (std::size_t b = a + 1; b < shapes.size(); ++b)
+      if (std::abs(shapes[b].first - shapes[a].first) >= kApart)
+        slopes.push_back((shapes[b].second - shapes[a].second) / (shapes[b].first - shapes[a].first));
+  if (slopes.empty()) return false;
+  return io::median(slopes) > kGrows && io::quantile(slopes, 0.25) > 0.7 * kGrows;
+}
+
+// The numbers of one angle's column, as the file holds them.
+struct AngleColumn {
+  std::string name;
+  bool is_polar;
+  double largest = 0;
+  std::vector<double> sizes;  // distinct magnitudes but 0, at most 1000
+
+  bool fits_radians() const { return largest <= (is_polar ? 0.5 : 2) * kPi + 0.01; }
+  std::size_t hundredths() const {
+    return std::size_t(
+        std::count_if(sizes.begin(), sizes.end(), [](double x) { return round_to(x, 0.01, 1e-9); }));
+  }
+  // Quarters of a degree, once they are turned into degrees.
+  std::size_t round_in_degrees() const {
+    return std::size_t(std::count_if(sizes.begin(), sizes.end(),
+                                     [](double x) { return round_to(radians(x).degrees(), 0.25, 0.02); }));
+  }
+  bool looks_like_radians() const {
+    if (!fits_radians() || sizes.empty()) return false;
+    if (!is_polar && largest > 1 && round_to(largest, kPi / 2, 2e-3)) return true;
+    if (2 * round_in_degrees() > sizes.size() && round_in_degrees() > hundredths()) return true;
+    // A scan within a degree and a half has round set points.
+    constexpr double kWide = 0.7;
+    return is_polar && largest > kWide && sizes.size() >= 4 && 4 * hundredths() < sizes.size();
+  }
+  bool may_be_radians() const { return fits_radians() && hundredths() < sizes.size(); }
+};
+
+AngleColumn column_of(std::string name, bool is_polar, const std::vector<double>& angles) {
+  constexpr std::size_t kMost = 1000;
+  AngleColumn c{std::move(name), is_polar};
+  std::set<double> sizes;
+  for (const double x : angles) {
+    c.largest = std::max(c.largest, std::abs(x));
+    if (x != 0 && sizes.size() < kMost) sizes.insert(std::abs(x));
+  }
+  c.sizes.assign(sizes.begin(), sizes.end());
+  return c;
+}
+
+std::vector<AngleColumn> angle_columns(const io::SampleTable& t) {
+  return {column_of("theta_i", true, t.theta_i), column_of("phi_i", false, t.phi_i),
+          column_of("theta_o", true, t.theta_o), column_of("phi_o", false, t.phi_o)};
+}
+
+std::string named(const std::vector<const AngleColumn*>& columns) {
+  std::vector<std::string> names;
+  for (const AngleColumn* c : columns)
+    names.push_back(c->name + " (up to " + io::short_number(c->largest, 4) + ")");
+  return io::joined(names, ", ");
+}
+
+}  // namespace
+
+Finding angle_unit(const Evidence& e) {
+  const io::SampleTable& t = e.read;
+  const std::vector<AngleColumn> columns = angle_columns(t);
+  std::vector<const AngleColumn*> radian, open;
+  double polar = 0;
+  for (const AngleColumn& c : columns) {
+    if (c.is_polar) polar = std::max(polar, c.largest);
+    if (c.looks_like_radians())
+      radian.push_back(&c);
+    else if (c.may_be_radians())
+      open.push_back(&c);
+  }
+  if (polar == 0) return not_applicable(t.source, "angle_unit", "every direction is the normal");
+  const bool polar_fits = std::all_of(columns.begin(), columns.end(),
+                                      [](const AngleColumn& c) { return !c.is_polar || c.fits_radians(); });
+  // An azimuth of 3 beside polar angles of 60 is 3 degrees.
+  if (!polar_fits) std::erase_if(radian, [](const AngleColumn* c) { return !c->is_polar; });
+  Finding f = start(t, "angle_unit");
+  f.value = polar;
+  f.bound = kPi / 2;
+  if (!radian.empty()) {
+    f.outcome = Outcome::fail;
+    f.statement = "angles look like radians: " + named(radian) +
+                  (radian.size() < columns.size() && !polar_fits ? ", beside others that are degrees" : "") +
+                  "; write them in degrees (times 180/pi)";
+  } else if (polar_fits && !open.empty()) {
+    f.outcome = Outcome::undecided;
+    f.is_suspicion = true;
+    f.statement = named(open) + ": either radians, or a scan within two degrees of the normal";
+  } else {
+    f.statement = "angles are degrees: polar angles reach " + io::short_number(polar, 6);
+  }
+  return f;
+}
+
+Finding polar_angle(const Evidence& e) {
+  const View& view = e.whole;  // 90 degrees are what matters here
+  const io::SampleTable& t = view.table();
+  const double low = *std::min_element(t.theta_o.begin(), t.theta_o.end());
+  const double high = *std::max_element(t.theta_o.begin(), t.theta_o.end());
+  Finding f = start(t, "polar_angle");
+  const auto fail = [&](const std::string& what) {
+    f.outcome = Outcome::fail;
+    f.statement =
+        what + ": angles look like elevations above the surface, not from the normal (90 less them)";
+    return f;
+  };
+  const std::vector<Highlight> lights = highlights(view);
+  const bool has_cosine =
+      e.causes.found && e.causes.found->cause == Cause::cosine;  // which makes highlights fade, too
+  if (!has_cosine && fades_with_theta(lights)) return fail("the highlight fades as the light's angle grows");
+  if (widens_with_theta(view))
+    return fail("the highlight grows wider across the plane of incidence as the light's angle grows");
+  if (peaks_at_the_complement(lights))
+    return fail("highlights stand at theta_o = 90 - theta_i, so that one of the two is no polar angle");
+  if (high < 75) return not_applicable(t.source, "polar_angle", "no row lies near grazing");
+  const auto at_low = variation(view, low, low < 1), at_high = variation(view, high, high > 89);
+  if (!at_low || !at_high)
+    return not_applicable(t.source, "polar_angle", "too few azimuths to tell the normal from grazing");
+  f.value = *at_low;
+  f.bound = std::max(3 * *at_high, 0.3);
+  const auto factor = [](double log) { return io::short_number(std::exp(log), 3); };
+  const std::string spread = "values vary with the azimuth by a factor " + factor(*at_low) +
+                             " at theta_o = " + io::short_number(low, 3) + " and by " + factor(*at_high) +
+                             " at " + io::short_number(high, 3);
+  if (low < 20 && f.value > f.bound) return fail(spread);
+  f.statement = "polar angles are from the normal: " + spread;
+  return f;
+}
+
+Finding azimuth(const Evidence& e) {
+  const View& view = e.view;
+  const io::SampleTable& t = view.table();
+  constexpr double kHighlight = 3;  // over the median of the rows
+  std::vector<double> ratios, contrasts;
+  struct Back {
+    double theta_i, value, ratio, contrast, shoulder;
+  };
+  std::vector<Back> back;
+  for (const Highlight& h : highlights(view)) {
+    if (h.mirror < 0 && h.back < 0) continue;
+    const double mirror = h.mirror < 0 ? h.middle : std::max(h.mirror, 1e-3 * h.middle);
+    const double light = h.back < 0 ? h.middle : std::max(h.back, 1e-3 * h.middle);
+    ratios.push_back(light / mirror);
+    contrasts.push_back(std::max(light, mirror) / h.middle);
+    back.push_back({h.theta_i, light, ratios.back(), light / h.middle, h.shoulder});
+  }
+  if (ratios.size() < 2)
+    return not_applicable(t.source, "azimuth", "too few lights with rows in the plane of incidence");
+  Finding f = start(t, "azimuth");
+  f.value = io::median(ratios);
+  f.bound = kHighlight;
+  std::sort(back.begin(), back.end(), [](const Back& a, const Back& b) { return a.theta_i < b.theta_i; });
+  // A faint highlight stands out where the light is steep. There rough surfaces are bright towards the light as well,
+  // but broadly: to 0.5 of it within 25 degrees.
+  const Back& steepest = back.back();
+  const bool narrow = steepest.shoulder >= 0 && steepest.shoulder < 0.3 * steepest.value;
+  if (f.value > 1.2 && narrow && steepest.ratio > kHighlight && steepest.contrast > kHighlight)
+    f.value = steepest.ratio;
+  if ((io::median(contrasts) < 1.5 && f.value <= f.bound) || (f.value > 1 / 1.5 && f.value <= f.bound))
+    return not_applicable(t.source, "azimuth", "no highlight stands out on either side of the normal");
+  if (f.value <= f.bound) {
+    f.statement = "the highlight stands on the mirror side, phi_o = phi_i + 180";
+    return f;
+  }
+  const std::string where =
+      "values are " + io::short_number(f.value, 3) +
+      " times as large at phi_o = phi_i, towards the light, as at phi_o = phi_i + 180, the "
+      "mirror direction";
+  // A mirror's highlight grows towards grazing, or stays; a retro-reflector's fades, a rough surface's is broad.
+  const bool fades = steepest.value < 0.5 * back.front().value;
+  const bool stands_out = std::max(io::median(contrasts), steepest.contrast) >= kHighlight;
+  f.outcome = stands_out && narrow && !fades ? Outcome::fail : Outcome::undecided;
+  f.statement =
+      where + (f.outcome == Outcome::fail
+                   ? ": the azimuths look like those of the other convention (add 180 degrees to phi_o)"
+                   : ": a surface that sends light back, or the other azimuth convention");
+  return f;
+}
+
+}  // namespace brdf::sheet

@@ -1,0 +1,246 @@
+// Whether highlights stand at the mirror direction. A zero error of an arm shifts them under every light, a wrong label under one.
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "io/numbers.h"
+#include "sheet/checks.h"
+
+namespace brdf::sheet {
+namespace {
+
+struct Peak {
+  const Scan* scan;
+  double theta_i, offset;  // degrees: offset beyond the mirror direction
+  double contrast;         // logarithm of the largest value over the median
+  double noise;            // its standard error by the scatter of the values, degrees
+  double bias;  // by the shape of a highlight that is no parabola: the same for all lights of a grid, degrees
+  bool is_one_row;  // no other row reaches half of the largest value
+};
+
+// Least squares of a parabola through (x, y): the place of its top and its curvature there; none where it has no top.
+struct Top {
+  double place, curvature;
+};
+std::optional<Top> top_of(std::span<const std::pair<double, double>> dots) {
+  const double x0 = dots[dots.size() / 2].first;
+  Eigen::MatrixX3d powers(dots.size(), 3);
+  Eigen::VectorXd levels(dots.size());
+  for (Eigen::Index k = 0; k < levels.size(); ++k) {
+    const auto& [x, y] = dots[std::size_t(k)];
+    powers.row(k) << 1, x - x0, (x - x0) * (x - x0);
+    levels[k] = y;
+  }
+  const Eigen::Vector3d p = powers.colPivHouseholderQr().solve(levels);
+  if (!(p[2] < 0)) return std::nullopt;
+  return Top{x0 - p[1] / (2 * p[2]), 2 * p[2]};
+}
+
+// The highlight of a scan in the darkest channel, where it stands out most: the parabola through the logarithms of the dots above
+// half of the largest value. None where nothing stands out, or where the largest value is the last of the curve.
+std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) {
+  constexpr double kStandsOut = 2, kHalf = 0.5;
+  constexpr std::size_t kFewest = 5;
+  const std::vector<double>& values = view.table().values[view.darkest()];
+  std::vector<std::pair<double, double>> dots;
+  std::vector<double> all;
+  for (const Row k : scan.rows) all.push_back(values[k]);
+  for (const InPlane& p : in_plane(view, scan))
+    if (values[p.row] > 0 && (dots.empty() || p.angle > dots.back().first + 1e-6))
+      dots.emplace_back(p.angle, std::log(values[p.row]));
+  if (dots.size() < kFewest) return std::nullopt;
+  const auto largest = std::max_element(dots.begin(), dots.end(), [](const auto& a, const auto& b) {
+    return (a.first > 0 ? a.second : -HUGE_VAL) < (b.first > 0 ? b.second : -HUGE_VAL);
+  });
+  auto at = std::size_t(largest - dots.begin());
+  const double middle = io::median(std::move(all));
+  if (at == 0 || at + 1 >= dots.size() || dots[at].first <= 0) return std::nullopt;
+  if (!(middle > 0) || dots[at].second < std::log(kStandsOut * middle)) return std::nullopt;
+  std::size_t first = at - 1, last = at + 1;
+  const double half = dots[at].second + std::log(kHalf);
+  while (first > 0 && dots[first - 1].second > half) --first;
+  while (last + 1 < dots.size() && dots[last + 1].second > half) ++last;
+  const std::span<const std::pair<double, double>> near(dots.data() + first, last - first + 1);
+  const auto top = top_of(near);
+  constexpr double kFarthest = 25;  // degrees: no highlight of the mirror direction stands farther off
+  if (!top || top->place < near.front().first || top->place > near.back().first ||
+      std::abs(top->place - scan.theta_i) > kFarthest)
+    return std::nullopt;
+  const double step = (near.back().first - near.front().first) / double(near.size() - 1);
+  // Of the slope at the top, over the curvature.
+  const double spread = step * std::sqrt(std::pow(double(near.size()), 3) / 12);
+  const double noise = scatter / (std::abs(top->curvature) * spread);
+  // A top on a row is where it seems to be; between rows the shape decides.
+  double between = HUGE_VAL;
+  for (const auto& [angle, level] : near) between = std::min(between, std::abs(angle - top->place));
+  return Peak{&scan,
+              scan.theta_i,
+              top->place - scan.theta_i,
+              dots[at].second - std::log(middle),
+              noise,
+              (near.size() < 5 ? 0.25 : 0.12) * between + 0.02 * step,
+              last - first == 2 && dots[first].second < half && dots[last].second < half};
+}
+
+std::vector<Peak> peaks_of(const View& view, double scatter) {
+  constexpr double kLeast = 8, kSteepest = 75;  // degrees
+  std::vector<Peak> peaks;
+  for (const Scan& scan : view.scans())
+    if (scan.theta_i >= kLeast && scan.theta_i <= kSteepest)
+      if (const auto peak = peak_of(view, scan, scatter)) peaks.push_back(*peak);
+  // Beside wide highlights a peak of one row is an outlier.
+  const auto narrow =
+      std::size_t(std::count_if(peaks.begin(), peaks.end(), [](const Peak& p) { return p.is_one_row; }));
+  if (2 * narrow < peaks.size()) std::erase_if(peaks, [](const Peak& p) { return p.is_one_row; });
+  return peaks;
+}
+
+// offset = zero + slope * theta_i: the peaks of rough surfaces move off the mirror direction as the light grows steeper, from 0 along
+// the normal; a zero error stays there.
+struct Trend {
+  double zero, slope, error;  // error: of the zero
+  double spread;              // of the offsets about the line, robustly
+};
+
+// Medians of the slopes of all pairs (Theil 1950, Sen 1968), and of what is left.
+std::optional<Trend> trend_of(const std::vector<Peak>& peaks) {
+  std::vector<double> slopes, zeros, left, noises, biases;
+  for (std::size_t a = 0; a < peaks.size(); ++a)
+    for (std::size_t b = a + 1; b < peaks.size(); ++b)
+      if (const double lever = peaks[b].theta_i - peaks[a].theta_i; std::abs(lever) > 1)
+        slopes.push_back((peaks[b].offset - peaks[a].offset) / lever);
+  if (slopes.empty()) return std::nullopt;
+  Trend t{0, io::median(slopes), 0, 0};
+  double sum = 0, squares = 0;
+  for (const Peak& p : peaks) {
+    zeros.push_back(p.offset - t.slope * p.theta_i);
+    noises.push_back(p.noise);
+    biases.push_back(p.bias);
+    sum += p.theta_i;
+    squares += p.theta_i * p.theta_i;
+  }
+  t.zero = io::median(zeros);
+  for (const double z : zeros) left.push_back(std::abs(z - t.zero));
+  t.spread = 1.4826 * io::median(std::move(left));
+  const double n = double(peaks.size()), mean = sum / n, width = squares / n - mean * mean;
+  const double noise = std::max(t.spread, io::median(std::move(noises)));
+  // The peaks do not move along a straight line.
+  constexpr double kBent = 0.25;
+  t.error = std::hypot(noise * std::sqrt(1 / n + mean * mean / (n * width)), io::median(std::move(biases)),
+                       kBent * t.slope * mean);
+  return t;
+}
+
+// The peaks but one.
+std::vector<Peak> without(std::vector<Peak> peaks, std::size_t k) {
+  peaks.erase(peaks.begin() + std::ptrdiff_t(k));
+  return peaks;
+}
+
+// Whether a scan has a highlight where it is expected, about as high as those of the other lights: then another one is no sign of
+// a wrong label, but an outlier.
+bool has_highlight_at(const View& view, const Scan& scan, double angle, double contrast) {
+  constexpr double kNear = 3, kAsHigh = 0.5;  // degrees; of the logarithm
+  const std::vector<double>& values = view.table().values[view.darkest()];
+  std::vector<double> all;
+  double largest = 0;
+  for (const Row k : scan.rows) all.push_back(values[k]);
+  const double middle = io::median(std::move(all));
+  for (const InPlane& p : in_plane(view, scan))
+    if (std::abs(p.angle - angle) < std::min(kNear, 0.4 * angle)) largest = std::max(largest, values[p.row]);
+  return largest > 0 && middle > 0 && std::log(largest / middle) > kAsHigh * contrast;
+}
+
+// The one light whose highlight stands where another light's would, as the others see it.
+struct Misplaced {
+  std::size_t peak;
+  double apart, spread;
+};
+std::optional<Misplaced> one_misplaced(const View& view, const std::vector<Peak>& peaks) {
+  constexpr double kLeast = 4, kBeyond = 4;  // degrees; times the spread of the others
+  constexpr std::size_t kFewest = 3;
+  std::optional<Misplaced> found;
+  if (peaks.size() < kFewest) return found;
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    const std::vector<Peak> others = without(peaks, k);
+    std::vector<double> offsets, apart, contrasts;
+    for (const Peak& p : others) {
+      offsets.push_back(p.offset);
+      contrasts.push_back(p.contrast);
+    }
+    const Trend constant{io::median(offsets), 0, 0, 0};
+    const Trend trend = others.size() >= kFewest ? trend_of(others).value_or(constant) : constant;
+    const auto expected = [&](const Peak& p) { return trend.zero + trend.slope * p.theta_i; };
+    for (const Peak& p : others) apart.push_back(std::abs(p.offset - expected(p)));
+    const double spread = std::max(*std::max_element(apart.begin(), apart.end()), 0.3);
+    const double off = peaks[k].offset - expected(peaks[k]);
+    const double label = peaks[k].theta_i + off;
+    // The steepest highlight of a rough surface runs ahead of the others by itself.
+    const bool is_steepest =
+        std::ranges::all_of(others, [&](const Peak& p) { return p.theta_i <= peaks[k].theta_i; });
+    if (label < 0 || label > 90 || (off > 0 && is_steepest)) continue;
+    if (peaks[k].is_one_row &&
+        has_highlight_at(view, *peaks[k].scan, peaks[k].theta_i + expected(peaks[k]), io::median(contrasts)))
+      continue;
+    if (std::abs(off) > kLeast && std::abs(off) > kBeyond * spread &&
+        (!found || std::abs(off) > std::abs(found->apart)))
+      found = Misplaced{k, off, spread};
+  }
+  return found;
+}
+
+}  // namespace
+
+Finding mirror(const Evidence& e) {
+  constexpr double kWorthSeeing = 1, kSure = 3, kNear = 55;  // degrees; standard errors; degrees
+  constexpr std::size_t kFewest = 3;
+  const io::SampleTable& t = e.view.table();
+  if (e.view.scans().empty())
+    return not_applicable(t.source, "mirror",
+                          "the directions are scattered: no curve has a highlight of its own");
+  const std::vector<Peak> peaks = peaks_of(e.view, e.scatter.value().value_or(0.05));
+  if (peaks.size() < kFewest)
+    return not_applicable(
+        t.source, "mirror",
+        "fewer than three lights have a highlight that stands out in the plane of incidence");
+  Finding f = start(t, "mirror");
+  f.bound = kWorthSeeing;
+  if (const auto one = one_misplaced(e.view, peaks)) {
+    const Peak& p = peaks[one->peak];
+    f.outcome = Outcome::fail;
+    f.value = one->apart;
+    f.statement = "the highlight of the light at " + io::short_number(p.theta_i, 4) +
+                  " degrees stands where a light at " + io::short_number(p.theta_i + one->apart, 3) +
+                  " (+- " + io::short_number(one->spread, 2) +
+                  ") degrees would have it, as the other lights tell: its label looks wrong";
+    return f;
+  }
+  std::vector<Peak> near = peaks;
+  std::erase_if(near, [](const Peak& p) { return p.theta_i > kNear; });
+  const auto trend = trend_of(near);
+  if (!trend)
+    return not_applicable(t.source, "mirror",
+                          "fewer than two lights within 55 degrees of the normal have a highlight");
+  f.value = trend->zero;
+  const std::string size =
+      io::short_number(std::abs(trend->zero), 2) + " +- " + io::short_number(trend->error, 1) + " degrees";
+  if (std::abs(trend->zero) > kWorthSeeing && std::abs(trend->zero) > 2 * trend->error) {
+    const bool sure = std::abs(trend->zero) > kSure * trend->error && near.size() >= kFewest;
+    f.outcome = sure ? Outcome::fail : Outcome::undecided;
+    f.is_suspicion = !sure;
+    f.statement = "highlights stand " + size + (trend->zero > 0 ? " beyond" : " short of") +
+                  " the mirror direction under " + plural(near.size(), "light") +
+                  ", carried on to the normal: a zero error of theta_o or of theta_i";
+  } else if (kSure * trend->error > 2 * kWorthSeeing) {
+    f.outcome = Outcome::undecided;
+    f.statement = "the highlights of " + plural(peaks.size(), "light") +
+                  " place the mirror direction only within " + io::short_number(kSure * trend->error, 2) +
+                  " degrees";
+  } else {
+    f.statement = "the highlights of " + plural(peaks.size(), "light") +
+                  " stand at the mirror direction, within " + size;
+  }
+  return f;
+}
+
+}  // namespace brdf::sheet

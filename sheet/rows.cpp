@@ -1,0 +1,176 @@
+// Rows by themselves: values below 0, entries without a value, directions that are listed twice.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "io/numbers.h"
+#include "sheet/checks.h"
+
+namespace brdf::sheet {
+namespace {
+
+struct AroundNormal {
+  double spread;  // of the values, over the largest
+  double jumps;   // mean square of the steps from azimuth to azimuth over twice the variance: 1 for noise
+};
+
+// Values along the normal by azimuth, as one table row after the other claims.
+AroundNormal around_normal(std::vector<std::pair<double, double>> values) {
+  std::sort(values.begin(), values.end());
+  double mean = 0, variance = 0, steps = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  for (const auto& [phi, v] : values) {
+    mean += v / double(values.size());
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    variance += (values[k].second - mean) * (values[k].second - mean) / double(values.size());
+    if (k > 0)
+      steps += (values[k].second - values[k - 1].second) * (values[k].second - values[k - 1].second) /
+               double(values.size() - 1);
+  }
+  return {high > 0 ? (high - low) / high : 0, variance > 0 ? steps / (2 * variance) : 1};
+}
+
+// How far dark values scatter about 0, whatever they are worth: of the tenth of the rows whose neighbours are darkest, how far they
+// lie from these, as a standard deviation. Noise that is a share of the value never leads below 0.
+double dark_noise(const View& view, const std::vector<double>& values) {
+  constexpr double kDarkest = 0.1;
+  constexpr std::size_t kFewest = 8, kAround = 4;
+  std::vector<std::pair<double, double>> rows;  // median of the neighbours, distance from it
+  for (Row k = 0; k < values.size(); ++k) {
+    std::vector<double> around;
+    for (const Row n : view.near(k)) around.push_back(values[n]);
+    if (around.size() < kAround) continue;
+    const double middle = io::median(std::move(around));
+    rows.emplace_back(middle, std::abs(values[k] - middle));
+  }
+  const std::size_t count = std::max(kFewest, std::size_t(kDarkest * double(rows.size())));
+  if (count > rows.size()) return 0;
+  std::partial_sort(rows.begin(), rows.begin() + std::ptrdiff_t(count), rows.end());
+  std::vector<double> distances;
+  for (std::size_t k = 0; k < count; ++k) distances.push_back(rows[k].second);
+  return 1.4826 * io::median(std::move(distances));
+}
+
+// Two rows of one direction: the angles in whole ten-thousandths of a degree, azimuths within a turn.
+using Angles = std::tuple<long, long, long, long>;
+Angles angles_of(const io::SampleTable& t, std::size_t k) {
+  const auto unit = [](double angle) { return std::lround(angle * 1e4); };
+  const auto azimuth = [&](double phi, double theta) {
+    constexpr long kTurn = 3600000;
+    return theta == 0 ? 0L : (unit(std::remainder(phi, 360.0)) + kTurn) % kTurn;
+  };
+  return {unit(t.theta_i[k]), azimuth(t.phi_i[k], 90), unit(t.theta_o[k]), azimuth(t.phi_o[k], t.theta_o[k])};
+}
+
+std::uint64_t mixed(const Angles& angles) {
+  std::uint64_t hash = 0;
+  const auto mix = [&](long x) { hash = (hash ^ std::uint64_t(x)) * 0x9E3779B97F4A7C15u ^ (hash >> 29); };
+  std::apply([&](auto... x) { (mix(x), ...); }, angles);
+  return hash;
+}
+
+}  // namespace
+
+Finding negative_of(const View& view) {
+  constexpr double kBeyond = 6;  // standard deviations
+  const io::SampleTable& t = view.table();
+  std::set<Row> below, beyond;
+  for (const auto& values : t.values) {
+    std::vector<Row> rows;
+    for (Row k = 0; k < t.rows(); ++k)
+      if (values[k] < 0) rows.push_back(k);
+    if (rows.empty()) continue;
+    below.insert(rows.begin(), rows.end());
+    const double noise = dark_noise(view, values);
+    std::copy_if(rows.begin(), rows.end(), std::inserter(beyond, beyond.end()),
+                 [&](Row k) { return values[k] < -kBeyond * noise; });
+  }
+  return counted(view, "negative", {beyond.begin(), beyond.end()},
+                 below.empty() ? "no negative value"
+                               : plural(below.size(), "row") + (below.size() == 1 ? " has" : " have") +
+                                     " a value below 0, by no more than dark rows scatter",
+                 "with a negative value beyond the scatter of dark rows");
+}
+
+Finding negative(const Evidence& e) {
+  return negative_of(e.view);
+}
+
+Finding missing_of(const io::SampleTable& t) {
+  Finding f = start(t, "missing");
+  f.value = double(t.skipped);
+  f.statement =
+      t.skipped == 0 ? "every row holds a number" : plural(t.skipped, "entry") + " without a value, left out";
+  return f;
+}
+
+Finding missing(const Evidence& e) {
+  return missing_of(e.read);
+}
+
+Finding duplicates(const Evidence& e) {
+  const View& view = e.view;
+  const io::SampleTable& t = view.table();
+  std::vector<std::pair<std::uint64_t, Row>> order;
+  for (Row k = 0; k < t.rows(); ++k) order.emplace_back(mixed(angles_of(t, k)), k);
+  std::sort(order.begin(), order.end());
+  std::vector<Row> copies;
+  std::size_t repeated = 0;
+  for (std::size_t j = 1, first = 0; j < order.size(); ++j) {
+    const Row k = order[j].second, earlier = order[first].second;
+    if (order[j].first != order[first].first || angles_of(t, k) != angles_of(t, earlier)) {
+      first = j;
+      continue;
+    }
+    const bool same =
+        std::all_of(t.values.begin(), t.values.end(), [&](const auto& v) { return v[k] == v[earlier]; });
+    if (same)
+      copies.push_back(k);
+    else
+      ++repeated;
+  }
+  std::sort(copies.begin(), copies.end());
+  Finding f = counted(view, "duplicates", copies, "no row occurs twice",
+                      "duplicated: directions and values of an earlier row");
+  if (copies.empty() && repeated > 0)
+    f.statement = plural(repeated, "direction") + " measured again, with other values";
+  return f;
+}
+
+Finding directions(const Evidence& e) {
+  constexpr std::size_t kSeries = 5;  // from here on noise and a curve can be told apart
+  const io::SampleTable& t = e.view.table();
+  std::map<std::tuple<double, double, std::size_t>, std::vector<std::pair<double, double>>> poles;
+  for (std::size_t k = 0; k < t.rows(); ++k)
+    if (t.theta_o[k] == 0)
+      for (std::size_t c = 0; c < t.channels.size(); ++c)
+        poles[{t.theta_i[k], t.phi_i[k], c}].emplace_back(t.phi_o[k], t.values[c][k]);
+  if (poles.empty()) return not_applicable(t.source, "directions", "no row along the normal (theta_o = 0)");
+  std::vector<double> spreads, jumps;
+  std::size_t longest = 0;
+  for (const auto& [place, values] : poles) {
+    longest = std::max(longest, values.size());
+    const AroundNormal around = around_normal(values);
+    spreads.push_back(around.spread);
+    if (values.size() >= kSeries) jumps.push_back(around.jumps);
+  }
+  if (longest < 2)
+    return not_applicable(t.source, "directions",
+                          "one azimuth stands along the normal: nothing to compare it with");
+  Finding f = start(t, "directions");
+  f.value = io::median(spreads);
+  f.bound = 0.15;
+  const bool noise = !jumps.empty() && io::median(jumps) > 0.5;
+  f.conclude(!(f.value > f.bound) || noise,
+             "along the normal values do not depend on the azimuth, as expected",
+             "along the normal (theta_o = 0) values change with phi_o by " + io::percent_to_tenths(f.value) +
+                 ", though the direction is the same: are theta_o and phi_o exchanged?");
+  return f;
+}
+
+}  // namespace brdf::sheet

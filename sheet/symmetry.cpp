@@ -1,0 +1,152 @@
+// What exchanging light and viewer, and turning the sample, leaves as it was.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "io/numbers.h"
+#include "sheet/checks.h"
+
+namespace brdf::sheet {
+namespace {
+
+constexpr double kUnknownScatter = 0.1;
+
+std::string factor(double logarithm) {
+  return io::short_number(std::exp(logarithm), 3);
+}
+
+// "mirrored rows differ by 3.8 % (212 pairs)".
+std::string in_words(const Agreement& a) {
+  return "the " + std::string(a.rows) + " rows scatter by " + io::percent_to_tenths(a.value) + " (" +
+         plural(a.count, "pair") + ")";
+}
+
+}  // namespace
+
+double Turns::noise_of_median() const {
+  return 0.954 * scatter.value_or(kUnknownScatter);  // of the difference of two normal numbers
+}
+
+double Turns::noise_of_far() const {
+  return 3.29 * scatter.value_or(kUnknownScatter);
+}
+
+bool Turns::is_anisotropic() const {
+  constexpr double kBeyondNoise = 2, kSmooth = 0.05;  // what an instrument's repeatability adds
+  return differences >= kFewest && (median > kBeyondNoise * noise_of_median() + kSmooth ||
+                                    far > kBeyondNoise * noise_of_far() + kSmooth);
+}
+
+Turns turns_of(const View& view, std::optional<double> scatter) {
+  const io::SampleTable& t = view.table();
+  Turns out;
+  if (view.scans().empty()) return out;
+  std::set<double> turns;
+  for (const Scan& scan : view.scans()) turns.insert(scan.phi_i);
+  out.turns = turns.size();
+  if (turns.size() < 2) return out;
+  std::map<std::tuple<long, long, long>, std::vector<Row>> same;
+  const auto key = [](double angle) { return std::lround(angle * 1e3); };
+  for (const Scan& scan : view.scans())
+    for (const Row k : scan.rows)
+      same[{key(t.theta_i[k]), key(t.theta_o[k]), key(view.turn(k))}].push_back(k);
+  std::vector<double> differences;
+  for (const auto& [place, rows] : same)
+    for (std::size_t j = 1; j < rows.size(); ++j) {
+      if (t.phi_i[rows[j]] == t.phi_i[rows[0]]) continue;
+      for (const auto& v : t.values)
+        if (v[rows[j]] > 0 && v[rows[0]] > 0)
+          differences.push_back(std::abs(std::log(v[rows[j]] / v[rows[0]])));
+    }
+  out.differences = differences.size();
+  if (out.differences < Turns::kFewest) return out;
+  out.median = io::median(differences);
+  out.far = io::quantile(std::move(differences), 0.98);
+  out.scatter = scatter;
+  return out;
+}
+
+Finding isotropy(const Evidence& e) {
+  constexpr std::size_t kEnough = 16;
+  const io::SampleTable& t = e.view.table();
+  const Turns& turns = e.turns;
+  if (turns.turns < 2)
+    return not_applicable(t.source, "isotropy", "the sample was not turned: all light has one azimuth");
+  if (turns.differences < Turns::kFewest)
+    return not_applicable(t.source, "isotropy", "no direction was measured at two turns of the sample");
+  Finding f = start(t, "isotropy");
+  f.value = turns.median;
+  f.bound = 2 * turns.noise_of_median();
+  const std::string seen = "turns of the sample change values by a factor of " + factor(turns.median) +
+                           " in the median and of " + factor(turns.far) + " in one of fifty differences (" +
+                           std::to_string(turns.differences) + " of them)";
+  if (turns.is_anisotropic()) {
+    f.outcome = Outcome::undecided;
+    f.statement = "the sample is anisotropic: " + seen + "; fit it with --anisotropic";
+  } else if (turns.differences < kEnough || !turns.scatter) {
+    f.outcome = Outcome::undecided;
+    f.statement =
+        seen + (turns.scatter ? ": too few to tell isotropy from a small anisotropy"
+                              : ": whether that is noise cannot be told, since the scatter is not known");
+  } else {
+    f.statement = "isotropic within the scatter of " + io::percent_to_tenths(*turns.scatter) + ": " + seen;
+  }
+  return f;
+}
+
+Finding reciprocity(const Evidence& e) {
+  constexpr double kBound = 0.2;
+  const io::SampleTable& t = e.view.table();
+  if (e.pairs.empty()) return not_applicable(t.source, "reciprocity", "no reciprocal pairs in this table");
+  std::vector<double> differences;
+  const auto exact =
+      std::size_t(std::count_if(e.pairs.begin(), e.pairs.end(), [](const Pair& p) { return p.exact(); }));
+  for (const Pair& p : e.pairs)
+    if (exact < kFewestPairs || p.exact()) differences.push_back(std::abs(p.log_ratio));
+  Finding f = start(t, "reciprocity");
+  const std::size_t count = differences.size();
+  f.value = std::expm1(io::median(std::move(differences)));
+  f.bound = kBound;
+  f.statement = plural(count, exact < kFewestPairs ? "interpolated reciprocal pair" : "reciprocal pair") +
+                ", median difference " + io::percent_to_tenths(f.value);
+  if (count < kFewestPairs) {
+    f.outcome = Outcome::undecided;
+    f.statement += ": too few to judge";
+  } else if (f.value > f.bound) {
+    f.outcome = Outcome::fail;
+  }
+  return f;
+}
+
+Finding noise_floor(const Evidence& e) {
+  const io::SampleTable& t = e.view.table();
+  const Scatter& s = e.scatter;
+  std::string beside;
+  for (const Agreement& a : s.agreements) beside += "; " + in_words(a);
+  if (!s.value())
+    return not_applicable(
+        t.source, "noise_floor",
+        "rows are too few, too far apart or too smooth to tell noise from the sample's shape" + beside);
+  Finding f = start(t, "noise_floor");
+  f.value = *s.value();
+  f.bound = 0.2;
+  f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
+  const Agreement* const largest = s.largest(s.is_isotropic);
+  f.statement = "values scatter by " + io::percent_to_tenths(f.value) +
+                ": no model can be judged more finely (" +
+                (s.neighbours.value ? "about their neighbours " + io::percent_to_tenths(*s.neighbours.value)
+                                    : std::string("about their neighbours not known")) +
+                beside + ")";
+  constexpr double kTooSmooth = 4;
+  if (largest && s.neighbours.value && largest->value > kTooSmooth * *s.neighbours.value)
+    f.statement +=
+        "; neighbours agree too well for a measurement's noise: errors vary slowly, or the values were "
+        "smoothed";
+  for (std::size_t c = 0; c < t.channels.size(); ++c)
+    f.channels.emplace_back(t.channels[c], s.neighbours.channels[c].value_or(NAN));
+  return f;
+}
+
+}  // namespace brdf::sheet

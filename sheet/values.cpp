@@ -1,0 +1,207 @@
+// Values that are no f_r: saturated, uncalibrated, or another quantity.
+#include <algorithm>
+#include <cmath>
+
+#include "io/numbers.h"
+#include "sheet/checks.h"
+
+namespace brdf::sheet {
+namespace {
+
+// The half vector's angle from the normal in twentieths of a degree. All directions of one are alike to forms that know
+// nothing else, as to the mirror direction of a highlight.
+long half_angle(const io::SampleTable& t, std::size_t k) {
+  const Vec3<double> h =
+      io::unit_vector(t.theta_i[k], t.phi_i[k]) + io::unit_vector(t.theta_o[k], t.phi_o[k]);
+  return std::lround(20 * radians(std::atan2(std::hypot(h.x, h.y), h.z)).degrees());
+}
+
+// Rows that hold the largest of some values, all of them, where they are too many for chance; else none. `scatter`: relative, 0 where
+// it is not known. Values that scatter are never equal; exact ones are, where their half vectors are.
+std::vector<Row> at_ceiling(const io::SampleTable& t, const std::vector<Row>& rows,
+                            const std::vector<double>& values, double scatter) {
+  constexpr double kEqual = 1e-6, kScatters = 1e-3;
+  constexpr std::size_t kFewest = 3, kFewestThatScatter = 4;
+  double largest = 0;
+  for (const Row k : rows) largest = std::max(largest, values[k]);
+  if (!(largest > 0)) return {};
+  std::vector<Row> top;
+  std::vector<double> below;  // of the upper half, without the top
+  for (const Row k : rows) {
+    if (values[k] >= largest * (1 - kEqual))
+      top.push_back(k);
+    else if (values[k] > largest / 2)
+      below.push_back(values[k]);
+  }
+  std::vector<long> places;
+  for (const Row k : top) places.push_back(half_angle(t, k));
+  std::sort(places.begin(), places.end());
+  const auto distinct = std::size_t(std::unique(places.begin(), places.end()) - places.begin());
+  // Values of few digits, or of a constant surface, are equal below the ceiling as well.
+  std::sort(below.begin(), below.end());
+  std::size_t run = 0, longest = 0;
+  for (std::size_t k = 0; k < below.size(); ++k) {
+    run = k > 0 && below[k] <= below[k - 1] * (1 + kEqual) ? run + 1 : 1;
+    longest = std::max(longest, run);
+  }
+  const bool enough = distinct >= kFewest || (scatter > kScatters && top.size() >= kFewestThatScatter);
+  return enough && top.size() > 3 * longest && top.size() < rows.size() ? top : std::vector<Row>{};
+}
+
+// The largest reflected fraction that the samples prove, the likeliest one of a covered hemisphere, and what the plane of
+// incidence would reflect if it stood for all azimuths.
+struct Reflected {
+  double least = 0, likely = 0, in_plane = 0;
+  bool is_covered = false;
+  double plane_coverage = 0;
+};
+
+Reflected reflected(const std::vector<MeasuredAlbedo>& albedo) {
+  Reflected r;
+  for (const MeasuredAlbedo& a : albedo) {
+    for (std::size_t c = 0; c < a.value.size(); ++c) {
+      r.least = std::max(r.least, a.least[c]);
+      if (a.coverage < kEnoughCoverage) continue;
+      r.is_covered = true;
+      r.likely = std::max(r.likely, a.value[c]);
+    }
+    if (a.plane_coverage < kEnoughOfThePlane) continue;
+    r.plane_coverage = std::max(r.plane_coverage, a.plane_coverage);
+    for (const double x : a.in_plane) r.in_plane = std::max(r.in_plane, x);
+  }
+  return r;
+}
+
+struct Range {
+  double largest = 0;
+  bool whole = true;
+};
+
+Range range_of(const io::SampleTable& t) {
+  Range r;
+  for (const auto& values : t.values)
+    for (const double v : values) {
+      r.largest = std::max(r.largest, v);
+      r.whole = r.whole && v == std::floor(v);
+    }
+  return r;
+}
+
+constexpr std::string_view kUncalibrated = " (no f_r in 1/sr; `brdf fit --free-scale` fits the shape alone)";
+// The largest fraction that a surface reflects, with a margin; pi times it as a reflectance factor, and 100 pi in percent.
+constexpr double kWhite = 1.1;
+
+// What values of this scale are, by the fraction of the light that they would reflect as f_r; empty where they may be f_r. A percentage of
+// a black sample and the factor of a bright one have one scale.
+std::string scale_named(double fraction) {
+  const auto over = [&](double by) { return io::short_number(fraction / by, 3); };
+  if (fraction > kWhite * 100 * kPi) return "uncalibrated, like counts";
+  if (fraction > kWhite * kPi)
+    return "reflectance in percent: over 100 they would reflect " + over(100) +
+           ", over 100 pi, as a reflectance factor in percent, " + over(100 * kPi);
+  if (fraction > 1)
+    return "the reflectance factor pi f_r (BRF): over pi they would reflect " + over(kPi) + " of the light";
+  return "";
+}
+
+// Rows in the plane of incidence say nothing of the other azimuths: they suspect, and prove nothing.
+Finding quantity_in_plane(const io::SampleTable& t, const Reflected& r) {
+  constexpr double kSuspicious = 1.35, kHalfAPlane = 0.75;
+  Finding f =
+      undecided(t, "quantity", "too little of the hemisphere is covered to tell the scale of the values");
+  f.value = r.in_plane;
+  f.bound = r.plane_coverage < kHalfAPlane ? std::sqrt(kPi)
+                                           : kSuspicious;  // the side of the highlight alone is brighter
+  if (r.in_plane == 0) return f;
+  const std::string seen = "if the plane of incidence stood for all azimuths, the sample would reflect " +
+                           io::short_number(r.in_plane, 3) + " of the light beside its highlight";
+  const std::string covered = f.statement;
+  f.statement += ": " + seen;
+  if (r.in_plane <= f.bound) return f;
+  f.is_suspicion = true;
+  f.statement = "the values look like " + scale_named(r.in_plane) + "; " + covered + ", but " + seen;
+  return f;
+}
+
+}  // namespace
+
+Finding saturation_of(const View& view, double scatter) {
+  const io::SampleTable& t = view.table();
+  std::vector<Row> all(t.rows());
+  for (Row k = 0; k < all.size(); ++k) all[k] = k;
+  Finding f = start(t, "saturation");
+  f.statement = "no ceiling: the largest values differ";
+  constexpr std::size_t kFewestRows = 20;
+  const auto is_constant = [](const std::vector<double>& v) {
+    return std::all_of(v.begin(), v.end(), [&](double x) { return x == v.front(); });
+  };
+  if (t.rows() >= kFewestRows && std::all_of(t.values.begin(), t.values.end(), is_constant))
+    return undecided(
+        t, "saturation",
+        "all rows hold one value: either a computed table, or a ceiling below which nothing lies");
+  for (std::size_t c = 0; c < t.channels.size(); ++c) {
+    const std::vector<Row> top = at_ceiling(t, all, t.values[c], scatter);
+    f.value += double(top.size());
+    if (top.empty()) continue;
+    if (f.outcome == Outcome::pass)
+      f.statement = plural(top.size(), "row") + " share the largest value of channel " + t.channels[c] +
+                    ", " + io::short_number(t.values[c][top.front()], 6) +
+                    ": the detector looks saturated; first " + view.where(top.front());
+    f.outcome = Outcome::fail;
+    for (const Row k : top) f.rows.push_back(named_row(view, k, c));
+  }
+  return f;
+}
+
+Finding saturation(const Evidence& e) {
+  return saturation_of(e.view, e.neighbours.value.value_or(0));
+}
+
+// The largest reflected fraction tells the scale: 1 of a white f_r, pi of a white reflectance factor, a hundred of a percentage of
+// f_r, 100 pi of a percentage of the factor, and anything of counts. Between 1 and pi the nearer one, in ratio, is meant: up to
+// their geometric mean, and where a white surface cannot be excluded, it is a matter of energy.
+Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo) {
+  constexpr double kDarkest = 1e-4;  // the blackest coatings reflect 2e-4
+  const io::SampleTable& t = view.table();
+  const Reflected r = reflected(albedo);
+  const Range range = range_of(t);
+  Finding f = start(t, "quantity");
+  f.value = r.is_covered ? r.likely : r.least;
+  f.bound = std::sqrt(kPi);
+  const std::string as_f_r =
+      "as f_r they would reflect at least " + io::short_number(r.least, 3) + " of the light";
+  const auto fail = [&](const std::string& what) {
+    f.outcome = Outcome::fail;
+    f.statement = what;
+    return f;
+  };
+  if (range.whole && range.largest >= 256)
+    return fail("uncalibrated: whole numbers up to " + io::short_number(range.largest, 8) + ", like counts" +
+                std::string(kUncalibrated));
+  if (kPi * range.largest < kDarkest && range.largest > 0)
+    return fail("uncalibrated: as f_r the values would reflect at most " +
+                io::short_number(kPi * range.largest, 3) + " of the light, less than the blackest surface" +
+                std::string(kUncalibrated));
+  if (r.least > kWhite * 100 * kPi) return fail("uncalibrated: " + as_f_r + std::string(kUncalibrated));
+  if (r.least > kWhite * kPi || (r.least > 1 && r.likely > f.bound))
+    return fail("the values look like " + scale_named(std::max(r.least, r.is_covered ? r.likely : 0)) + "; " +
+                as_f_r);
+  if (!r.is_covered) return quantity_in_plane(t, r);
+  if (r.likely > f.bound) {
+    f.outcome = Outcome::undecided;
+    f.is_suspicion = true;
+    f.statement = "the values look like " + scale_named(r.likely) + "; as f_r they would reflect " +
+                  io::short_number(r.likely, 3) + " of the light, of which samples that agree prove " +
+                  io::short_number(r.least, 3);
+    return f;
+  }
+  f.statement = "as f_r the values reflect up to " + io::short_number(r.likely, 3) +
+                " of the light, as a surface can; a smaller unit of a darker sample would look alike";
+  return f;
+}
+
+Finding quantity(const Evidence& e) {
+  return quantity_of(e.view, e.albedo);
+}
+
+}  // namespace brdf::sheet
