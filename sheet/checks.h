@@ -85,11 +85,18 @@ io::Series cells_in_plane(const io::SampleTable& table, double theta_i);
 
 // --- Shared by scans and cells ---------------------------------------------------------------------------
 
-inline constexpr double kEnoughCoverage = 0.6;     // of the projected hemisphere, for an integral
-inline constexpr double kEnoughOfThePlane = 0.45;  // of the plane of incidence, of which one side is a half
+inline constexpr double kEnoughCoverage = 0.6;  // of the projected hemisphere, for an integral
 
 Finding negative_of(const View& view);
 Finding missing_of(const io::SampleTable& table);
+// What the plane of incidence reflects beside its highlight, if it stood for all azimuths: over the lights of the channel that reflects
+// most the median, and of the highlight's side alone the least, since there even half of the weight may be bright.
+struct Plane {
+  double reflected;  // 0 where no light covers enough of the plane
+  bool is_half;
+};
+Plane plane_of(const std::vector<MeasuredAlbedo>& albedo);
+
 // `scatter`: relative, 0 where it is not known.
 Finding saturation_of(const View& view, double scatter);
 Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo);

@@ -28,7 +28,8 @@ struct Neighbour {
 // The nearest sample in each quadrant about a direction: first towards the horizon or the normal, then to either side.
 struct Around {
   std::array<Neighbour, 4> quadrants;
-  double nearest = HUGE_VAL;  // squared
+  double nearest = HUGE_VAL;      // squared
+  std::vector<Row> in_cell = {};  // all within `cell` of the direction
 
   bool is_between_sides() const {
     return (quadrants[0].exists() || quadrants[1].exists()) &&
@@ -39,8 +40,8 @@ struct Around {
   }
 };
 
-// `reach`: the square of the distance from which on a sample says nothing.
-Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double reach) {
+// `reach`: the square of the distance from which on a sample says nothing; `cell`: of the distance that the direction stands for.
+Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double reach, double cell) {
   const double s = std::hypot(d.x, d.y);
   const Vec3<double> along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};
   Around out;
@@ -50,6 +51,7 @@ Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double 
     const std::size_t quadrant = (dot(along, sample.d) < 0 ? 1u : 0u) + (dot(across, sample.d) < 0 ? 2u : 0u);
     if (distance < out.quadrants[quadrant].distance) out.quadrants[quadrant] = {distance, sample.row};
     out.nearest = std::min(out.nearest, distance);
+    if (distance < cell) out.in_cell.push_back(sample.row);
   }
   return out;
 }
@@ -116,10 +118,12 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
     for (int sector = 0; sector < kSectors; ++sector) {
       const double s = std::sqrt((ring + 0.5) / kRings), phi = 2 * kPi * (sector + 0.5) / kSectors;
       const Vec3<double> d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
-      Around found = around(samples, d, reach);
+      // Farther than the corner of an equal share of the disc that the hemisphere is seen as.
+      const double cell = 2.0 / (kRings * kSectors * d.z);
+      Around found = around(samples, d, reach, cell);
       const bool covered = found.nearest < near && found.is_between_sides();
       const bool enclosed = covered && found.is_enclosed();
-      if (!covered) found = around(samples, d, HUGE_VAL);
+      if (!covered) found = around(samples, d, HUGE_VAL, 0);
       m.coverage += covered ? 1.0 / (kRings * kSectors) : 0;
       for (std::size_t c = 0; c < channels; ++c) {
         double sum = 0, weights = 0, low = HUGE_VAL, high = -HUGE_VAL;
@@ -132,7 +136,9 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
           high = std::max(high, v);
         }
         m.value[c] += weight * sum / weights;
-        m.least[c] += enclosed ? weight * std::max(low, 0.0) : 0;
+        double least = low;
+        for (const Row k : found.in_cell) least = std::min(least, t.values[c][k]);
+        m.least[c] += enclosed ? weight * std::max(least, 0.0) : 0;
         m.bound[c] += weight * (covered ? 0.5 * (high - low) : std::max(std::abs(low), std::abs(high)));
       }
     }
@@ -146,10 +152,13 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
 // The plane of incidence alone: read as if it stood for all azimuths, each row counts with cos sin of its angle. The value below
 // which half of that weight lies leaves a highlight out, pi times it is the reflected fraction of the rest.
 void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
-  constexpr double kReach = 8;  // degrees
+  constexpr double kReach = 8,
+                   kSteepest =
+                       60;  // degrees: of steeper light even a rough metal's plane is bright everywhere
+  m.in_plane.assign(view.table().channels.size(), 0);
+  if (scan.theta_i > kSteepest) return;
   std::vector<InPlane> line = in_plane(view, scan);
   const io::SampleTable& t = view.table();
-  m.in_plane.assign(t.channels.size(), 0);
   if (line.empty()) return;
   double covered = 0, all = 0;
   std::vector<double> weights(line.size());
@@ -220,17 +229,36 @@ Finding coverage(const Evidence& e) {
   return f;
 }
 
+Plane plane_of(const std::vector<MeasuredAlbedo>& albedo) {
+  constexpr double kEnough = 0.45,
+                   kWhole = 0.75;  // of the plane of incidence: the side of the highlight, and both sides
+  std::vector<const MeasuredAlbedo*> planes;
+  double coverage = 0;
+  for (const MeasuredAlbedo& a : albedo)
+    if (a.plane_coverage >= kEnough) {
+      planes.push_back(&a);
+      coverage = std::max(coverage, a.plane_coverage);
+    }
+  Plane plane{0, coverage < kWhole};
+  for (std::size_t c = 0; !planes.empty() && c < planes.front()->in_plane.size(); ++c) {
+    std::vector<double> of_lights;
+    for (const MeasuredAlbedo* a : planes) of_lights.push_back(a->in_plane[c]);
+    plane.reflected =
+        std::max(plane.reflected, plane.is_half ? *std::min_element(of_lights.begin(), of_lights.end())
+                                                : io::median(std::move(of_lights)));
+  }
+  return plane;
+}
+
 // Without a hemisphere: what the plane of incidence would reflect if it stood for all azimuths.
 Finding energy_in_plane(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
   constexpr double kMargin = 1.03;
   Finding f = undecided(t, "energy", "too little of the hemisphere is covered for an integral");
   f.bound = 1;
-  double most = 0, least = 0;
-  for (const MeasuredAlbedo& a : albedo) {
+  double least = 0;
+  for (const MeasuredAlbedo& a : albedo)
     for (const double x : a.least) least = std::max(least, x);
-    if (a.plane_coverage >= kEnoughOfThePlane)
-      for (const double x : a.in_plane) most = std::max(most, x);
-  }
+  const double most = plane_of(albedo).reflected;
   f.value = least;
   if (most == 0) return f;
   f.value = most;

@@ -2,6 +2,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "io/numbers.h"
 #include "sheet/checks.h"
@@ -82,12 +83,23 @@ std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) 
               last - first == 2 && dots[first].second < half && dots[last].second < half};
 }
 
+// Those of the turn of the sample under which most stand: an anisotropic sample's peaks move differently under each.
+std::vector<Peak> of_one_turn(std::vector<Peak> peaks) {
+  std::map<double, std::size_t> count;
+  for (const Peak& p : peaks) ++count[p.scan->phi_i];
+  const auto most = std::max_element(count.begin(), count.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::erase_if(peaks, [&](const Peak& p) { return p.scan->phi_i != most->first; });
+  return peaks;
+}
+
 std::vector<Peak> peaks_of(const View& view, double scatter) {
   constexpr double kLeast = 8, kSteepest = 75;  // degrees
   std::vector<Peak> peaks;
   for (const Scan& scan : view.scans())
     if (scan.theta_i >= kLeast && scan.theta_i <= kSteepest)
       if (const auto peak = peak_of(view, scan, scatter)) peaks.push_back(*peak);
+  peaks = of_one_turn(std::move(peaks));
   // Beside wide highlights a peak of one row is an outlier.
   const auto narrow =
       std::size_t(std::count_if(peaks.begin(), peaks.end(), [](const Peak& p) { return p.is_one_row; }));
@@ -95,36 +107,47 @@ std::vector<Peak> peaks_of(const View& view, double scatter) {
   return peaks;
 }
 
-// offset = zero + slope * theta_i: the peaks of rough surfaces move off the mirror direction as the light grows steeper, from 0 along
+// offset = zero + slope * lever: the peaks of rough surfaces move off the mirror direction as the light grows steeper, from 0 along
 // the normal; a zero error stays there.
+enum class Lever { angle, tangent };  // of theta_i
+
+double lever_of(const Peak& p, Lever lever) {
+  const double angle = degrees(p.theta_i).radians();
+  return lever == Lever::angle ? angle : std::tan(angle);
+}
+
 struct Trend {
+  Lever lever;
   double zero, slope, error;  // error: of the zero
   double spread;              // of the offsets about the line, robustly
 };
 
 // Medians of the slopes of all pairs (Theil 1950, Sen 1968), and of what is left.
-std::optional<Trend> trend_of(const std::vector<Peak>& peaks) {
+std::optional<Trend> trend_of(const std::vector<Peak>& peaks, Lever lever) {
+  constexpr double kLeastLever = 0.02;
   std::vector<double> slopes, zeros, left, noises, biases;
   for (std::size_t a = 0; a < peaks.size(); ++a)
     for (std::size_t b = a + 1; b < peaks.size(); ++b)
-      if (const double lever = peaks[b].theta_i - peaks[a].theta_i; std::abs(lever) > 1)
-        slopes.push_back((peaks[b].offset - peaks[a].offset) / lever);
+      if (const double apart = lever_of(peaks[b], lever) - lever_of(peaks[a], lever);
+          std::abs(apart) > kLeastLever)
+        slopes.push_back((peaks[b].offset - peaks[a].offset) / apart);
   if (slopes.empty()) return std::nullopt;
-  Trend t{0, io::median(slopes), 0, 0};
+  Trend t{lever, 0, io::median(slopes), 0, 0};
   double sum = 0, squares = 0;
   for (const Peak& p : peaks) {
-    zeros.push_back(p.offset - t.slope * p.theta_i);
+    zeros.push_back(p.offset - t.slope * lever_of(p, lever));
     noises.push_back(p.noise);
     biases.push_back(p.bias);
-    sum += p.theta_i;
-    squares += p.theta_i * p.theta_i;
+    const double x = lever_of(p, lever);
+    sum += x;
+    squares += x * x;
   }
   t.zero = io::median(zeros);
   for (const double z : zeros) left.push_back(std::abs(z - t.zero));
   t.spread = 1.4826 * io::median(std::move(left));
   const double n = double(peaks.size()), mean = sum / n, width = squares / n - mean * mean;
   const double noise = std::max(t.spread, io::median(std::move(noises)));
-  // The peaks do not move along a straight line.
+  // The peaks do not move along this line to the last.
   constexpr double kBent = 0.25;
   t.error = std::hypot(noise * std::sqrt(1 / n + mean * mean / (n * width)), io::median(std::move(biases)),
                        kBent * t.slope * mean);
@@ -137,18 +160,23 @@ std::vector<Peak> without(std::vector<Peak> peaks, std::size_t k) {
   return peaks;
 }
 
-// Whether a scan has a highlight where it is expected, about as high as those of the other lights: then another one is no sign of
-// a wrong label, but an outlier.
+// Whether a scan has a top of its own where one is expected, about as high as those of the other lights: then another one is no sign
+// of a wrong label, but an outlier.
 bool has_highlight_at(const View& view, const Scan& scan, double angle, double contrast) {
   constexpr double kNear = 3, kAsHigh = 0.5;  // degrees; of the logarithm
   const std::vector<double>& values = view.table().values[view.darkest()];
   std::vector<double> all;
-  double largest = 0;
   for (const Row k : scan.rows) all.push_back(values[k]);
   const double middle = io::median(std::move(all));
-  for (const InPlane& p : in_plane(view, scan))
-    if (std::abs(p.angle - angle) < std::min(kNear, 0.4 * angle)) largest = std::max(largest, values[p.row]);
-  return largest > 0 && middle > 0 && std::log(largest / middle) > kAsHigh * contrast;
+  const std::vector<InPlane> line = in_plane(view, scan);
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const double before = values[line[k - 1].row], value = values[line[k].row],
+                 after = values[line[k + 1].row];
+    if (std::abs(line[k].angle - angle) < kNear && value > before && value > after && middle > 0 &&
+        std::log(value / middle) > kAsHigh * contrast)
+      return true;
+  }
+  return false;
 }
 
 // The one light whose highlight stands where another light's would, as the others see it.
@@ -168,17 +196,24 @@ std::optional<Misplaced> one_misplaced(const View& view, const std::vector<Peak>
       offsets.push_back(p.offset);
       contrasts.push_back(p.contrast);
     }
-    const Trend constant{io::median(offsets), 0, 0, 0};
-    const Trend trend = others.size() >= kFewest ? trend_of(others).value_or(constant) : constant;
-    const auto expected = [&](const Peak& p) { return trend.zero + trend.slope * p.theta_i; };
-    for (const Peak& p : others) apart.push_back(std::abs(p.offset - expected(p)));
-    const double spread = std::max(*std::max_element(apart.begin(), apart.end()), 0.3);
-    const double off = peaks[k].offset - expected(peaks[k]);
-    const double label = peaks[k].theta_i + off;
-    // The steepest highlight of a rough surface runs ahead of the others by itself.
-    const bool is_steepest =
-        std::ranges::all_of(others, [&](const Peak& p) { return p.theta_i <= peaks[k].theta_i; });
-    if (label < 0 || label > 90 || (off > 0 && is_steepest)) continue;
+    Trend trend{Lever::angle, io::median(offsets), 0, 0, HUGE_VAL};
+    for (const Lever lever : {Lever::angle, Lever::tangent})
+      if (const auto t = others.size() >= kFewest ? trend_of(others, lever) : std::nullopt;
+          t && t->spread < trend.spread)
+        trend = *t;
+    const auto expected = [&](const Peak& p) { return trend.zero + trend.slope * lever_of(p, trend.lever); };
+    const auto off_by = [&](const Peak& p) { return p.offset - expected(p); };
+    for (const Peak& p : others) apart.push_back(std::abs(off_by(p)));
+    // Of three lights the two others must agree; of more, most.
+    const double spread = std::max(
+        others.size() > kFewest ? 1.4826 * io::median(apart) : *std::max_element(apart.begin(), apart.end()),
+        0.3);
+    const double off = off_by(peaks[k]), label = peaks[k].theta_i + off;
+    // The steep highlights of a rough surface run ahead of the others by themselves.
+    const bool runs_ahead = off > 0 && std::ranges::all_of(others, [&](const Peak& p) {
+                              return p.theta_i <= peaks[k].theta_i || off_by(p) > 0.5 * off;
+                            });
+    if (label < 0 || label > 90 || runs_ahead) continue;
     if (peaks[k].is_one_row &&
         has_highlight_at(view, *peaks[k].scan, peaks[k].theta_i + expected(peaks[k]), io::median(contrasts)))
       continue;
@@ -217,7 +252,7 @@ Finding mirror(const Evidence& e) {
   }
   std::vector<Peak> near = peaks;
   std::erase_if(near, [](const Peak& p) { return p.theta_i > kNear; });
-  const auto trend = trend_of(near);
+  const auto trend = trend_of(near, Lever::tangent);
   if (!trend)
     return not_applicable(t.source, "mirror",
                           "fewer than two lights within 55 degrees of the normal have a highlight");

@@ -242,9 +242,14 @@ class Witnesses {
       }
     }
     for (const std::size_t which : {0u, 1u}) {
-      if (!std::isfinite(below[which]) || !std::isfinite(above[which])) continue;
-      const double share = -below[which] / (above[which] - below[which]);
-      if (std::abs(low[which] + share * (high[which] - low[which]) - x) < std::log(2.0)) return true;
+      const bool has_below = std::isfinite(below[which]), has_above = std::isfinite(above[which]);
+      if (!has_below && !has_above) continue;
+      // At the end of a line the one row beside it.
+      const double expected = !has_above   ? low[which]
+                              : !has_below ? high[which]
+                                           : low[which] - below[which] / (above[which] - below[which]) *
+                                                              (high[which] - low[which]);
+      if (std::abs(expected - x) < std::log(2.0)) return true;
     }
     return false;
   }

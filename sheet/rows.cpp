@@ -53,7 +53,10 @@ double dark_noise(const View& view, const std::vector<double>& values) {
   std::partial_sort(rows.begin(), rows.begin() + std::ptrdiff_t(count), rows.end());
   std::vector<double> distances;
   for (std::size_t k = 0; k < count; ++k) distances.push_back(rows[k].second);
-  return 1.4826 * io::median(std::move(distances));
+  const double deviation = 1.4826 * io::median(std::move(distances)), level = rows[count / 2].first;
+  // Rows that stay above 0 by many deviations are not dark: what scatters there is a share of the value.
+  constexpr double kAbove0 = 5;
+  return level > kAbove0 * deviation ? 0 : deviation;
 }
 
 // Two rows of one direction: the angles in whole ten-thousandths of a degree, azimuths within a turn.

@@ -51,9 +51,9 @@ std::vector<Row> at_ceiling(const io::SampleTable& t, const std::vector<Row>& ro
 // The largest reflected fraction that the samples prove, the likeliest one of a covered hemisphere, and what the plane of
 // incidence would reflect if it stood for all azimuths.
 struct Reflected {
-  double least = 0, likely = 0, in_plane = 0;
+  double least = 0, likely = 0;
   bool is_covered = false;
-  double plane_coverage = 0;
+  Plane plane;
 };
 
 Reflected reflected(const std::vector<MeasuredAlbedo>& albedo) {
@@ -65,10 +65,8 @@ Reflected reflected(const std::vector<MeasuredAlbedo>& albedo) {
       r.is_covered = true;
       r.likely = std::max(r.likely, a.value[c]);
     }
-    if (a.plane_coverage < kEnoughOfThePlane) continue;
-    r.plane_coverage = std::max(r.plane_coverage, a.plane_coverage);
-    for (const double x : a.in_plane) r.in_plane = std::max(r.in_plane, x);
   }
+  r.plane = plane_of(albedo);
   return r;
 }
 
@@ -106,20 +104,19 @@ std::string scale_named(double fraction) {
 
 // Rows in the plane of incidence say nothing of the other azimuths: they suspect, and prove nothing.
 Finding quantity_in_plane(const io::SampleTable& t, const Reflected& r) {
-  constexpr double kSuspicious = 1.35, kHalfAPlane = 0.75;
+  constexpr double kSuspicious = 1.35;
   Finding f =
       undecided(t, "quantity", "too little of the hemisphere is covered to tell the scale of the values");
-  f.value = r.in_plane;
-  f.bound = r.plane_coverage < kHalfAPlane ? std::sqrt(kPi)
-                                           : kSuspicious;  // the side of the highlight alone is brighter
-  if (r.in_plane == 0) return f;
+  f.value = r.plane.reflected;
+  f.bound = r.plane.is_half ? std::sqrt(kPi) : kSuspicious;
+  if (r.plane.reflected == 0) return f;
   const std::string seen = "if the plane of incidence stood for all azimuths, the sample would reflect " +
-                           io::short_number(r.in_plane, 3) + " of the light beside its highlight";
+                           io::short_number(r.plane.reflected, 3) + " of the light beside its highlight";
   const std::string covered = f.statement;
   f.statement += ": " + seen;
-  if (r.in_plane <= f.bound) return f;
+  if (r.plane.reflected <= f.bound) return f;
   f.is_suspicion = true;
-  f.statement = "the values look like " + scale_named(r.in_plane) + "; " + covered + ", but " + seen;
+  f.statement = "the values look like " + scale_named(r.plane.reflected) + "; " + covered + ", but " + seen;
   return f;
 }
 

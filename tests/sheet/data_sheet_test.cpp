@@ -13,6 +13,7 @@
 #include "brdf/integrals.h"
 #include "brdf/material.h"
 #include "io/merl.h"
+#include "tables.h"
 
 namespace brdf::sheet {
 namespace {
@@ -43,22 +44,8 @@ io::SampleTable clean_table(double noise = 0.03) {
   return t;
 }
 
-std::vector<std::string> faults(const io::SampleTable& t) {
-  std::vector<std::string> names;
-  for (const Finding& f : data_sheet(t).findings)
-    if (f.outcome == Outcome::fail) names.push_back(f.check);
-  return names;
-}
-
-const Finding& finding(const DataSheet& sheet, const std::string& check) {
-  return *std::find_if(sheet.findings.begin(), sheet.findings.end(),
-                       [&](const Finding& f) { return f.check == check; });
-}
-
-using Names = std::vector<std::string>;
-
 TEST(DataSheet, NamesACleanTableClean) {
-  EXPECT_EQ(faults(clean_table()), Names{});
+  EXPECT_EQ(failing(clean_table()), Names{});
 }
 
 TEST(DataSheet, NamesANegativeValue) {
@@ -82,7 +69,7 @@ TEST(DataSheet, NamesExchangedColumns) {
     u.values[0].push_back(t.values[0][k]);
     u.lines.push_back(std::uint32_t(k));
   }
-  const auto names = faults(u);
+  const auto names = failing(u);
   EXPECT_NE(std::find(names.begin(), names.end(), "directions"), names.end());
 }
 
@@ -102,7 +89,7 @@ TEST(DataSheet, NamesDuplicatedRows) {
     t.values[0].push_back(t.values[0][k]);
     t.lines.push_back(2000);
   }
-  EXPECT_EQ(faults(t), Names{"duplicates"});
+  EXPECT_EQ(failing(t), Names{"duplicates"});
   EXPECT_EQ(finding(data_sheet(t), "duplicates").value, 3);
 }
 
@@ -147,7 +134,7 @@ TEST(DataSheet, ATurnedSampleShowsItsAnisotropyAndItsNoise) {
         << finding(sheet, "isotropy").statement;
     EXPECT_GT(finding(sheet, "noise_floor").value, 0.04);
     EXPECT_LT(finding(sheet, "noise_floor").value, 0.08);
-    EXPECT_EQ(faults(t), Names{}) << alpha_y;
+    EXPECT_EQ(failing(t), Names{}) << alpha_y;
   }
 }
 
@@ -179,7 +166,7 @@ TEST(DataSheet, WhatIsBarelyCoveredIsUndecidedWithItsNumber) {
   EXPECT_LT(finding(sheet, "coverage").value, 0.2);
   EXPECT_EQ(finding(sheet, "energy").outcome, Outcome::undecided);
   EXPECT_GT(finding(sheet, "energy").value, 0);
-  EXPECT_EQ(faults(t), Names{});
+  EXPECT_EQ(failing(t), Names{});
 }
 
 TEST(DataSheet, AnIntegralWhoseBoundReachesAboveOneIsUndecided) {
@@ -268,7 +255,7 @@ TEST(DataSheet, ANarrowScanIsToldFromRadians) {
   io::SampleTable t = clean_table();
   for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o})
     for (double& x : *column) x = x * kPi / 180;
-  EXPECT_EQ(faults(t), Names{"angle_unit"});
+  EXPECT_EQ(failing(t), Names{"angle_unit"});
   // About the normal, in steps of a hundredth of a degree.
   for (std::size_t k = 0; k < t.rows(); ++k) {
     t.theta_i[k] = t.phi_i[k] = t.phi_o[k] = 0;
@@ -328,16 +315,16 @@ TEST(DataSheet, SaysWhatTheTableDoesNotAllow) {
   EXPECT_FALSE(finding(sheet, "isotropy").statement.empty());
 }
 
-std::string measured(const char* name) {
+std::string measured_file(const char* name) {
   const char* folder = std::getenv("BRDF_DATA_DIR");
   return folder ? std::string(folder) + "/measured/" + name : "";
 }
 
 TEST(DataSheet, OfWhitePaperIsCleanWithItsNoiseFloor) {
-  const std::string path = measured("rgl_paper_white.csv");
+  const std::string path = measured_file("rgl_paper_white.csv");
   if (path.empty()) GTEST_SKIP() << "BRDF_DATA_DIR is not set: no measured samples";
   const io::SampleTable t = io::read_samples(path);
-  EXPECT_EQ(faults(t), Names{});
+  EXPECT_EQ(failing(t), Names{});
   const DataSheet sheet = data_sheet(t);
   // The published values are smoothed: neighbours scatter by .1 %, and exchanging light and viewer shows what is left.
   EXPECT_LT(sheet.scatter.neighbours.value.value_or(1), 0.002);
