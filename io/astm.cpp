@@ -145,6 +145,8 @@ class AstmReader {
     std::vector<double>* const angles[] = {&table_.theta_i, &table_.phi_i, &table_.theta_o, &table_.phi_o};
     for (std::size_t k = 0; k < 4; ++k)
       angles[k]->push_back(column_[k] < 0 ? 0.0 : number(static_cast<std::size_t>(column_[k])));
+    for (std::size_t k = 0; k < 4; ++k)
+      if (column_[k] >= 0) raw_[k].add(angles[k]->back());
     for (std::size_t c = 0; c < value_columns_.size(); ++c) {
       table_.values[c].push_back(number(value_columns_[c]));
       if (sigma_columns_[c]) table_.sigma[c].push_back(number(*sigma_columns_[c]));
@@ -152,12 +154,27 @@ class AstmReader {
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
   }
 
+  void store_raw_angles() {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (column_[k] < 0) continue;
+      RawAngle& angle = table_.raw_angles[k];
+      angle.name = names_[static_cast<std::size_t>(column_[k])];
+      angle.has_unit = is_radians_.has_value();
+      std::move(raw_[k]).store(angle);
+    }
+  }
+
+  // Radians reach pi/2 in a polar angle and a whole turn, to either side, in an azimuth. Files print few digits.
+  bool may_be_radians() const {
+    constexpr double kRound = 1 + 1e-6;
+    const RawAngles& raw = table_.raw_angles;
+    return std::max(raw[0].largest, raw[2].largest) <= std::numbers::pi / 2 * kRound &&
+           std::max(raw[1].largest, raw[3].largest) <= 2 * std::numbers::pi * kRound;
+  }
+
   void to_degrees() {
-    constexpr double kRightAngle = std::numbers::pi / 2 * (1 + 1e-6);  // files print few digits
-    double largest = 0;
-    for (const auto* thetas : {&table_.theta_i, &table_.theta_o})
-      for (const double theta : *thetas) largest = std::max(largest, std::abs(theta));
-    const bool is_radians = is_radians_.value_or(largest <= kRightAngle);
+    store_raw_angles();
+    const bool is_radians = is_radians_.value_or(may_be_radians());
     const double scale = is_radians ? 180 / std::numbers::pi : 1.0;
     const std::string unit = is_radians ? "radians" : "degrees";
     if (!is_radians_) table_.warnings.push_back("angles taken for " + unit);
@@ -188,6 +205,7 @@ class AstmReader {
   std::vector<std::optional<std::size_t>> sigma_columns_;  // [channel]
   std::optional<bool> is_radians_;                         // where the file says so
   int column_[4] = {-1, -1, -1, -1};
+  RawMagnitudes raw_[4];
   bool is_laid_out_ = false;
 };
 

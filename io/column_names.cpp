@@ -97,6 +97,7 @@ class Reading {
     if (!angle || !(unit.empty() || is_radians || is_one_of(unit, kDegrees))) return false;
     angles_.back() = angle;
     column.kind = Column::Kind::angle;
+    column.has_unit = !unit.empty();
     if (angle->quantity == AngleName::Quantity::elevation)
       column.unit = is_radians ? Column::Unit::elevation_in_radians : Column::Unit::elevation;
     else if (is_radians)

@@ -14,6 +14,7 @@ struct Column {
   enum class Unit { as_is, radians, elevation, elevation_in_radians, micrometres } unit = Unit::as_is;
   std::size_t index = 0;  // the angle's (kAngleNames) or the channel's
   std::string name;       // as the file has it
+  bool has_unit = false;  // of an angle: the name states its unit
 
   // The file's number in the unit of the table: degrees from the normal, nm; radians become the shortest number of
   // degrees that is that angle.

@@ -49,6 +49,7 @@ class CsvReader {
       table_.warnings.push_back(std::to_string(table_.skipped) +
                                 " rows left out: f_r is undefined where the quantity's cosine is 0");
     note_dialect();
+    store_raw_angles();
     return is_long_ ? widened(table_, bands_) : std::move(table_);
   }
 
@@ -168,6 +169,16 @@ class CsvReader {
     table_.warnings.insert(table_.warnings.begin(), notes.begin(), notes.end());
   }
 
+  void store_raw_angles() {
+    for (const Column& c : columns()) {
+      if (c.kind != Column::Kind::angle) continue;
+      RawAngle& angle = table_.raw_angles[c.index];
+      angle.name = c.name;
+      angle.has_unit = c.has_unit;
+      std::move(raw_[c.index]).store(angle);
+    }
+  }
+
   void split_row(std::string_view line) {
     if (!dialect_.split_row(line, fields_)) fail(kBadQuotation);
   }
@@ -198,6 +209,7 @@ class CsvReader {
         fail(k, fields_[k],
              dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
                                         : "is not a number" + advice_on(fields_[k]));
+      if (columns()[k].kind == Column::Kind::angle) raw_[columns()[k].index].add(number);
       number = columns()[k].converted(number);
       if (!std::isfinite(number)) fail(k, fields_[k], "is not finite" + advice_on(fields_[k]));
       read_number(k, number);
@@ -324,6 +336,7 @@ class CsvReader {
   Columns header_;
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
+  RawMagnitudes raw_[4];
   std::vector<double> row_values_, row_sigma_;
   ColumnQuantity quantity_ = ColumnQuantity::brdf;
   bool has_sigma_ = false, is_long_ = false, has_units_ = false;

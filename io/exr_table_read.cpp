@@ -100,6 +100,14 @@ void add_comments(const Imf::Header& header, SampleTable& table) {
   }
 }
 
+RawAngle raw_angle(const std::string& name, const std::vector<double>& cells) {
+  RawMagnitudes magnitudes;
+  for (const double cell : cells) magnitudes.add(cell);
+  RawAngle angle{name};
+  std::move(magnitudes).store(angle);
+  return angle;
+}
+
 // Takes the columns where they belong by name; standard deviations find their channels.
 void place_columns(const std::vector<std::string>& names, std::vector<std::vector<double>>& columns,
                    SampleTable& table) {
@@ -107,7 +115,9 @@ void place_columns(const std::vector<std::string>& names, std::vector<std::vecto
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (names[k].starts_with(kSigmaPrefix)) continue;
     if (is_plain_angle_name(names[k])) {
-      *angles[std::ranges::find(kAngleNames, names[k]) - kAngleNames] = std::move(columns[k]);
+      const std::ptrdiff_t angle = std::ranges::find(kAngleNames, names[k]) - kAngleNames;
+      table.raw_angles[static_cast<std::size_t>(angle)] = raw_angle(names[k], columns[k]);
+      *angles[angle] = std::move(columns[k]);
       continue;
     }
     table.channels.push_back(names[k]);

@@ -12,6 +12,7 @@
 #include "brdf/directions.h"
 #include "io/comments.h"
 #include "io/content.h"
+#include "io/raw_angles.h"
 
 namespace brdf::io {
 
@@ -32,6 +33,7 @@ struct SampleTable {
   std::vector<std::string> warnings;  // what the reader left out or repaired, one sentence each
   double scale = 1;                   // by which the file's values were divided (relative_scale.h)
   std::size_t skipped = 0;            // entries of the file that hold no value (marked invalid, or undefined)
+  RawAngles raw_angles;  // the columns of the angles as the file holds them; empty for binary formats
 
   std::size_t rows() const { return theta_i.size(); }
   bool has_sigma(std::size_t channel) const { return channel < sigma.size() && !sigma[channel].empty(); }
