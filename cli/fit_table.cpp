@@ -35,11 +35,11 @@ Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const
   const fit::FormFit& best = result.ranking.front();
   const std::string& output = targets.material;
   if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output))
-    std::cerr << "brdf fit: interrupted: " << output << " is kept as it was\n";
+    Note() << "brdf fit: interrupted: " << output << " is kept as it was";
   else if (!output.empty() && best.solved())
     io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
   else if (!output.empty())
-    std::cerr << "brdf fit: no form could be fitted: " << output << " is not written\n";
+    Note() << "brdf fit: no form could be fitted: " << output << " is not written";
   if (!targets.report.empty())
     io::write_file_atomically(targets.report, fit::html_report(result, table, options));
   if (targets.json)

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "interop/rgl.h"
 #include "io/any_table.h"
@@ -33,9 +33,9 @@ Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement
   const std::string bytes =
       interop::rgl_of(between_samples(in, arrangement), std::filesystem::path(in).stem().string());
   io::write_file_atomically(out, bytes);
-  std::cerr << "brdf convert: " << bytes.size() << " bytes to " << out << '\n'
-            << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
-               "(export --to rgl --measured interpolates beside a fit)\n";
+  Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
+  Note() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
+            "(export --to rgl --measured interpolates beside a fit)";
   return Exit::good;
 }
 
@@ -45,11 +45,10 @@ Exit run_convert(const std::string& in, const std::string& out, const io::Arrang
   io::check_targets({{"OUT", out}}, {in});
   io::SampleTable table = synth::table_of_file(in);
   io::arrange(table, arrangement);
-  for (const std::string& warning : table.warnings)
-    std::cerr << "brdf convert: " << in << ": " << warning << '\n';
+  for (const std::string& warning : table.warnings) Note() << "brdf convert: " << in << ": " << warning;
   const std::vector<std::string> lost = io::write_table(out, table);
-  std::cerr << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out << '\n';
-  for (const std::string& what : lost) std::cerr << "brdf convert: lost: " << what << '\n';
+  Note() << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out;
+  for (const std::string& what : lost) Note() << "brdf convert: lost: " << what;
   return Exit::good;
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/options.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "interop/programs.h"
 #include "interop/rgl.h"
@@ -89,9 +90,9 @@ Made export_merl(const ExportCall& o) {
   const bool measured = !o.measured.empty();
   const io::SampleTable cells = measured ? measured::at_merl_cells(seen(o)) : material_at_merl_cells(o);
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
-  std::cerr << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
-            << "; -1 " << (measured ? "where nothing was measured" : "below the horizon") << '\n';
-  for (const std::string& what : lost) std::cerr << "brdf export: lost: " << what << '\n';
+  Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
+         << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
+  for (const std::string& what : lost) Note() << "brdf export: lost: " << what;
   return {{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
 }
 
@@ -109,7 +110,7 @@ Made export_rgl(const ExportCall& o) {
                             std::filesystem::path(o.measured).stem().string(), o.size);
   }
   io::write_file_atomically(o.output, bytes);
-  std::cerr << "brdf export: " << bytes.size() << " bytes to " << o.output << '\n';
+  Note() << "brdf export: " << bytes.size() << " bytes to " << o.output;
   return {{{"kind", "table"}, {"bytes", bytes.size()}}};
 }
 
@@ -143,10 +144,9 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
   write(o, made.text);
-  std::cerr << "brdf export: " << made.target << ": " << interop::in_words(made.projection) << '\n';
+  Note() << "brdf export: " << made.target << ": " << interop::in_words(made.projection);
   const bool good = !o.max_loss || made.projection.loss.rms <= *o.max_loss;
-  if (!good)
-    std::cerr << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss) << '\n';
+  if (!good) Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
   return {to_json(program, made), good ? Exit::good : Exit::failed};
 }
 

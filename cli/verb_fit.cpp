@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "cli/fit_files.h"
@@ -10,6 +9,7 @@
 #include "cli/inputs.h"
 #include "cli/progress.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/fit.h"
 #include "io/error.h"
@@ -52,7 +52,7 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   const io::SampleTable table = table_to_fit(o.samples[0], options);
   watch_for_interrupt();
   fit::Progress progress;
-  if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
+  if (shows_progress()) progress = [](const std::string& what) { Note() << "brdf fit: " << what; };
   return write_fit(fit::fit(table, models_of(o), options, progress), table, options,
                    {o.output, o.report, o.json});
 }
@@ -61,7 +61,7 @@ Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
   if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
   watch_for_interrupt();
-  const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
+  const auto progress = [](const std::string& message) { Note() << message; };
   return summarise(fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, progress),
                    o.output, o.json);
 }

@@ -92,7 +92,8 @@ std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of
 std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vector<Band>& bands) {
   const Band &first = bands.front(), &last = bands.back();
   const std::string count = std::to_string(bands.size());
-  const std::string what = !first.polarisation
+  const std::string what = bands.size() == 1 ? "1 band, " + words_of(first)
+                           : !first.polarisation
                                ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
                                : count + " bands, " + words_of(first) + " to " + words_of(last);
   std::vector<std::string> warnings = narrow.warnings;

@@ -13,6 +13,7 @@
 #include "io/numbers.h"
 #include "io/spectrum.h"
 #include "io/text.h"
+#include "io/wavelengths.h"
 
 namespace brdf::io {
 namespace {
@@ -184,7 +185,7 @@ class Reader {
     const std::vector<double>& wavelengths = read_n_.wavelengths;
     const bool is_micrometres =
         unit_ == Unit::micrometres ||
-        (unit_ == Unit::unsaid && *std::max_element(wavelengths.begin(), wavelengths.end()) < 100);
+        (unit_ == Unit::unsaid && are_micrometres(*std::max_element(wavelengths.begin(), wavelengths.end())));
     std::vector<std::pair<double, Index>> rows;
     for (std::size_t r = 0; r < wavelengths.size(); ++r)
       rows.push_back({is_micrometres ? std::round(1e7 * wavelengths[r]) / 1e4 : wavelengths[r],

@@ -1,0 +1,597 @@
+#include "io/quantity_words.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "io/channel_colours.h"
+#include "io/polarisation.h"
+#include "io/text.h"
+#include "io/units.h"
+
+namespace brdf::io {
+namespace {
+
+using Fault = QuantityWords::Fault;
+using Scale = Quantity::Scale;
+
+// Words without their blanks and hyphens.
+const std::map<std::string, Kind, std::less<>>& phrases() {
+  static const std::map<std::string, Kind, std::less<>> all = [] {
+    std::map<std::string, Kind, std::less<>> map;
+    const auto add = [&](Kind kind, std::initializer_list<const char*> words) {
+      for (const char* word : words) map.emplace(word, kind);
+    };
+    add(Kind::f_r,
+        {"fr", "brdf", "bsdf", "radiancecoefficient", "luminancecoefficient", "brdfs",
+         "bidirectionalreflectancedistributionfunction", "bidirectionalscatteringdistributionfunction",
+         "bidirectionalscatterdistributionfunction", "bidirectionalreflectiondistributionfunction",
+         "bidirectionalreflectancedistribution", "reflectancedistributionfunction"});
+    add(Kind::reflectance_factor, {"brf", "brfs", "hdrf", "hcrf", "bcrf", "ccrf", "cdrf", "reff",
+                                   "reflectancefactor", "reflectancefactors", "reflectionfactor",
+                                   "reflfactor", "radiancefactor", "luminancefactor", "rfactor"});
+    add(Kind::f_r_cos_o,
+        {"ars", "dsc", "ccbrdf", "ccbsdf", "intensity", "angleresolvedscatter", "angleresolvedscattering",
+         "angularresolvedscattering", "differentialscattercoefficient", "differentialscatteringcoefficient",
+         "cosinecorrectedbrdf", "coscorrectedbrdf", "cosinecorrectedbsdf", "brdfcosinecorrected",
+         "brdfcoscorrected", "cosinecorrected", "coscorrected"});
+    add(Kind::radiance_factor, {"i/f", "radf", "ioverf", "iof"});
+    add(Kind::retroreflection, {"retroreflection", "retroreflectivity", "coefficientofretroreflection",
+                                "retroreflectioncoefficient", "retroreflectivecoefficient"});
+    add(Kind::reduced_luminance, {"reducedluminancecoefficient", "rtable", "rtables"});
+    add(Kind::reflectance,
+        {"reflectance", "reflection", "reflectivity", "refl", "reflectances", "rho", "reflectancevalue"});
+    add(Kind::scatter, {"scatter", "scattering", "scattered", "scatterfunction"});
+    add(Kind::transmittance, {"btdf", "ccbtdf", "transmission", "transmittance", "transmissivity",
+                              "transmitted", "bidirectionaltransmittancedistributionfunction",
+                              "transmissionfactor", "transmittancefactor", "btf"});
+    add(Kind::radiance, {"radiance", "radiances"});
+    add(Kind::luminance, {"luminance", "luminances"});
+    add(Kind::radiant_intensity, {"radiantintensity", "luminousintensity"});
+    add(Kind::signal,
+        {"signal",        "signals",        "counts",    "count",     "cts",        "adu",         "dn",
+         "voltage",       "photocurrent",   "current",   "power",     "irradiance", "illuminance", "flux",
+         "digitalnumber", "digitalnumbers", "rawsignal", "greylevel", "graylevel",  "pixelvalue"});
+    add(Kind::colour, {"gloss", "glossunits", "gu", "chroma", "hue", "lstar", "astar", "bstar", "cielab",
+                       "lightness", "tristimulus", "deltae"});
+    add(Kind::albedo, {"albedo", "tis", "haze", "emissivity", "emittance", "absorptance", "absorptivity",
+                       "totalintegratedscatter", "totalscatter", "dhr", "hemisphericalreflectance",
+                       "directionalhemisphericalreflectance", "totalreflectance", "diffusereflectance",
+                       "specularreflectance"});
+    add(Kind::radar, {"rcs", "nrcs", "radarcrosssection", "crosssection", "sigma0", "sigmanought"});
+    add(Kind::phase, {"phase", "amplitude", "retardance"});
+    add(Kind::relative, {"relative", "normalised", "normalized", "arbitraryunits", "arbunits", "arb",
+                         "uncalibrated", "arbitrary"});
+    return map;
+  }();
+  return all;
+}
+
+struct Token {
+  enum class Type { word, number, sign } type;
+  std::string text;  // in small letters
+  std::size_t begin, end;
+  bool is_used = false;
+};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool is_word(char c) {
+  return is_capital(c) || (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80 || c == '\'';
+}
+
+// Words are runs of letters, parted before a capital after a small letter: "ReflectanceFactor".
+std::vector<Token> tokens_of(std::string_view text) {
+  std::vector<Token> tokens;
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t begin = k;
+    const char c = text[k];
+    Token::Type type = Token::Type::sign;
+    if (is_digit(c)) {
+      type = Token::Type::number;
+      double number;
+      const auto result = std::from_chars(text.data() + k, text.data() + text.size(), number);
+      k = static_cast<std::size_t>(result.ptr - text.data());
+      if (k == begin) ++k;
+    } else if (is_word(c)) {
+      type = Token::Type::word;
+      for (++k; k < text.size() && is_word(text[k]); ++k)
+        if (is_capital(text[k]) && !is_capital(text[k - 1])) break;
+    } else {
+      ++k;
+      if (c == ' ' || c == '\t' || c == '_') continue;
+    }
+    tokens.push_back({type, lower_case(text.substr(begin, k - begin)), begin, k});
+  }
+  return tokens;
+}
+
+bool is_silent(const Token& token) {
+  constexpr std::string_view kSilent = "-()[]{},.:;\"";
+  return token.type == Token::Type::sign && kSilent.find(token.text) != kSilent.npos;
+}
+
+// Marks what has been understood of a name's words.
+class WordReading {
+ public:
+  explicit WordReading(std::string_view plain) : text_(plain), tokens_(tokens_of(plain)) {}
+
+  void read(QuantityWords& out) {
+    out_ = &out;
+    take_colours();
+    take_multipliers();
+    take_scales();
+    take_phrases();
+    take_cosines();
+    out.rest = rest();
+  }
+
+  bool is_percent() const { return is_percent_; }
+  bool is_multiplied() const { return is_multiplied_; }
+
+ private:
+  void contradict(const std::string& reason) {
+    out_->fault = Fault::contradicts;
+    if (out_->reason.empty()) out_->reason = reason;
+  }
+
+  bool is(std::size_t k, std::string_view text) const {
+    return k < tokens_.size() && tokens_[k].text == text;
+  }
+  std::optional<double> number_at(std::size_t k) const {
+    double number;
+    if (k >= tokens_.size() || tokens_[k].type != Token::Type::number ||
+        !parse_number(tokens_[k].text, number))
+      return std::nullopt;
+    return number;
+  }
+
+  // L*, a*, b*: the star is a part of the name; and (a.u.).
+  void take_colours() {
+    if (tokens_.size() > 1 && is(1, "*") && (tokens_.size() == 2 || is_silent(tokens_[2])) &&
+        std::string_view("labch").find(tokens_[0].text) != std::string_view::npos)
+      take_kind(0, 2, Kind::colour);
+    for (std::size_t k = 0; k + 2 < tokens_.size(); ++k)
+      if (is(k, "a") && is(k + 1, ".") && is(k + 2, "u")) take_kind(k, k + 3, Kind::relative);
+  }
+
+  // A power of ten that the quantity was multiplied by: x1000, * 10^4, 1000*, 1e3 x.
+  void take_multipliers() {
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      const bool is_sign = is(k, "x") || is(k, "*");
+      if (is_sign && take_power(k + 1, k)) return;
+      if (!number_at(k)) continue;
+      const std::size_t after = k + (is(k + 1, "^") ? 3 : 1);
+      if ((is(after, "x") || is(after, "*")) && take_power(k, after)) return;
+      split_factor(k);
+    }
+  }
+
+  // "BRDFx1000": the x belongs to the number if the word before it is known.
+  void split_factor(std::size_t number) {
+    if (number == 0 || tokens_[number - 1].type != Token::Type::word) return;
+    Token& word = tokens_[number - 1];
+    if (!word.text.ends_with('x') || !phrases().contains(word.text.substr(0, word.text.size() - 1))) return;
+    if (!take_power(number, number)) return;
+    word.text.pop_back();
+    --word.end;
+  }
+
+  bool take_power(std::size_t k, std::size_t sign) {
+    std::optional<double> number = number_at(k);
+    if (!number) return false;
+    std::size_t end = k + 1;
+    if (*number == 10 && is(end, "^")) {
+      const bool is_negative = is(end + 1, "-");
+      const auto exponent = number_at(end + 1 + is_negative);
+      if (!exponent) return false;
+      number = std::pow(10.0, is_negative ? -*exponent : *exponent);
+      end += 2 + is_negative;
+    }
+    const double ten = std::log10(*number);
+    if (!(*number > 0) || *number == 1 || std::abs(ten - std::round(ten)) > 1e-12) return false;
+    if (*number < 1) contradict("is multiplied by a power of ten below 1, or is in units of it");
+    use(k, end);
+    use(sign, sign + 1);
+    is_multiplied_ = true;
+    out_->factor /= *number;
+    return true;
+  }
+
+  void take_scales() {
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      Token& token = tokens_[k];
+      if (token.is_used) continue;
+      const std::string& word = token.text;
+      if (word == "%" || word == "percent" || word == "pct" || word == "percentage") {
+        set_percent(1e-2, k);
+      } else if (word == "ppm") {
+        set_percent(1e-6, k);
+      } else if (word == "milli") {
+        out_->factor *= 1e-3;
+        use(k, k + 1);
+      } else if (word == "log" || word == "lg" || word == "ln" || word == "loge" || word == "logarithm") {
+        take_logarithm(k);
+      } else if (word == "db" || word == "decibel" || word == "decibels") {
+        out_->scale = Scale::decibel;
+        use(k, k + 1);
+      } else if (word == "m" && is(k + 1, "brdf") && token.end == tokens_[k + 1].begin) {
+        out_->factor *= 1e-3;
+        use(k, k + 1);
+      }
+    }
+  }
+
+  void set_percent(double factor, std::size_t k) {
+    out_->factor *= factor;
+    is_percent_ = true;
+    use(k, k + 1);
+  }
+
+  void take_logarithm(std::size_t k) {
+    const std::string& word = tokens_[k].text;
+    const bool is_natural =
+        word == "ln" || word == "loge" || is(k + 1, "e") || (k > 0 && is(k - 1, "natural"));
+    std::size_t end = k + 1;
+    if (k > 0 && is(k - 1, "-")) contradict("is a negative logarithm");
+    if (is(end, "e")) ++end;
+    if (const auto base = number_at(end)) {
+      if (*base != 10) contradict("is a logarithm of another base than 10 and e");
+      ++end;
+    }
+    out_->scale = is_natural ? Scale::ln : Scale::log10;
+    use(k, end);
+    for (const char* word_before : {"natural", "decimal", "common", "decadic"})
+      if (k > 0 && is(k - 1, word_before)) use(k - 1, k);
+  }
+
+  // The longest known phrases, from the left.
+  void take_phrases() {
+    constexpr std::size_t kLongest = 9;  // tokens
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      if (tokens_[k].is_used || is_silent(tokens_[k])) continue;
+      std::string joined;
+      std::optional<std::pair<std::size_t, Kind>> found;
+      for (std::size_t end = k; end < std::min(tokens_.size(), k + kLongest) && !tokens_[end].is_used;
+           ++end) {
+        if (is_silent(tokens_[end])) continue;
+        joined += tokens_[end].text;
+        if (const auto at = phrases().find(joined); at != phrases().end()) found = {end + 1, at->second};
+      }
+      if (!found && is_retroreflection(k)) found = {k + 2, Kind::retroreflection};
+      if (!found) continue;
+      out_->is_default = !out_->kind && (is(k, "fr") || (is(k, "f") && is(k + 1, "r")));
+      take_kind(k, found->first, found->second);
+      k = found->first - 1;
+    }
+  }
+
+  // R_A, which joined is two letters that mean anything.
+  bool is_retroreflection(std::size_t k) const {
+    return is(k, "r") && is(k + 1, "a") && text_[tokens_[k].end] == '_';
+  }
+
+  void take_kind(std::size_t begin, std::size_t end, Kind kind) {
+    const bool is_first = std::all_of(tokens_.begin(), tokens_.begin() + std::ptrdiff_t(begin),
+                                      [](const Token& t) { return t.is_used || is_silent(t); });
+    use(begin, end);
+    const std::optional<Kind> before = out_->kind;
+    if (!before) {
+      out_->kind = kind;
+      out_->is_first = is_first;
+    } else if (*before != kind) {
+      out_->kind = stronger(*before, kind);
+    }
+  }
+
+  // Of two words the one that says more: "relative BRDF", "BSDF, transmission", "cosine-corrected scatter BRDF".
+  std::optional<Kind> stronger(Kind a, Kind b) {
+    for (const Kind decisive : {Kind::transmittance, Kind::relative, Kind::radiant_intensity})
+      if (a == decisive || b == decisive) return decisive;
+    for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+      if (other == Kind::reflectance || other == Kind::scatter) return one;
+      if (one == Kind::f_r_cos_o && other == Kind::f_r) return one;
+    }
+    contradict("names two quantities");
+    return a;
+  }
+
+  // Cosines that f_r was multiplied by.
+  void take_cosines() {
+    bool light = false, viewer = false;
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      std::string word = tokens_[k].text;
+      if (tokens_[k].is_used || !word.starts_with("cos")) continue;
+      if (k > 0 && is(k - 1, "/")) contradict("is divided by a cosine");
+      word.erase(0, word.starts_with("cosine") ? 6 : 3);
+      std::size_t end = k + 1;
+      while (word.empty() || word == "theta") {
+        while (end < tokens_.size() && (is(end, "(") || is(end, "["))) ++end;
+        if (end == tokens_.size() || tokens_[end].type != Token::Type::word || tokens_[end].is_used) break;
+        if (tokens_[end].text.starts_with("cos")) break;
+        word += tokens_[end++].text;
+      }
+      if (word.starts_with("theta")) word.erase(0, 5);
+      const bool is_light = word.starts_with("i") || word.starts_with("l");
+      (is_light ? light : viewer) = true;
+      use(k > 0 && is(k - 1, "*") ? k - 1 : k, end);
+    }
+    if (!light && !viewer) return;
+    if (out_->kind && *out_->kind != Kind::f_r) return contradict("is multiplied by a cosine");
+    out_->kind = light && viewer ? Kind::f_r_cos_i_cos_o : light ? Kind::f_r_cos_i : Kind::f_r_cos_o;
+  }
+
+  void use(std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < std::min(end, tokens_.size()); ++k) tokens_[k].is_used = true;
+  }
+
+  // What is left, in its order.
+  std::string rest() const {
+    std::string text;
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      const Token& token = tokens_[k];
+      if (token.is_used || (token.type == Token::Type::sign && is_silent(token))) continue;
+      if (token.type == Token::Type::sign && text.empty()) continue;
+      const bool goes_on = k > 0 && !tokens_[k - 1].is_used && !text.empty();
+      if (goes_on)
+        text += text_.substr(tokens_[k - 1].end, token.begin - tokens_[k - 1].end);
+      else if (!text.empty())
+        text += '_';
+      text += text_.substr(token.begin, token.end - token.begin);
+    }
+    while (!text.empty() && std::string_view(" _*/^=+").find(text.back()) != std::string_view::npos)
+      text.pop_back();
+    return is_filling(text) ? "" : text;
+  }
+
+  std::string_view text_;
+  std::vector<Token> tokens_;
+  QuantityWords* out_ = nullptr;
+  bool is_percent_ = false, is_multiplied_ = false;
+};
+
+// A text and its unit, which is out of it.
+struct Parted {
+  std::string bare;
+  std::optional<Unit> unit;
+  std::string unit_text;
+};
+
+bool is_band_unit(const Unit& unit) {
+  using K = Unit::Kind;
+  return unit.kind() == K::length || unit.kind() == K::wavenumber || unit.kind() == K::frequency ||
+         unit.kind() == K::energy;
+}
+
+// The bracket that this one closes; npos: none does.
+std::size_t opening_of(std::string_view text, std::size_t close) {
+  int depth = 0;
+  for (std::size_t k = close + 1; k-- > 0;) {
+    depth += text[k] == ')' || text[k] == ']';
+    depth -= text[k] == '(' || text[k] == '[';
+    if (depth == 0) return k;
+  }
+  return text.npos;
+}
+
+// A unit in brackets, from the right. What names a polarisation is none: fr (s).
+bool part_brackets(std::string_view text, Parted& out) {
+  for (std::size_t close = text.find_last_of(")]"); close != text.npos && close > 0;
+       close = text.find_last_of(")]", close - 1)) {
+    const std::size_t open = opening_of(text, close);
+    if (open == text.npos) return false;
+    const std::string_view inside = trimmed(text.substr(open + 1, close - open - 1));
+    const auto unit = unit_named(inside);
+    const std::string plain = plain_symbols(inside);
+    const bool is_multiplier = unit && *unit == Unit{unit->factor} && plain.find("^-") == plain.npos &&
+                               plain.find("e-") == plain.npos && lower_case(plain) != "milli";
+    if (!unit || is_multiplier || polarisation_named(inside)) continue;
+    out.unit = unit;
+    out.unit_text = inside;
+    out.bare = std::string(trimmed(text.substr(0, open)));
+    const std::string_view after = trimmed(text.substr(close + 1));
+    if (!after.empty()) out.bare += (out.bare.empty() ? "" : " ") + std::string(after);
+    return true;
+  }
+  return false;
+}
+
+// Words that are units only in brackets.
+bool is_word_first(std::string_view unit) {
+  constexpr std::string_view kWords[] = {
+      "min", "count",  "counts",  "day",    "days",    "h",    "hour",  "hours",   "sec",    "bar",
+      "ang", "second", "seconds", "minute", "minutes", "grad", "milli", "photons", "photon", "inch"};
+  return unit.size() == 1
+             ? unit != "%" && unit != "°"
+             : std::find(std::begin(kWords), std::end(kWords), lower_case(unit)) != std::end(kWords);
+}
+
+// A unit behind a separator, the longest: "fr 1/sr", "wavelength_nm", "theta/deg". The number before it makes it a band.
+bool part_suffix(std::string_view text, Parted& out) {
+  for (std::size_t at = text.find_first_of("/, _"); at != text.npos;
+       at = text.find_first_of("/, _", at + 1)) {
+    const std::string_view before = trimmed(text.substr(0, at)), after = trimmed(text.substr(at + 1));
+    const bool is_bracket = after.starts_with('(') || after.starts_with('[');
+    if (before.empty() || after.empty() || is_bracket || is_word_first(after)) continue;
+    const auto unit = unit_named(after);
+    if (!unit || *unit == Unit{unit->factor}) continue;
+    const bool has_number = is_digit(after.front()) || is_digit(before.back());
+    if (is_band_unit(*unit) && has_number) continue;
+    out.bare = std::string(before);
+    out.unit = unit;
+    out.unit_text = after;
+    return true;
+  }
+  return false;
+}
+
+Parted parted(std::string_view text) {
+  text = trimmed(text);
+  Parted out{std::string(text), std::nullopt, ""};
+  const auto whole = unit_named(text);
+  const bool has_sign = text.find_first_of("/^%") != text.npos || lower_case(text) == "db";
+  if (whole && has_sign && !is_band_unit(*whole)) {
+    out.unit = whole;
+    out.unit_text = text;
+    out.bare.clear();
+  } else if (!part_brackets(text, out)) {
+    part_suffix(text, out);
+  }
+  return out;
+}
+
+// What the unit says, with the words or against them.
+class Combination {
+ public:
+  Combination(QuantityWords& words, const Parted& parts)
+      : out_(words), unit_(*parts.unit), text_(parts.unit_text) {}
+
+  void make() {
+    using K = Unit::Kind;
+    if (unit_.is_decibel) return decibels();
+    switch (unit_.kind()) {
+      case K::number:
+        out_.factor *= unit_.factor;
+        break;
+      case K::percent:
+        percent();
+        break;
+      case K::per_steradian:
+        per_steradian();
+        break;
+      case K::radiance:
+        refused(Kind::radiance);
+        break;
+      case K::luminance:
+        refused(Kind::luminance);
+        break;
+      case K::intensity:
+        refused(Kind::radiant_intensity);
+        break;
+      case K::signal:
+        refused(Kind::signal);
+        break;
+      default:
+        no_values();
+    }
+  }
+
+ private:
+  bool is(Kind kind) const { return out_.kind == kind; }
+
+  void contradict() {
+    out_.fault = Fault::contradicts;
+    out_.reason = "has the unit " + shown(text_) + ", which its word cannot have";
+  }
+
+  void decibels() {
+    out_.scale = Scale::decibel;
+    if (unit_.kind() == Unit::Kind::area)
+      out_.kind = Kind::radar;
+    else if (!out_.kind && unit_.kind() == Unit::Kind::per_steradian)
+      out_.kind = Kind::f_r;
+    else if (!out_.kind || is(Kind::reflectance))
+      out_.kind = Kind::decibels;
+  }
+
+  void percent() {
+    out_.factor *= unit_.factor;
+    if (out_.kind && *out_.kind <= Kind::reduced_luminance && !is(Kind::reflectance_factor))
+      return contradict();
+    if (!out_.kind) out_.kind = Kind::percent;
+  }
+
+  void per_steradian() {
+    out_.factor *= unit_.factor;
+    if (unit_.is_percent && !is(Kind::f_r) && !is(Kind::f_r_cos_o)) {
+      out_.kind = Kind::scatter;
+    } else if (is(Kind::reflectance)) {
+      out_.is_doubtful = lower_case(plain_symbols(out_.bare)) != "rho";
+      out_.kind = Kind::f_r;
+    } else if (is(Kind::reduced_luminance)) {
+      out_.factor *= 1e4;  // the unit stands for the coefficient itself
+    } else if (!out_.kind) {
+      out_.kind = Kind::f_r;
+    } else if (is(Kind::reflectance_factor) || is(Kind::radiance_factor) || is(Kind::radiance) ||
+               is(Kind::luminance)) {
+      contradict();
+    }
+  }
+
+  void refused(Kind kind) {
+    const bool has_own = out_.kind && *out_.kind != Kind::f_r && *out_.kind != Kind::f_r_cos_o &&
+                         *out_.kind != Kind::scatter && *out_.kind != Kind::reflectance;
+    if (is(Kind::f_r)) return contradict();
+    if (!has_own) out_.kind = kind;
+  }
+
+  void no_values() {
+    if (out_.kind && *out_.kind <= Kind::reduced_luminance) return contradict();
+    out_.fault = Fault::no_values;
+  }
+
+  QuantityWords& out_;
+  const Unit& unit_;
+  const std::string& text_;
+};
+
+}  // namespace
+
+bool is_filling(std::string_view rest) {
+  constexpr std::string_view kFillers[] = {"value",       "values",
+                                           "data",        "measured",
+                                           "measurement", "measurements",
+                                           "in",          "of",
+                                           "the",         "a",
+                                           "an",          "spectral",
+                                           "table",       "as",
+                                           "is",          "are",
+                                           "unit",        "units",
+                                           "result",      "results",
+                                           "and",         "bidirectional",
+                                           "directional", "hemispherical",
+                                           "cie",         "conical",
+                                           "biconical",   "absolute",
+                                           "quantity",    "column",
+                                           "factor"};
+  const std::vector<Token> tokens = tokens_of(rest);
+  return std::all_of(tokens.begin(), tokens.end(), [&](const Token& token) {
+    return token.type == Token::Type::sign ||
+           std::find(std::begin(kFillers), std::end(kFillers), token.text) != std::end(kFillers);
+  });
+}
+
+QuantityWords read_quantity_words(std::string_view text) {
+  const Parted parts = parted(text);
+  QuantityWords out;
+  out.bare = parts.bare;
+  const std::string plain = plain_symbols(parts.bare);
+  WordReading reading(plain);
+  reading.read(out);
+  if (!out.kind && !parts.unit) {
+    if (reading.is_percent()) out.kind = Kind::percent;
+    if (out.scale == Scale::decibel) out.kind = Kind::decibels;
+  }
+  out.is_default = out.is_default && !parts.unit;
+  if (parts.unit && out.fault == Fault::none) Combination(out, parts).make();
+  if (out.kind == Kind::reduced_luminance && reading.is_multiplied())
+    out.factor *= 1e4;  // stated, not implied
+  const auto contradict = [&](const char* reason) {
+    if (out.fault == Fault::none) out.reason = reason;
+    out.fault = Fault::contradicts;
+  };
+  if (reading.is_percent() && !(parts.unit && parts.unit->kind() == Unit::Kind::per_steradian) && out.kind &&
+      *out.kind <= Kind::reduced_luminance && *out.kind != Kind::reflectance_factor)
+    contradict("is in percent, which its word cannot be");
+  if (!out.kind && out.fault == Fault::none && (out.factor != 1 || out.scale != Scale::linear))
+    contradict("states a scale, but not of which quantity");
+  return out;
+}
+
+}  // namespace brdf::io
