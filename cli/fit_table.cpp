@@ -22,11 +22,11 @@ void print(const fit::FitResult& result, const io::SampleTable& table, const fit
 }  // namespace
 
 io::SampleTable table_to_fit(const std::string& file, const fit::FitOptions& options) {
-  io::SampleTable read = io::read_samples(file);
+  io::SampleTable read = io::read_samples(file, options.supplied);
+  for (const std::string& sentence : read.assumptions) Note() << "brdf fit: " << file << ": " << sentence;
   const std::size_t said = read.warnings.size();
   io::SampleTable table = fit::arranged(std::move(read), options);
-  for (std::size_t k = said; k < table.warnings.size(); ++k)
-    std::cerr << "brdf fit: " << table.warnings[k] << '\n';
+  for (std::size_t k = said; k < table.warnings.size(); ++k) Note() << "brdf fit: " << table.warnings[k];
   return table;
 }
 

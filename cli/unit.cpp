@@ -157,7 +157,7 @@ Exit collect_tables(const Task& task, const CollectFiles& files) {
   const auto rows = fit_files({task.samples(), files.output, 1, !task.options().no_pictures}, choice,
                               fit_options(choice, 1), {});
   for (const fit::BatchRow& row : rows)
-    if (!row.error.empty()) Note() << "brdf collect: " << row.error;
+    if (!row.error.empty() && row.error != fit::kInterrupted) Note() << "brdf collect: " << row.error;
   return summarise(rows, files.output, false);
 }
 

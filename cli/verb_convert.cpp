@@ -17,10 +17,11 @@ namespace brdf::cli {
 namespace {
 
 // A material, or samples with what lies between them.
-Material between_samples(const std::string& in, const io::Arrangement& arrangement) {
+Material between_samples(const std::string& in, const io::Arrangement& arrangement,
+                         const io::Supplied& supplied) {
   io::Content content = io::read_content(in);
   if (io::is_json(content)) return io::read_material(content);
-  io::SampleTable table = io::read_samples(std::move(content));
+  io::SampleTable table = io::read_samples(std::move(content), supplied);
   io::arrange(table, arrangement);
   const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
   if (seen->turning() == measured::Turning::turned)
@@ -28,10 +29,11 @@ Material between_samples(const std::string& in, const io::Arrangement& arrangeme
   return measured::material_of(seen);
 }
 
-Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
+Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement& arrangement,
+            const io::Supplied& supplied) {
   io::check_targets({{"OUT", out}}, {in});
   const std::string bytes =
-      interop::rgl_of(between_samples(in, arrangement), std::filesystem::path(in).stem().string());
+      interop::rgl_of(between_samples(in, arrangement, supplied), std::filesystem::path(in).stem().string());
   io::write_file_atomically(out, bytes);
   Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
   Note() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
@@ -39,11 +41,12 @@ Exit to_rgl(const std::string& in, const std::string& out, const io::Arrangement
   return Exit::good;
 }
 
-Exit run_convert(const std::string& in, const std::string& out, const io::Arrangement& arrangement) {
-  if (out.ends_with(".bsdf")) return to_rgl(in, out, arrangement);
+Exit run_convert(const std::string& in, const std::string& out, const io::Arrangement& arrangement,
+                 const io::Supplied& supplied) {
+  if (out.ends_with(".bsdf")) return to_rgl(in, out, arrangement, supplied);
   io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
-  io::SampleTable table = synth::table_of_file(in);
+  io::SampleTable table = synth::table_of_file(in, supplied);
   io::arrange(table, arrangement);
   for (const std::string& warning : table.warnings) Note() << "brdf convert: " << in << ": " << warning;
   const std::vector<std::string> lost = io::write_table(out, table);
@@ -58,6 +61,7 @@ void add_convert(CLI::App& app) {
   struct ConvertCall {
     std::string in, out;
     io::Arrangement arrangement;
+    io::Supplied supplied;
   };
   auto options = std::make_shared<ConvertCall>();
   CLI::App* verb =
@@ -73,12 +77,16 @@ void add_convert(CLI::App& app) {
           "text)")
       ->required();
   add_arrangement_options(*verb, options->arrangement);
+  add_supplied_options(*verb, options->supplied);
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
       "          brdf convert paper.csv paper.bsdf\n"
       "          brdf convert scan.csv scan.zemax\n"
-      "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
-  on_run(*verb, [options] { return run_convert(options->in, options->out, options->arrangement); });
+      "          brdf convert polarised.csv mean.csv --polarisation average --repeats average\n"
+      "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative");
+  on_run(*verb, [options] {
+    return run_convert(options->in, options->out, options->arrangement, options->supplied);
+  });
 }
 
 }  // namespace brdf::cli

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -62,8 +63,11 @@ Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit
   if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { Note() << message; };
-  return summarise(fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, progress),
-                   o.output, o.json);
+  const std::vector<fit::BatchRow> rows =
+      fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, progress);
+  const auto left = std::ranges::count(rows, fit::kInterrupted, &fit::BatchRow::error);
+  if (left > 0) Note() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not looked at";
+  return summarise(rows, o.output, o.json);
 }
 
 Exit run_fit(FitCall& o) {
@@ -124,6 +128,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
       "          brdf fit polarised.csv --polarisation average --repeats average\n"
+      "          brdf fit plane.csv --quantity BRF --mirror-side negative\n"
       "          brdf fit a.csv b.csv --free-scale --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/\n"

@@ -110,8 +110,8 @@ class AstmReader {
     if (value_columns_.empty()) fail("VARS names no values");
     for (const int k : {1, 3}) {
       if (column_[k] >= 0) continue;
-      table_.warnings.push_back(std::string(kAngles[k]) + " is not in the file: taken as " +
-                                (k == 1 ? "180 degrees" : "0 degrees"));
+      table_.assume(std::string(kAngles[k]) + " is not in the file: taken as " +
+                    (k == 1 ? "180 degrees" : "0 degrees"));
     }
     table_.values.resize(table_.channels.size());
     table_.sigma.resize(table_.channels.size());
@@ -125,7 +125,7 @@ class AstmReader {
     facts.keeps_names = stated && stated->by == StatedQuantity::By::comment && stated->quantity.is_f_r();
     place_values(header_, facts, [](std::string_view, const std::string&) {});
     table_.channels = header_.channels;
-    table_.warnings.insert(table_.warnings.end(), header_.notes.begin(), header_.notes.end());
+    for (const std::string& note : header_.assumptions) table_.assume(note);
     check_channel_names(table_.channels, reader_.where());
     value_columns_.resize(table_.channels.size());
     sigma_columns_.resize(table_.channels.size());
@@ -142,8 +142,8 @@ class AstmReader {
     for (std::size_t k = 0; k < 4; ++k) {
       if (std::find(names_.begin(), names_.end(), kAngles[k]) != names_.end()) continue;
       names_.insert(names_.begin() + static_cast<std::ptrdiff_t>(k), std::string(kAngles[k]));
-      table_.warnings.push_back("VARS omits the name " + std::string(kAngles[k]) + ": column " +
-                                std::to_string(k + 1) + " taken for it");
+      table_.assume("VARS omits the name " + std::string(kAngles[k]) + ": column " + std::to_string(k + 1) +
+                    " taken for it");
       return;
     }
   }
@@ -196,7 +196,7 @@ class AstmReader {
     const bool is_radians = is_radians_.value_or(may_be_radians());
     const double scale = is_radians ? 180 / std::numbers::pi : 1.0;
     const std::string unit = is_radians ? "radians" : "degrees";
-    if (!is_radians_) table_.warnings.push_back("angles taken for " + unit);
+    if (!is_radians_) table_.assume("angles taken for " + unit);
     for (std::size_t k = 0; k < table_.rows(); ++k) {
       table_.phi_i[k] = column_[1] < 0 ? 180.0 : table_.phi_i[k] * scale;
       table_.phi_o[k] = column_[3] < 0 ? 0.0 : table_.phi_o[k] * scale;

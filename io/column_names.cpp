@@ -205,9 +205,9 @@ class HeaderReading {
     const auto column = std::find_if(out_.columns.begin(), out_.columns.end(), [&](const Column& c) {
       return c.kind == Column::Kind::angle && c.index == stated;
     });
-    out_.notes.push_back("one azimuth, " + shown(column->name) + ": taken for " +
-                         std::string(kAngleNames[stated]) + " with " + std::string(kAngleNames[other]) +
-                         " 0, so that the mirror direction is at 180 degrees");
+    out_.assume("one azimuth, " + shown(column->name) + ": taken for " + std::string(kAngleNames[stated]) +
+                " with " + std::string(kAngleNames[other]) +
+                " 0, so that the mirror direction is at 180 degrees");
   }
 
   const std::vector<std::string_view>& names_;
@@ -278,6 +278,11 @@ bool Columns::has_angle(std::size_t angle) const {
 
 bool Columns::has(Column::Kind kind) const {
   return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.kind == kind; });
+}
+
+void Columns::assume(const std::string& sentence) {
+  notes.push_back(sentence);
+  assumptions.push_back(sentence);
 }
 
 Columns understand_columns(const std::vector<std::string_view>& names, const HeaderFacts& facts) {

@@ -35,9 +35,12 @@ struct Columns {
       only_azimuth;       // the angle's index, where one azimuth is stated for both directions
   bool in_plane = false;  // no azimuth is stated: the polar angles are signed, in the plane of incidence
   std::vector<std::string> notes;  // what was understood though it is not the plain format, a sentence each
+  std::vector<std::string> assumptions;  // those on which values or directions rest
 
   bool has_angle(std::size_t angle) const;
   bool has(Column::Kind kind) const;
+  // Adds a note that is an assumption.
+  void assume(const std::string& sentence);
 };
 
 // What is known of a table beside the names of its columns.

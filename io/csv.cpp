@@ -80,6 +80,7 @@ class CsvReader {
     if (const std::string differences = dialect_.differences(); !differences.empty())
       notes.insert(notes.begin(), differences);
     table_.warnings.insert(table_.warnings.begin(), notes.begin(), notes.end());
+    table_.assumptions = header_.columns().assumptions;
     store_raw_angles();
     if (header_.columns().in_plane)
       place_in_plane(table_, supplied_.mirror_side);
@@ -112,7 +113,7 @@ class CsvReader {
     }
     const Unit micrometre = *unit_named("um");
     for (Band& band : bands_) band.nm = to_nm(band.nm, micrometre);
-    table_.warnings.push_back("the wavelengths state no unit and are all below 100: taken for micrometres");
+    table_.assume("the wavelengths state no unit and are all below 100: taken for micrometres");
   }
 
   void split_row(std::string_view line) {

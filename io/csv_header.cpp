@@ -177,14 +177,14 @@ bool CsvHeader::read_matrix(const Fields& names) {
   columns_.in_plane = true;
   const auto& stated = stated_.result();
   columns_.quantities = {stated ? stated->quantity : Quantity{&quantity_kinds()[0]}};
-  columns_.notes = {std::string("a matrix: ") +
-                    (matrix_->rows.index == 0 ? "incidences" : "angles of the viewer") + " go down, " +
-                    (matrix_->rows.index == 0 ? "angles of the viewer" : "incidences") + " along"};
+  const bool is_light_down = matrix_->rows.index == 0;
+  columns_.notes.push_back(std::string("a matrix: ") +
+                           (is_light_down ? "incidences" : "angles of the viewer") + " go down, " +
+                           (is_light_down ? "angles of the viewer" : "incidences") + " along");
   if (!stated)
-    columns_.notes.emplace_back("the values are taken for f_r in 1/sr: the matrix names no quantity");
+    columns_.assume("the values are taken for f_r in 1/sr: the matrix names no quantity");
   else if (!stated->quantity.is_f_r())
-    columns_.notes.push_back("the matrix holds " + stated->quantity.meaning() + ": " +
-                             stated->quantity.operation());
+    columns_.assume("the matrix holds " + stated->quantity.meaning() + ": " + stated->quantity.operation());
   return true;
 }
 

@@ -131,7 +131,7 @@ void place_columns(const std::vector<std::string>& names, std::vector<std::vecto
   place_values(header, facts, [](std::string_view, const std::string&) {});
   table.channels = header.channels;
   if (table.channels.empty()) throw InputError(table.source + ": has no channel of values beside the angles");
-  table.warnings.insert(table.warnings.end(), header.notes.begin(), header.notes.end());
+  for (const std::string& note : header.assumptions) table.assume(note);
   table.values.resize(table.channels.size());
   table.sigma.resize(table.channels.size());
   for (std::size_t k = 0; k < names.size(); ++k) {

@@ -143,6 +143,7 @@ SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows)
   wide.warnings = has_values ? warnings_of(narrow, bands) : narrow.warnings;
   wide.skipped = narrow.skipped;
   wide.raw_angles = narrow.raw_angles;
+  wide.assumptions = narrow.assumptions;
   add_rows(narrow, all, wide);
   if (!has_values) return wide;
   wide.values.resize(bands.size());

@@ -24,7 +24,7 @@ constexpr std::string_view kPerhaps[] = {
     "point",    "number",      "no",     "nr",   "num",     "run",   "sample", "spot",
     "position", "pos",         "x",      "y",    "z",       "row",   "line",   "record",
     "scan",     "step",        "status", "flag", "quality", "name",  "label",  "id",
-    "index",    "measurement", "count",  "of",   "weight",  "stage", "n"};
+    "index",    "measurement", "count",  "of",   "weight",  "stage"};
 
 // In small letters, parted by whatever is no letter and before a capital after a small letter.
 std::vector<std::string> name_words(std::string_view name) {

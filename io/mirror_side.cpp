@@ -101,7 +101,7 @@ void place_in_plane(SampleTable& table, MirrorSide asked) {
     table.theta_i[k] = std::abs(table.theta_i[k]);
     table.theta_o[k] = std::abs(theta_o);
   }
-  table.warnings.push_back("two angles in the plane of incidence: " + decision.note);
+  table.assume("two angles in the plane of incidence: " + decision.note);
 }
 
 }  // namespace brdf::io

@@ -17,79 +17,98 @@ using Use = QuantityKind::Use;
 constexpr std::array kKinds{
     QuantityKind{
         "f_r", "f_r in 1/sr", 1, 0, 0, Use::converted, "",
-        "f_r; fr; BRDF; BSDF; bidirectional reflectance distribution function; radiance coefficient; "
-        "luminance coefficient; rho (1/sr); q (cd/m2/lx)"},
-    QuantityKind{"BRF", "a reflectance factor", kPi, 0, 0, Use::converted, "",
-                 "BRF; HDRF; HCRF; BCRF; CCRF; reflectance factor; radiance factor; luminance factor; REFF"},
+        "f_r; BRDF; BSDF; bidirectional reflectance distribution function; radiance coefficient; "
+        "luminance coefficient",
+        "brdfs; bidirectional scattering distribution function; bidirectional scatter distribution function; "
+        "bidirectional reflection distribution function; reflectance distribution function",
+        "rho (1/sr); q (cd/m2/lx); 1/sr"},
+    QuantityKind{
+        "BRF", "a reflectance factor", kPi, 0, 0, Use::converted, "",
+        "BRF; HDRF; HCRF; BCRF; CCRF; REFF; reflectance factor; radiance factor; luminance factor",
+        "brfs; cdrf; reflectance factors; reflection factor; refl factor; bidirectional reflectance factor; "
+        "hemispherical directional reflectance factor; biconical reflectance factor"},
     QuantityKind{
         "f_r*cos_o", "f_r times cos_o", 1, 0, 1, Use::converted, "",
-        "f_r*cos_o; ARS; DSC; angle-resolved scatter; cosine-corrected BRDF; ccBRDF; BRDF*cos; intensity"},
-    QuantityKind{"f_r*cos_i", "f_r times cos_i", 1, 1, 0, Use::converted, "", "f_r*cos_i; BRDF*cos_i"},
-    QuantityKind{"f_r*cos_i*cos_o", "f_r times cos_i cos_o", 1, 1, 1, Use::converted, "", "f_r*cos_i*cos_o"},
-    QuantityKind{"I/F", "a radiance factor I/F (pi f_r cos_i)", kPi, 1, 0, Use::converted, "", "I/F; RADF"},
+        "ARS; DSC; angle-resolved scatter; cosine-corrected BRDF; ccBRDF; intensity",
+        "angle resolved scattering; angular resolved scattering; differential scatter coefficient; "
+        "differential "
+        "scattering coefficient; cos corrected brdf; cosine corrected bsdf; brdf cosine corrected; brdf cos "
+        "corrected; cosine corrected; cos corrected; ccbsdf",
+        "f_r*cos_o; BRDF*cos; BRDF cos(theta_r)"},
+    QuantityKind{"f_r*cos_i", "f_r times cos_i", 1, 1, 0, Use::converted, "", "", "",
+                 "f_r*cos_i; BRDF cos(theta_i)"},
+    QuantityKind{"f_r*cos_i*cos_o", "f_r times cos_i cos_o", 1, 1, 1, Use::converted, "", "", "",
+                 "f_r*cos_i*cos_o"},
+    QuantityKind{"I/F", "a radiance factor I/F (pi f_r cos_i)", kPi, 1, 0, Use::converted, "", "I/F; RADF",
+                 "i over f; iof"},
     QuantityKind{"R_A", "a coefficient of retroreflection", 1, 1, 1, Use::converted, "",
-                 "R_A; coefficient of retroreflection; retroreflection; retroreflectivity"},
+                 "coefficient of retroreflection; retroreflection; retroreflectivity",
+                 "retroreflection coefficient; retroreflective coefficient", "R_A (cd/lx/m2)"},
     QuantityKind{"r", "a reduced luminance coefficient times 10^4", 1e4, 3, 0, Use::converted, "",
-                 "r (as `quantity`); reduced luminance coefficient"},
+                 "reduced luminance coefficient", "r table; r tables", "r (as `quantity`)"},
     QuantityKind{
         "reflectance", "a reflectance, of which the name does not say whether it is a factor", 1, 0, 0,
         Use::asked,
         "a reflectance factor is stated by --quantity BRF (BRF % if the values are percent), or by a line "
         "'# quantity: BRF' above the header row; a hemispherical reflectance is no f_r",
-        "reflectance; reflection; reflectivity; rho, R beside percent"},
+        "reflectance; reflection; reflectivity; rho", "refl; reflectances; reflectance value"},
     QuantityKind{"scatter", "scattered light, f_r or f_r times cos_o", 1, 0, 0, Use::asked,
                  "state --quantity f_r or --quantity f_r*cos_o (ARS), with 'ppm' if the unit is ppm/sr",
-                 "scatter; scattering; ppm/sr without BRDF"},
+                 "scatter; scattering", "scattered; scatter function", "ppm/sr"},
     QuantityKind{
         "percent", "in percent, of a quantity that the name does not state", 1, 0, 0, Use::asked,
         "reflectance factors are stated by --quantity 'BRF %', or by a line '# quantity: BRF %' above the "
         "header row",
-        "%, without a word"},
+        "", "", "%"},
     QuantityKind{"decibels", "in decibels of a ratio that the name does not state", 1, 0, 0, Use::refused,
                  "BRDF (dB) and dB sr^-1 are read; a ratio of powers lacks the solid angle of the detector",
-                 "R (dB); dB without BRDF"},
+                 "", "", "R (dB); dB"},
     QuantityKind{"BTDF", "of transmitted light", 1, 0, 0, Use::refused,
-                 "only reflected light is read: export the reflection", "BTDF; transmission; transmittance"},
+                 "only reflected light is read: export the reflection", "BTDF; transmission; transmittance",
+                 "ccbtdf; transmissivity; transmitted; bidirectional transmittance distribution function; "
+                 "transmission "
+                 "factor; transmittance factor; btf"},
     QuantityKind{"radiance", "a radiance", 1, 0, 0, Use::refused,
-                 "the irradiance of the sample is missing: f_r is the radiance divided by it",
-                 "radiance; W/m2/sr"},
+                 "the irradiance of the sample is missing: f_r is the radiance divided by it", "radiance",
+                 "radiances", "W/m2/sr"},
     QuantityKind{"luminance", "a luminance", 1, 0, 0, Use::refused,
-                 "the illuminance of the sample is missing: f_r is the luminance divided by it",
-                 "luminance; cd/m2"},
+                 "the illuminance of the sample is missing: f_r is the luminance divided by it", "luminance",
+                 "luminances", "cd/m2"},
     QuantityKind{"radiant intensity", "an intensity that is not divided by the incident light", 1, 0, 0,
-                 Use::refused, "the incident flux is missing",
-                 "radiant intensity; luminous intensity; W/sr; cd"},
-    QuantityKind{"signal", "a detector's signal", 1, 0, 0, Use::refused,
-                 "the signal of a white standard, or the irradiance, is missing: divide by it",
-                 "counts; signal; voltage; current; power; V; A; W; W/m2; lx"},
+                 Use::refused, "the incident flux is missing", "radiant intensity; luminous intensity", "",
+                 "W/sr; cd"},
+    QuantityKind{
+        "signal", "a detector's signal", 1, 0, 0, Use::refused,
+        "the signal of a white standard, or the irradiance, is missing: divide by it",
+        "counts; signal; voltage; current; power; irradiance; digital number",
+        "signals; count; cts; adu; dn; photocurrent; illuminance; flux; digital numbers; raw signal; grey "
+        "level; gray level; pixel value",
+        "V; A; W; W/m2; lx"},
     QuantityKind{"colour", "a colour coordinate", 1, 0, 0, Use::refused,
                  "the geometry and the spectrum are missing: export reflectance factors for each wavelength",
-                 "L*; a*; b*; X, Y, Z of a colour instrument; chroma; gloss units"},
-    QuantityKind{"albedo", "a reflectance of a whole hemisphere", 1, 0, 0, Use::refused,
-                 "values for each pair of directions are missing",
-                 "albedo; TIS; haze; emissivity; absorptance; d/8"},
+                 "CIELAB; chroma; hue; gloss; tristimulus",
+                 "gloss units; gu; l star; a star; b star; lightness; delta e", "L*; a*; b*"},
+    QuantityKind{
+        "hemispherical reflectance", "a reflectance of a whole hemisphere", 1, 0, 0, Use::refused,
+        "values for each pair of directions are missing",
+        "albedo; TIS; haze; emissivity; absorptance; hemispherical reflectance",
+        "emittance; absorptivity; total integrated scatter; total scatter; dhr; directional hemispherical "
+        "reflectance; total reflectance; diffuse reflectance; specular reflectance"},
     QuantityKind{"radar", "a radar cross section", 1, 0, 0, Use::refused, "the illuminated area is missing",
-                 "RCS; dBsm; sigma0"},
+                 "RCS; radar cross section; sigma0", "nrcs; cross section; sigma nought", "dBsm"},
     QuantityKind{"phase", "a phase or an amplitude", 1, 0, 0, Use::refused,
-                 "intensities are missing: export f_r", "phase; amplitude"},
+                 "intensities are missing: export f_r", "phase; amplitude; retardance"},
     QuantityKind{
         "relative values", "without a scale", 1, 0, 0, Use::refused,
         "a calibration is missing; if the values are f_r times an unknown factor, write '# quantity: f_r' "
         "above the header row and fit with --free-scale",
-        "a.u.; arbitrary units; normalised; relative BRDF"},
-    QuantityKind{"Stokes", "a Stokes or Mueller element", 1, 0, 0, Use::refused,
-                 "export f_r of unpolarised light (the element 11, or S0 over the irradiance)",
-                 "S0 to S3; m12 to m44"}};
+        "relative; normalised; arbitrary units; uncalibrated", "normalized; arb units; arb; arbitrary",
+        "a.u."}};
 
 static_assert(kKinds.size() == kKindCount);
 
 const QuantityKind& of(Kind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
-}
-
-// "1000", "10^-3": of powers of ten and their like, for sentences.
-std::string in_words(double number) {
-  return to_text(number);
 }
 
 }  // namespace
@@ -110,7 +129,7 @@ std::string Quantity::meaning() const {
   else if (factor == 1e-6)
     text += " in parts per million";
   else if (factor != 1)
-    text += " times " + in_words(std::round(1e12 / factor) / 1e12);
+    text += " times " + to_text(std::round(1e12 / factor) / 1e12);
   switch (scale) {
     case Scale::log10:
       return "the decimal logarithm of " + text;
@@ -133,7 +152,7 @@ std::string Quantity::operation() const {
   const double number = (has_pi ? 1 : kind->divisor) / factor;
   std::string by;
   const auto add = [&](const std::string& word) { by += (by.empty() ? "" : " ") + word; };
-  if (number > 1 + 1e-12) add(in_words(std::round(number)));
+  if (number > 1 + 1e-12) add(to_text(std::round(number)));
   if (has_pi) add("pi");
   const auto add_cosine = [&](const char* name, int power) {
     if (power > 0) add(std::string(name) + (power > 1 ? "^" + std::to_string(power) : ""));
@@ -141,7 +160,7 @@ std::string Quantity::operation() const {
   add_cosine("cos_i", kind->cos_i);
   add_cosine("cos_o", kind->cos_o);
   std::string text = raised;
-  if (number < 1 - 1e-12) text += (text.empty() ? "" : ", ") + std::string("times ") + in_words(1 / number);
+  if (number < 1 - 1e-12) text += (text.empty() ? "" : ", ") + std::string("times ") + to_text(1 / number);
   if (!by.empty()) text += (text.empty() ? "" : ", ") + std::string("divided by ") + by;
   return text.empty() ? "taken as it is" : text;
 }
@@ -193,6 +212,7 @@ std::string refusal_of(const QuantityKind& kind) {
 
 std::string documented(const QuantityKind& kind) {
   std::string words(kind.words);
+  if (!kind.forms.empty()) (words += words.empty() ? "" : "; ") += kind.forms;
   for (std::size_t at = 0; (at = words.find("; ", at)) != words.npos;) words.replace(at, 2, ", ");
   const std::string use = kind.use == Use::converted ? Quantity{&kind}.operation()
                           : kind.use == Use::asked   ? "asked about: " + std::string(kind.advice)

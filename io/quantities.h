@@ -18,8 +18,10 @@ struct QuantityKind {
   int cos_i = 0, cos_o = 0;
   // How much of it becomes f_r: all; only if somebody states the quantity (the word has several meanings); nothing.
   enum class Use { converted, asked, refused } use = Use::converted;
-  std::string_view advice = "";  // of the last two: what is missing, or what to write
-  std::string_view words = "";   // that name it, between semicolons; for the documentation
+  std::string_view advice = "";     // of the last two: what is missing, or what to write
+  std::string_view words = "";      // that name it, between semicolons
+  std::string_view spellings = "";  // more of them, which the documentation leaves out
+  std::string_view forms = "";      // units and formulas by which it is told, for the documentation
 };
 
 // All of them; f_r is the first.

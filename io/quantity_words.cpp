@@ -1,13 +1,14 @@
 #include "io/quantity_words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
+#include <span>
 #include <vector>
 
-#include "io/channel_colours.h"
-#include "io/polarisation.h"
+#include "io/angle_names.h"
+#include "io/name_tokens.h"
+#include "io/name_unit.h"
 #include "io/text.h"
 #include "io/units.h"
 
@@ -17,104 +18,21 @@ namespace {
 using Fault = QuantityWords::Fault;
 using Scale = Quantity::Scale;
 
-// Words without their blanks and hyphens.
+// The words of the table of quantities without their blanks, hyphens and underscores.
 const std::map<std::string, Kind, std::less<>>& phrases() {
   static const std::map<std::string, Kind, std::less<>> all = [] {
     std::map<std::string, Kind, std::less<>> map;
-    const auto add = [&](Kind kind, std::initializer_list<const char*> words) {
-      for (const char* word : words) map.emplace(word, kind);
-    };
-    add(Kind::f_r,
-        {"fr", "brdf", "bsdf", "radiancecoefficient", "luminancecoefficient", "brdfs",
-         "bidirectionalreflectancedistributionfunction", "bidirectionalscatteringdistributionfunction",
-         "bidirectionalscatterdistributionfunction", "bidirectionalreflectiondistributionfunction",
-         "bidirectionalreflectancedistribution", "reflectancedistributionfunction"});
-    add(Kind::reflectance_factor, {"brf", "brfs", "hdrf", "hcrf", "bcrf", "ccrf", "cdrf", "reff",
-                                   "reflectancefactor", "reflectancefactors", "reflectionfactor",
-                                   "reflfactor", "radiancefactor", "luminancefactor", "rfactor"});
-    add(Kind::f_r_cos_o,
-        {"ars", "dsc", "ccbrdf", "ccbsdf", "intensity", "angleresolvedscatter", "angleresolvedscattering",
-         "angularresolvedscattering", "differentialscattercoefficient", "differentialscatteringcoefficient",
-         "cosinecorrectedbrdf", "coscorrectedbrdf", "cosinecorrectedbsdf", "brdfcosinecorrected",
-         "brdfcoscorrected", "cosinecorrected", "coscorrected"});
-    add(Kind::radiance_factor, {"i/f", "radf", "ioverf", "iof"});
-    add(Kind::retroreflection, {"retroreflection", "retroreflectivity", "coefficientofretroreflection",
-                                "retroreflectioncoefficient", "retroreflectivecoefficient"});
-    add(Kind::reduced_luminance, {"reducedluminancecoefficient", "rtable", "rtables"});
-    add(Kind::reflectance,
-        {"reflectance", "reflection", "reflectivity", "refl", "reflectances", "rho", "reflectancevalue"});
-    add(Kind::scatter, {"scatter", "scattering", "scattered", "scatterfunction"});
-    add(Kind::transmittance, {"btdf", "ccbtdf", "transmission", "transmittance", "transmissivity",
-                              "transmitted", "bidirectionaltransmittancedistributionfunction",
-                              "transmissionfactor", "transmittancefactor", "btf"});
-    add(Kind::radiance, {"radiance", "radiances"});
-    add(Kind::luminance, {"luminance", "luminances"});
-    add(Kind::radiant_intensity, {"radiantintensity", "luminousintensity"});
-    add(Kind::signal,
-        {"signal",        "signals",        "counts",    "count",     "cts",        "adu",         "dn",
-         "voltage",       "photocurrent",   "current",   "power",     "irradiance", "illuminance", "flux",
-         "digitalnumber", "digitalnumbers", "rawsignal", "greylevel", "graylevel",  "pixelvalue"});
-    add(Kind::colour, {"gloss", "glossunits", "gu", "chroma", "hue", "lstar", "astar", "bstar", "cielab",
-                       "lightness", "tristimulus", "deltae"});
-    add(Kind::albedo, {"albedo", "tis", "haze", "emissivity", "emittance", "absorptance", "absorptivity",
-                       "totalintegratedscatter", "totalscatter", "dhr", "hemisphericalreflectance",
-                       "directionalhemisphericalreflectance", "totalreflectance", "diffusereflectance",
-                       "specularreflectance"});
-    add(Kind::radar, {"rcs", "nrcs", "radarcrosssection", "crosssection", "sigma0", "sigmanought"});
-    add(Kind::phase, {"phase", "amplitude", "retardance"});
-    add(Kind::relative, {"relative", "normalised", "normalized", "arbitraryunits", "arbunits", "arb",
-                         "uncalibrated", "arbitrary"});
+    const std::span<const QuantityKind> kinds = quantity_kinds();
+    std::vector<std::string_view> words;
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+      for (const std::string_view list : {kinds[k].words, kinds[k].spellings}) {
+        split(list, ';', words);
+        for (const std::string_view word : words) map.emplace(plain_spelling(word), Kind(k));
+      }
+    map.erase("");
     return map;
   }();
   return all;
-}
-
-struct Token {
-  enum class Type { word, number, sign } type;
-  std::string text;  // in small letters
-  std::size_t begin, end;
-  bool is_used = false;
-};
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_capital(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-bool is_word(char c) {
-  return is_capital(c) || (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80 || c == '\'';
-}
-
-// Words are runs of letters, parted before a capital after a small letter: "ReflectanceFactor".
-std::vector<Token> tokens_of(std::string_view text) {
-  std::vector<Token> tokens;
-  for (std::size_t k = 0; k < text.size();) {
-    const std::size_t begin = k;
-    const char c = text[k];
-    Token::Type type = Token::Type::sign;
-    if (is_digit(c)) {
-      type = Token::Type::number;
-      double number;
-      const auto result = std::from_chars(text.data() + k, text.data() + text.size(), number);
-      k = static_cast<std::size_t>(result.ptr - text.data());
-      if (k == begin) ++k;
-    } else if (is_word(c)) {
-      type = Token::Type::word;
-      for (++k; k < text.size() && is_word(text[k]); ++k)
-        if (is_capital(text[k]) && !is_capital(text[k - 1])) break;
-    } else {
-      ++k;
-      if (c == ' ' || c == '\t' || c == '_') continue;
-    }
-    tokens.push_back({type, lower_case(text.substr(begin, k - begin)), begin, k});
-  }
-  return tokens;
-}
-
-bool is_silent(const Token& token) {
-  constexpr std::string_view kSilent = "-()[]{},.:;\"";
-  return token.type == Token::Type::sign && kSilent.find(token.text) != kSilent.npos;
 }
 
 // Marks what has been understood of a name's words.
@@ -356,100 +274,10 @@ class WordReading {
   bool is_percent_ = false, is_multiplied_ = false;
 };
 
-// A text and its unit, which is out of it.
-struct Parted {
-  std::string bare;
-  std::optional<Unit> unit;
-  std::string unit_text;
-};
-
-bool is_band_unit(const Unit& unit) {
-  using K = Unit::Kind;
-  return unit.kind() == K::length || unit.kind() == K::wavenumber || unit.kind() == K::frequency ||
-         unit.kind() == K::energy;
-}
-
-// The bracket that this one closes; npos: none does.
-std::size_t opening_of(std::string_view text, std::size_t close) {
-  int depth = 0;
-  for (std::size_t k = close + 1; k-- > 0;) {
-    depth += text[k] == ')' || text[k] == ']';
-    depth -= text[k] == '(' || text[k] == '[';
-    if (depth == 0) return k;
-  }
-  return text.npos;
-}
-
-// A unit in brackets, from the right. What names a polarisation is none: fr (s).
-bool part_brackets(std::string_view text, Parted& out) {
-  for (std::size_t close = text.find_last_of(")]"); close != text.npos && close > 0;
-       close = text.find_last_of(")]", close - 1)) {
-    const std::size_t open = opening_of(text, close);
-    if (open == text.npos) return false;
-    const std::string_view inside = trimmed(text.substr(open + 1, close - open - 1));
-    const auto unit = unit_named(inside);
-    const std::string plain = plain_symbols(inside);
-    const bool is_multiplier = unit && *unit == Unit{unit->factor} && plain.find("^-") == plain.npos &&
-                               plain.find("e-") == plain.npos && lower_case(plain) != "milli";
-    if (!unit || is_multiplier || polarisation_named(inside)) continue;
-    out.unit = unit;
-    out.unit_text = inside;
-    out.bare = std::string(trimmed(text.substr(0, open)));
-    const std::string_view after = trimmed(text.substr(close + 1));
-    if (!after.empty()) out.bare += (out.bare.empty() ? "" : " ") + std::string(after);
-    return true;
-  }
-  return false;
-}
-
-// Words that are units only in brackets.
-bool is_word_first(std::string_view unit) {
-  constexpr std::string_view kWords[] = {
-      "min", "count",  "counts",  "day",    "days",    "h",    "hour",  "hours",   "sec",    "bar",
-      "ang", "second", "seconds", "minute", "minutes", "grad", "milli", "photons", "photon", "inch"};
-  return unit.size() == 1
-             ? unit != "%" && unit != "°"
-             : std::find(std::begin(kWords), std::end(kWords), lower_case(unit)) != std::end(kWords);
-}
-
-// A unit behind a separator, the longest: "fr 1/sr", "wavelength_nm", "theta/deg". The number before it makes it a band.
-bool part_suffix(std::string_view text, Parted& out) {
-  for (std::size_t at = text.find_first_of("/, _"); at != text.npos;
-       at = text.find_first_of("/, _", at + 1)) {
-    const std::string_view before = trimmed(text.substr(0, at)), after = trimmed(text.substr(at + 1));
-    const bool is_bracket = after.starts_with('(') || after.starts_with('[');
-    if (before.empty() || after.empty() || is_bracket || is_word_first(after)) continue;
-    const auto unit = unit_named(after);
-    if (!unit || *unit == Unit{unit->factor}) continue;
-    const bool has_number = is_digit(after.front()) || is_digit(before.back());
-    if (is_band_unit(*unit) && has_number) continue;
-    out.bare = std::string(before);
-    out.unit = unit;
-    out.unit_text = after;
-    return true;
-  }
-  return false;
-}
-
-Parted parted(std::string_view text) {
-  text = trimmed(text);
-  Parted out{std::string(text), std::nullopt, ""};
-  const auto whole = unit_named(text);
-  const bool has_sign = text.find_first_of("/^%") != text.npos || lower_case(text) == "db";
-  if (whole && has_sign && !is_band_unit(*whole)) {
-    out.unit = whole;
-    out.unit_text = text;
-    out.bare.clear();
-  } else if (!part_brackets(text, out)) {
-    part_suffix(text, out);
-  }
-  return out;
-}
-
 // What the unit says, with the words or against them.
 class Combination {
  public:
-  Combination(QuantityWords& words, const Parted& parts)
+  Combination(QuantityWords& words, const NameUnit& parts)
       : out_(words), unit_(*parts.unit), text_(parts.unit_text) {}
 
   void make() {
@@ -568,7 +396,7 @@ bool is_filling(std::string_view rest) {
 }
 
 QuantityWords read_quantity_words(std::string_view text) {
-  const Parted parts = parted(text);
+  const NameUnit parts = parted(text);
   QuantityWords out;
   out.bare = parts.bare;
   const std::string plain = plain_symbols(parts.bare);

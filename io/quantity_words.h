@@ -33,10 +33,9 @@ enum class Kind {
   albedo,
   radar,
   phase,
-  relative,
-  stokes
+  relative
 };
-inline constexpr std::size_t kKindCount = std::size_t(Kind::stokes) + 1;
+inline constexpr std::size_t kKindCount = std::size_t(Kind::relative) + 1;
 
 struct QuantityWords {
   enum class Fault {

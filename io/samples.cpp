@@ -29,6 +29,11 @@ std::optional<std::string> SampleTable::find_metadata(std::string_view key) cons
   return std::nullopt;
 }
 
+void SampleTable::assume(const std::string& sentence) {
+  warnings.push_back(sentence);
+  assumptions.push_back(sentence);
+}
+
 void SampleTable::add_comment(std::string_view key, std::string_view value) {
   metadata.push_back(parse_comment(comment_text({std::string(key), std::string(value)})));
 }

@@ -186,8 +186,8 @@ class Values {
       if (c == first) c->named.quantity = {&quantity_kinds()[0]};
     }
     if (!first) return;
-    header_.notes.push_back(std::to_string(elements.size()) + " elements of a Mueller matrix: " +
-                            shown(first->column->name) + ", f_r of unpolarised light, is read");
+    header_.assume(std::to_string(elements.size()) + " elements of a Mueller matrix: " +
+                   shown(first->column->name) + ", f_r of unpolarised light, is read");
   }
 
   // "11" to "44" of m12, M12, fr12, f_r12/f_r11.
@@ -353,7 +353,7 @@ class Values {
     return found && std::find(kept_.begin(), kept_.end(), found) != kept_.end() ? found : nullptr;
   }
 
-  void note(const std::string& sentence) { header_.notes.push_back(sentence); }
+  void note(const std::string& sentence) { header_.assume(sentence); }
 
   void add_notes() {
     note_quantities();

@@ -82,6 +82,7 @@ struct FitOptions {
   int smooth = 0;               // shapes follow a polynomial of this degree in 1/wavelength; 0: none
   bool free_scale = false;      // the samples are uncalibrated: arranged() divides them
   io::Arrangement arrangement;  // what arranged() makes of polarisations and repeats
+  io::Supplied supplied;        // what the samples' files do not state; readers of files take it
   // Whether a shape may differ between channels.
   bool shapes_differ() const { return per_channel || smooth > 0; }
   std::vector<NamedValues> fix, start;

@@ -82,13 +82,13 @@ def _png(path: Path) -> bytes:
 
 def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
              form: str | Iterable[str] | None = None, all: bool = False, effort: str = "quick",
-             require: str | Iterable[str] | None = None, max_theta: float = 89.5, seed: int = 1,
-             progress: Progress | None = None) -> Judgement:
+             require: str | Iterable[str] | None = None, max_theta: float = 89.5, seed: int = 1, quantity: str = "",
+             mirror_side: str = "auto", progress: Progress | None = None) -> Judgement:
     """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
 
     effort: quick or full. require: checks that must pass for `passed`. max_theta: degrees, above 0 and at most 90, the
-    largest angle of the energy check. progress: called with how many checks are done and of how many; where it returns
-    False `brdf.Stopped` is raised.
+    largest angle of the energy check. quantity, mirror_side: what files of samples do not state, as of `read`. progress:
+    called with how many checks are done and of how many; where it returns False `brdf.Stopped` is raised.
     """
     given: list[Subject] = list(subjects) if isinstance(subjects, (list, tuple)) else [subjects]
     required = list_of(require)
@@ -103,4 +103,5 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
             items.append((subject.form if len(given) == 1 else f"{subject.form} ({k + 1})", subject._optics))
         else:
             items.append(subject._samples if isinstance(subject, Table) else path_of(subject))
-    return Judgement(_brdf.validate(names, items, effort, finite("--max-theta", max_theta), seed_of(seed), progress), required)
+    return Judgement(_brdf.validate(names, items, effort, finite("--max-theta", max_theta), seed_of(seed), quantity,
+                                     mirror_side, progress), required)
