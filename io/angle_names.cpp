@@ -40,8 +40,9 @@ void add_word(const char* word, AngleKind quantity, AngleNames& all) {
 // "incident angle", "angle of incidence" are polar.
 void add_sides(AngleNames& all) {
   const auto add = [&](const std::string& side, AngleSide whose) {
+    if (side.size() == 1) all["angle" + side] = {AngleKind::polar, whose};
     if (side.size() == 1) return;
-    all[side + "angle"] = all["angleof" + side] = {AngleKind::polar, whose};
+    all[side + "angle"] = all["angle" + side] = all["angleof" + side] = {AngleKind::polar, whose};
     all.try_emplace(side, AngleName{AngleKind::polar, whose, true});
   };
   for (const char* side : kLight) add(side, AngleSide::light);
@@ -58,7 +59,7 @@ AngleNames all_names() {
                            "einfallswinkel", "einfallwinkel"})
     all[name] = {AngleKind::polar, AngleSide::light};
   for (const char* name : {"emergence", "vza", "oza", "viewz", "detz", "detectorz", "ausfallswinkel", "aor",
-                           "streuwinkel", "beobachtungswinkel"})
+                           "aos", "streuwinkel", "beobachtungswinkel"})
     all[name] = {AngleKind::polar, AngleSide::viewer};
   for (const char* name : {"saa", "iaa", "srca", "sourcea", "illuminationa"})
     all[name] = {AngleKind::azimuth, AngleSide::light};

@@ -1,4 +1,4 @@
-// ASTM E1392 text as scatterometers and the Cornell reflectance data write it: keyword lines, a line
+// ASTM E1392 text as scatterometers write it: keyword lines, a line
 // `VARS theta_i,phi_i,theta_s,phi_s,<channel>...`, then comma-separated rows.
 #pragma once
 

@@ -32,8 +32,9 @@ struct Columns {
   std::vector<std::string> channels;  // names without their units
   std::vector<Quantity> quantities;   // [channel] of the file's values
   std::optional<std::size_t>
-      only_azimuth;       // the angle's index, where one azimuth is stated for both directions
-  bool in_plane = false;  // no azimuth is stated: the polar angles are signed, in the plane of incidence
+      only_azimuth;          // the angle's index, where one azimuth is stated for both directions
+  bool has_unnamed = false;  // a column of values names no quantity, and none is stated
+  bool in_plane = false;     // no azimuth is stated: the polar angles are signed, in the plane of incidence
   std::vector<std::string> notes;  // what was understood though it is not the plain format, a sentence each
   std::vector<std::string> assumptions;  // those on which values or directions rest
 

@@ -62,6 +62,8 @@ void CsvHeader::read_comment(std::string_view line) {
   const auto words = quantity_in_comment(text);
   if (!words) {
     table_.metadata.push_back(parse_comment(text));
+    if (!is_read() && table_.metadata.back().first.empty())
+      stated_.add_free_text(table_.metadata.back().second, reader_.line());
     return;
   }
   // No comment: the table holds f_r whatever the file held.
@@ -148,6 +150,8 @@ void CsvHeader::read_names(std::string_view line) {
   HeaderFacts facts{reader_.where(), stated_.result(), need_values_, {}};
   look_ahead(names, facts);
   columns_ = understand_columns({names.begin(), names.end()}, facts);
+  if (columns_.has_unnamed)
+    if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
   is_long_ = columns_.has(Column::Kind::wavelength) || columns_.has(Column::Kind::polarisation);
   check_columns();
   table_.channels = columns_.channels;
@@ -181,6 +185,7 @@ bool CsvHeader::read_matrix(const Fields& names) {
   columns_.notes.push_back(std::string("a matrix: ") +
                            (is_light_down ? "incidences" : "angles of the viewer") + " go down, " +
                            (is_light_down ? "angles of the viewer" : "incidences") + " along");
+  if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
   if (!stated)
     columns_.assume("the values are taken for f_r in 1/sr: the matrix names no quantity");
   else if (!stated->quantity.is_f_r())

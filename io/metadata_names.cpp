@@ -18,13 +18,12 @@ constexpr std::string_view kYes[] = {
     "comments",    "note",      "notes",    "operator",  "user",        "file",      "filename",
     "filepath",    "path",      "lamp",     "bandwidth", "fwhm",        "serial",    "repeat",
     "repetition",  "replicate", "aperture", "distance",  "snr",         "bemerkung", "kommentar",
-    "temperatur",  "uhrzeit",   "datum",    "averages",  "scans"};
+    "temperatur",  "uhrzeit",   "datum",    "averages",  "scans",       "unnamed",   "solid"};
 // Nothing but these words.
 constexpr std::string_view kPerhaps[] = {
-    "point",    "number",      "no",     "nr",   "num",     "run",   "sample", "spot",
-    "position", "pos",         "x",      "y",    "z",       "row",   "line",   "record",
-    "scan",     "step",        "status", "flag", "quality", "name",  "label",  "id",
-    "index",    "measurement", "count",  "of",   "weight",  "stage"};
+    "point",   "number", "no",    "nr",  "num",   "run",         "sample", "spot", "position", "pos",
+    "x",       "y",      "z",     "row", "line",  "record",      "scan",   "step", "status",   "flag",
+    "quality", "name",   "label", "id",  "index", "measurement", "count",  "of",   "weight",   "stage"};
 
 // In small letters, parted by whatever is no letter and before a capital after a small letter.
 std::vector<std::string> name_words(std::string_view name) {
@@ -50,7 +49,20 @@ bool is_in(const std::string& word, const std::string_view (&list)[n]) {
 
 }  // namespace
 
+namespace {
+
+// theta_h, phi_d, tilt angle: an angle, whatever it is of.
+bool is_an_angle(std::string_view name) {
+  const std::string key = plain_spelling(name);
+  for (const char* word : {"theta", "phi", "azimuth", "zenith", "angle"})
+    if (key.starts_with(word)) return true;
+  return key.ends_with("angle") || key.ends_with("azimuth");
+}
+
+}  // namespace
+
 NoValues holds_no_values(std::string_view name) {
+  if (is_an_angle(name)) return NoValues::yes;
   const std::vector<std::string> words = name_words(name);
   if (std::any_of(words.begin(), words.end(), [](const auto& word) { return is_in(word, kYes); }))
     return NoValues::yes;

@@ -25,6 +25,11 @@ std::size_t opening_of(std::string_view text, std::size_t close) {
   return text.npos;
 }
 
+bool says_no_unit(std::string_view inside) {
+  constexpr std::string_view kWords[] = {"1", "-", "--", "unitless", "dimensionless", "none", "n/a"};
+  return std::find(std::begin(kWords), std::end(kWords), lower_case(inside)) != std::end(kWords);
+}
+
 // A unit in brackets, from the right. What names a polarisation is none: fr (s).
 bool part_brackets(std::string_view text, NameUnit& out) {
   for (std::size_t close = text.find_last_of(")]"); close != text.npos && close > 0;
@@ -36,8 +41,9 @@ bool part_brackets(std::string_view text, NameUnit& out) {
     const std::string plain = plain_symbols(inside);
     const bool is_multiplier = unit && *unit == Unit{unit->factor} && plain.find("^-") == plain.npos &&
                                plain.find("e-") == plain.npos && lower_case(plain) != "milli";
-    if (!unit || is_multiplier || polarisation_named(inside)) continue;
-    out.unit = unit;
+    const bool is_dimensionless = says_no_unit(plain);
+    if ((!unit || is_multiplier || polarisation_named(inside)) && !is_dimensionless) continue;
+    if (!is_dimensionless) out.unit = unit;
     out.unit_text = inside;
     out.bare = std::string(trimmed(text.substr(0, open)));
     const std::string_view after = trimmed(text.substr(close + 1));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brdf/angle.h"
+#include "io/channel_colours.h"
 #include "io/quantity_words.h"
 #include "io/text.h"
 
@@ -220,6 +221,17 @@ std::string documented(const QuantityKind& kind) {
   return "| " + words + " | " + use + " |\n";
 }
 
+namespace {
+
+// What is left of a name without the words of its quantity, as a channel's: "BRF_1" is fr_1, "BRF 550" the band 550nm.
+std::string rest_as_name(const std::string& rest) {
+  double number;
+  const bool is_number = parse_number(rest, number) && with_band_unit(rest) == rest;
+  return is_number ? "fr_" + rest : rest;
+}
+
+}  // namespace
+
 // What the words of a name come to, with its unit.
 NamedQuantity quantity_of_column(std::string_view name) {
   const QuantityWords words = read_quantity_words(name);
@@ -242,7 +254,7 @@ NamedQuantity quantity_of_column(std::string_view name) {
   out.says = NamedQuantity::Says::quantity;
   out.needs_a_line = words.is_doubtful;
   out.is_default = words.is_default && out.quantity.is_f_r();
-  if (!out.quantity.is_f_r() && out.quantity.kind->use == Use::converted) out.name = words.rest;
+  if (!out.quantity.is_f_r() && out.quantity.kind->use == Use::converted) out.name = rest_as_name(words.rest);
   if (out.name.empty() && !name.empty()) out.name = "fr";
   return out;
 }
@@ -261,7 +273,9 @@ std::optional<Quantity> quantity_in_title(std::string_view title) {
   const QuantityWords words = read_quantity_words(title);
   if (!words.kind || words.fault != QuantityWords::Fault::none) return std::nullopt;
   const Quantity found{&of(*words.kind), words.factor, words.scale};
-  if (!words.is_first && found.kind->use != Use::converted) return std::nullopt;
+  // Within a title many words mean other things: laser intensity, transmission.
+  const bool is_plain = words.kind == Kind::f_r || words.kind == Kind::reflectance_factor;
+  if (!words.is_first && !is_plain) return std::nullopt;
   return found;
 }
 

@@ -65,7 +65,7 @@ NamedQuantity quantity_of_column(std::string_view name);
 
 // The quantity of a whole text, as a comment `# quantity:` or an option states it. std::nullopt for unknown words.
 std::optional<Quantity> quantity_named(std::string_view text);
-// The quantity that a title names: at its beginning any kind, within it only one that is converted.
+// The quantity that a title names: at its beginning any kind, within it f_r or a reflectance factor.
 std::optional<Quantity> quantity_in_title(std::string_view title);
 
 // The names that options take, for help and messages: "f_r, BRF, f_r*cos_o, ..."

@@ -241,7 +241,11 @@ class WordReading {
       use(k > 0 && is(k - 1, "*") ? k - 1 : k, end);
     }
     if (!light && !viewer) return;
-    if (out_->kind && *out_->kind != Kind::f_r) return contradict("is multiplied by a cosine");
+    if (!out_->kind) {  // a column of cosines
+      out_->fault = Fault::no_values;
+      return;
+    }
+    if (*out_->kind != Kind::f_r) return contradict("is multiplied by a cosine");
     out_->kind = light && viewer ? Kind::f_r_cos_i_cos_o : light ? Kind::f_r_cos_i : Kind::f_r_cos_o;
   }
 

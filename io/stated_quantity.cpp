@@ -52,9 +52,24 @@ void StatedQuantities::add_comment(std::string_view words, std::size_t line, con
 void StatedQuantities::add_title(std::string_view title, std::size_t line, const std::string& where) {
   const std::optional<Quantity> found = quantity_in_title(title);
   if (!found) return;
-  if (found->kind->use != QuantityKind::Use::converted)
-    throw InputError(where + ": the title " + shown(title) + " " + refusal_of(*found->kind));
+  if (found->kind->use != QuantityKind::Use::converted) {
+    if (refusal_.empty()) refusal_ = where + ": the title " + shown(title) + " " + refusal_of(*found->kind);
+    return;
+  }
   add({StatedQuantity::By::title, *found, std::string(title), "line " + std::to_string(line)}, where);
+}
+
+void StatedQuantities::add_free_text(std::string_view text, std::size_t line) {
+  const std::optional<Quantity> found = quantity_in_title(text);
+  if (!found || found->is_f_r() || !hint_.empty()) return;
+  hint_ = "the comment in line " + std::to_string(line) + " names " + found->meaning() +
+          ", but states nothing: if the values are no f_r, write '# quantity: ...'";
+}
+
+std::string StatedQuantities::word_on_unnamed() const {
+  if (result()) return "";
+  if (!refusal_.empty()) throw InputError(refusal_);
+  return hint_;
 }
 
 }  // namespace brdf::io

@@ -31,13 +31,19 @@ class StatedQuantities {
 
   void add_comment(std::string_view words, std::size_t line, const std::string& where);
   void add_title(std::string_view title, std::size_t line, const std::string& where);
+  // A comment that is free text states nothing, but may name a quantity.
+  void add_free_text(std::string_view text, std::size_t line);
   // A comment's statement, else the title's, else the caller's.
   const std::optional<StatedQuantity>& result() const { return found_ ? found_ : option_; }
+  // What has to be said of values whose column names no quantity, while nothing is stated: a comment names one. Throws
+  // InputError if a title names one that f_r cannot be made of.
+  std::string word_on_unnamed() const;
 
  private:
   void add(StatedQuantity stated, const std::string& where);
 
   std::optional<StatedQuantity> option_, found_;
+  std::string refusal_, hint_;
 };
 
 }  // namespace brdf::io

@@ -289,6 +289,7 @@ class Values {
     if (!facts_.stated) {
       if (is_own && c.named.needs_a_line) by_unit_.push_back(c.column->name);
       if (!is_own) unnamed_.push_back(c.column->name);
+      header_.has_unnamed = header_.has_unnamed || !is_own || c.named.is_default;
       if (!is_own) own = {&quantity_kinds()[0]};
       return;
     }

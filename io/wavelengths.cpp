@@ -28,8 +28,10 @@ std::optional<WavelengthColumn> column_of(std::string_view bare, std::string_vie
   using K = Unit::Kind;
   const std::string key = plain_spelling(bare);
   const std::optional<Unit> unit = unit_named(unit_text);
-  const bool is_wave = is_one_of(
-      key, {"wavelength", "wavelengths", "lambda", "wl", "wellenlänge", "wellenlaenge", "longueurd'onde"});
+  // Also centre wavelength, laser wavelength.
+  const bool is_wave =
+      key.ends_with("wavelength") ||
+      is_one_of(key, {"wavelengths", "lambda", "wl", "wellenlänge", "wellenlaenge", "longueurd'onde"});
   if (!unit_text.empty() && !(unit && is_of_light(*unit))) {
     if (!is_wave || !has_brackets) return std::nullopt;
     return WavelengthColumn{std::nullopt,

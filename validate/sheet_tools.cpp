@@ -6,12 +6,16 @@
 namespace brdf::validate {
 namespace {
 
-// The first places of a list, for people.
+// The first places of a list, for people; rows of one line are one place.
 std::string places(const io::SampleTable& t, const std::vector<std::size_t>& rows) {
-  std::string text;
-  for (std::size_t k = 0; k < std::min<std::size_t>(rows.size(), 5); ++k)
-    text += (k ? "; " : "") + t.where(rows[k]);
-  return text + (rows.size() > 5 ? "; ..." : "");
+  constexpr std::size_t kMost = 5;
+  std::vector<std::string> found;
+  for (std::size_t k = 0; k < rows.size() && found.size() <= kMost; ++k)
+    if (std::string place = t.where(rows[k]); found.empty() || found.back() != place)
+      found.push_back(std::move(place));
+  const bool is_cut = found.size() > kMost;
+  if (is_cut) found.resize(kMost);
+  return io::joined(found, "; ") + (is_cut ? "; ..." : "");
 }
 
 }  // namespace

@@ -138,6 +138,14 @@ TEST(Metadata, IsToldByItsUnitOrItsCells) {
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,time (s)\n1,2,3,4,5\n"), HasSubstr("no value column"));
 }
 
+TEST(Metadata, IncludesOtherAnglesAndCosines) {
+  const SampleTable t = read(
+      "Unnamed: 0,theta_i,phi_i,theta_o,phi_o,theta_h,phi_d,tilt angle,cos_i,cos(theta_o),solid angle,fr\n"
+      "0,1,2,3,4,5,6,7,.8,.9,.01,.25\n");
+  EXPECT_THAT(t.channels, ElementsAre("fr"));
+  EXPECT_THAT(t.values[0], ElementsAre(.25));
+}
+
 TEST(Metadata, OfOneLetterIsAChannelWhereNothingElseIs) {
   EXPECT_THAT(read("theta_i,phi_i,theta_o,phi_o,x\n1,2,3,4,5\n").channels, ElementsAre("x"));
   EXPECT_THAT(read("theta_i,phi_i,theta_o,phi_o,Y\n1,2,3,4,5\n").channels, ElementsAre("Y"));
@@ -201,6 +209,10 @@ TEST(AngleNames, OfOtherLaboratoriesAreUnderstood) {
                                                          {"", "angle of view"},
                                                          {"", "Scattering angle"},
                                                          {"i", "e"},
+                                                         {"angle_in", "angle_out"},
+                                                         {"Angle_i", "Angle_r"},
+                                                         {"incident polar angle", "polar angle of detection"},
+                                                         {"AOI", "AOS"},
                                                          {"θᵢ", "θᵣ"},
                                                          {"theta_in", "theta_out"},
                                                          {"sza", "vza"}}) {

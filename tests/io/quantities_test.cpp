@@ -95,6 +95,10 @@ const Word kConverted[] = {
     {"BRF [percent]", 100 * kBrf},
     {"% BRF", 100 * kBrf},
     {"Reflectance factor in percent", 100 * kBrf},
+    {"Reflectance factor [1]", kBrf},
+    {"Reflectance factor (-)", kBrf},
+    {"BRF1", kBrf},
+    {"BRF 550 nm", kBrf},
     {"ARS", kArs},
     {"ARS (1/sr)", kArs},
     {"DSC", kArs},
@@ -380,11 +384,28 @@ TEST(StatedQuantity, MayBeInATitle) {
   EXPECT_EQ(read("A table of BRDF values\n" + rows).values[0][0], 1);
   EXPECT_DOUBLE_EQ(read("Instrument 5\nMeasured reflectance factors (%)\n" + rows).values[0][0], .01 / kPi);
   EXPECT_THAT(message("BTDF\n" + rows), HasSubstr("line 1: the title 'BTDF' is of transmitted light"));
+  EXPECT_THAT(message("Reflectance of paint\n" + rows),
+              HasSubstr("the title 'Reflectance of paint' is a reflectance"));
+  EXPECT_EQ(read("Reflectance of paint\n" + replaced(rows, "450nm", "BRDF")).values[0][0], 1);
+  EXPECT_EQ(read("Measured with a laser of high intensity\n" + rows).values[0][0], 1);
   EXPECT_THAT(message("# quantity: f_r\nBRF values\n" + rows),
               HasSubstr("line 2: the title 'BRF values' contradicts line 1, 'f_r'"));
   EXPECT_THAT(message("BRF values\n" + replaced(rows, "450nm", "ARS")),
               HasSubstr("but the title in line 1 says 'BRF values'"));
   EXPECT_EQ(read("quantity: f_r\n" + rows).values[0][0], 1);
+}
+
+// A comment that is free text states nothing; that it names another quantity is said.
+TEST(StatedQuantity, OfFreeTextIsAHint) {
+  const std::string rows = "theta_i,phi_i,theta_o,phi_o,450nm\n60,0,45,180,1\n";
+  const SampleTable t = read("# BRF values\n" + rows);
+  EXPECT_EQ(t.values[0][0], 1);
+  EXPECT_THAT(
+      t.warnings,
+      ElementsAre("the comment in line 1 names a reflectance factor, but states nothing: if the values "
+                  "are no f_r, write '# quantity: ...'"));
+  EXPECT_TRUE(read("# BRF values\n# quantity: f_r\n" + rows).warnings.empty());
+  EXPECT_TRUE(read("# BRDF values\n# sample: BRF tile\n" + rows).warnings.empty());
 }
 
 TEST(Quantities, OfAstmAndOpenExrColumnsAreReadAlike) {
