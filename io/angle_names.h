@@ -15,7 +15,8 @@ struct AngleName {
   // theta_s and phi_s are the scattered direction's or the source's: the names beside them decide. `none`: an
   // azimuth that does not say whose it is.
   AngleSide side;
-  // A word that also has other meanings (`source`, `measurement`, `i`): an angle only if no other column is this one.
+  // A word that also has other meanings (`source`, `measurement`, `i`): an angle only if no other column is
+  // this one.
   bool is_weak = false;
   // Bare `phi`, which beside the azimuth of one side is that of the other; a relative azimuth never is.
   bool is_bare_phi = false;
@@ -24,7 +25,8 @@ struct AngleName {
 // A name in small letters, Greek ones by their names, without blanks, points, hyphens and underscores.
 std::string plain_spelling(std::string_view name);
 
-// What the name of an angle, without its unit, says; std::nullopt if it is no angle's. docs/formats.md has the list.
+// What the name of an angle, without its unit, says; std::nullopt if it is no angle's. docs/formats.md has
+// the list.
 std::optional<AngleName> angle_named(std::string_view name);
 
 // An angle that is not read: from the mirror direction, a sine, a phase angle.

@@ -183,7 +183,8 @@ class AstmReader {
     }
   }
 
-  // Radians reach pi/2 in a polar angle and a whole turn, to either side, in an azimuth. Files print few digits.
+  // Radians reach pi/2 in a polar angle and a whole turn, to either side, in an azimuth. Files print few
+  // digits.
   bool may_be_radians() const {
     constexpr double kRound = 1 + 1e-6;
     const RawAngles& raw = table_.raw_angles;

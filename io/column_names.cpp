@@ -104,7 +104,8 @@ class HeaderReading {
 
   static bool is_azimuth(const AngleName& angle) { return angle.quantity == AngleName::Quantity::azimuth; }
 
-  // Whose angle it is; theta_s beside an incident direction is the scattered one's, phi beside phi_r is the light's.
+  // Whose angle it is; theta_s beside an incident direction is the scattered one's, phi beside phi_r is the
+  // light's.
   AngleSide side_of(std::size_t k) {
     const AngleName& angle = *angles_[k];
     const bool light = states(is_azimuth(angle), AngleSide::light),
@@ -142,8 +143,8 @@ class HeaderReading {
     refuse_other_angles();
   }
 
-  // A word of several meanings is a polar angle if the table lacks that angle, states the other one, and has another column
-  // of values.
+  // A word of several meanings is a polar angle if the table lacks that angle, states the other one, and has
+  // another column of values.
   void place_weak_angles() {
     const auto light = weak_angle(AngleSide::light), viewer = weak_angle(AngleSide::viewer);
     const bool has_light = out_.has_angle(0), has_viewer = out_.has_angle(2);

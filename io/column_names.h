@@ -22,8 +22,8 @@ struct Column {
   std::optional<Unit> unit;
   bool is_elevation = false;
 
-  // The file's number as the table has it: degrees from the normal, nm (wavelengths without a unit as they are). Radians
-  // become the shortest number of degrees that is that angle.
+  // The file's number as the table has it: degrees from the normal, nm (wavelengths without a unit as they
+  // are). Radians become the shortest number of degrees that is that angle.
   double converted(double value) const;
 };
 
@@ -52,7 +52,8 @@ struct HeaderFacts {
   std::vector<bool> is_text = {};  // [column] cells that are no numbers
   bool is_plain = false;   // the plain names of the angles: a name that says nothing is f_r without a word
   bool is_format = false;  // so of a format that is one of f_r, in which X, Y and Z are f_r, too
-  // A table that states f_r in our own way: all columns that are no angles are channels, whatever their names are.
+  // A table that states f_r in our own way: all columns that are no angles are channels, whatever their names
+  // are.
   bool keeps_names = false;
 };
 
@@ -65,11 +66,12 @@ bool is_unit(std::string_view field);
 // Whether a row of names is a header row: at least two of them are angles'.
 bool names_angles(const std::vector<std::string_view>& names);
 
-// Understands a header row: the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL; their usual aliases in any
-// case and with blanks, hyphens or underscores (thetai, incidence, theta_r, view zenith, azimuth, ...; docs/formats.md
-// has the list); units in brackets or as a suffix; the words of quantities. theta_s is the scattered direction beside an
-// incident one, the source's beside a reflected one. If the four plain names are there and a comment states f_r, all
-// other columns are channels of f_r, whatever their names are. Throws InputError naming what was found.
+// Understands a header row: the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL; their usual
+// aliases in any case and with blanks, hyphens or underscores (thetai, incidence, theta_r, view zenith,
+// azimuth, ...; docs/formats.md has the list); units in brackets or as a suffix; the words of quantities.
+// theta_s is the scattered direction beside an incident one, the source's beside a reflected one. If the four
+// plain names are there and a comment states f_r, all other columns are channels of f_r, whatever their names
+// are. Throws InputError naming what was found.
 Columns understand_columns(const std::vector<std::string_view>& names, const HeaderFacts& facts);
 
 }  // namespace brdf::io

@@ -148,15 +148,25 @@ class CsvReader {
   }
 
   void read_row(std::string_view line) {
-    check_width(line, columns().size());
-    for (std::size_t k = 0; k < columns().size(); ++k) {
-      const Column& column = columns()[k];
+    const std::vector<Column>& all = columns();
+    check_width(line, all.size());
+    if (table_.rows() == 0) reserve(line.size() + 1);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Column& column = all[k];
       if (column.kind == Column::Kind::polarisation)
         read_polarisation(k);
       else if (column.kind != Column::Kind::aside)
         read_number(column, k, number_of(column, k));
     }
     store_row();
+  }
+
+  // About as many rows as the file has, by the length of the first one.
+  void reserve(std::size_t bytes) {
+    constexpr std::size_t kFewest = 8;  // bytes of a row
+    const std::size_t rows = reader_.content().bytes.size() / std::max(bytes, kFewest) + 1;
+    table_.reserve(std::min(rows, kMostRows));
+    table_.lines.reserve(std::min(rows, kMostRows));
   }
 
   void read_row_of_matrix(std::string_view line) {

@@ -91,7 +91,8 @@ bool CsvHeader::read(std::string_view line) {
   return true;
 }
 
-// Lines above the header row without '#', as instruments write them. They are comments, and may name the quantity.
+// Lines above the header row without '#', as instruments write them. They are comments, and may name the
+// quantity.
 std::string_view CsvHeader::behind_titles(std::string_view line) {
   if (is_header(dialect_, line)) return line;
   LineReader ahead = reader_;

@@ -1,4 +1,5 @@
-// What stands above the rows of a table of text columns: comments, titles, the quantity, the header row with its units.
+// What stands above the rows of a table of text columns: comments, titles, the quantity, the header row with
+// its units.
 #pragma once
 
 #include <optional>
@@ -29,8 +30,8 @@ class CsvHeader {
   bool is_read() const { return !columns_.columns.empty(); }
   // A line that begins with '#', above or below the header row.
   void read_comment(std::string_view line);
-  // The first line that is no comment: the header row, a title above it, or numbers whose header row was the last
-  // comment, as numpy writes it. Returns whether the line is a row, which is still to be read.
+  // The first line that is no comment: the header row, a title above it, or numbers whose header row was the
+  // last comment, as numpy writes it. Returns whether the line is a row, which is still to be read.
   bool read(std::string_view line);
 
   const Columns& columns() const { return columns_; }

@@ -15,8 +15,8 @@ struct MatrixHeader {
   std::vector<double> angles;  // of the columns, as written
 };
 
-// Reads a header row whose first cell names one angle or two ("theta_s \ theta_i": down and along) and whose others are
-// numbers up to a right angle. std::nullopt for other rows.
+// Reads a header row whose first cell names one angle or two ("theta_s \ theta_i": down and along) and whose
+// others are numbers up to a right angle. std::nullopt for other rows.
 std::optional<MatrixHeader> matrix_header(const std::vector<std::string_view>& names, Dialect& dialect);
 
 }  // namespace brdf::io

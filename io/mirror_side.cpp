@@ -16,8 +16,9 @@ double sum_of_channels(const SampleTable& table, std::size_t row) {
   return sum;
 }
 
-// On which side the largest value of one light lies: 1 positive, -1 negative, 0 undecided. It decides if it stands out from
-// the value at the same angle on the other side, or, if there is none, from half of the values.
+// On which side the largest value of one light lies: 1 positive, -1 negative, 0 undecided. It decides if it
+// stands out from the value at the same angle on the other side, or, if there is none, from half of the
+// values.
 int side_of_the_peak(const SampleTable& table, const std::vector<std::size_t>& rows, double theta_i) {
   constexpr double kReach = 6, kStandsOut = 1.25;
   std::vector<double> values;

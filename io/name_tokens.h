@@ -15,8 +15,8 @@ struct Token {
   bool is_used = false;    // for readers: it has been understood
 };
 
-// Words are runs of letters, parted before a capital after a small letter: "ReflectanceFactor". Blanks and underscores are
-// left out.
+// Words are runs of letters, parted before a capital after a small letter: "ReflectanceFactor". Blanks and
+// underscores are left out.
 std::vector<Token> tokens_of(std::string_view name);
 
 // Whether it is a bracket, a hyphen or the like, which parts words and says nothing.

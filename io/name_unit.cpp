@@ -63,7 +63,8 @@ bool is_word_first(std::string_view unit) {
              : std::find(std::begin(kWords), std::end(kWords), lower_case(unit)) != std::end(kWords);
 }
 
-// A unit behind a separator, the longest: "fr 1/sr", "wavelength_nm", "theta/deg". The number before it makes it a band.
+// A unit behind a separator, the longest: "fr 1/sr", "wavelength_nm", "theta/deg". The number before it makes
+// it a band.
 bool part_suffix(std::string_view text, NameUnit& out) {
   for (std::size_t at = text.find_first_of("/, _"); at != text.npos;
        at = text.find_first_of("/, _", at + 1)) {

@@ -16,8 +16,9 @@ struct NameUnit {
   std::string unit_text;
 };
 
-// Finds a unit in brackets, from the right; else the longest one behind `/`, `,`, `_` or a blank; or the whole name is one. The
-// number of a wavelength (550 nm), a polarisation (s) and letters that mean much else are no units.
+// Finds a unit in brackets, from the right; else the longest one behind `/`, `,`, `_` or a blank; or the
+// whole name is one. The number of a wavelength (550 nm), a polarisation (s) and letters that mean much else
+// are no units.
 NameUnit parted(std::string_view name);
 
 }  // namespace brdf::io

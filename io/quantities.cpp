@@ -223,7 +223,8 @@ std::string documented(const QuantityKind& kind) {
 
 namespace {
 
-// What is left of a name without the words of its quantity, as a channel's: "BRF_1" is fr_1, "BRF 550" the band 550nm.
+// What is left of a name without the words of its quantity, as a channel's: "BRF_1" is fr_1, "BRF 550" the
+// band 550nm.
 std::string rest_as_name(const std::string& rest) {
   double number;
   const bool is_number = parse_number(rest, number) && with_band_unit(rest) == rest;

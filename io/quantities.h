@@ -1,5 +1,5 @@
-// The quantities that tables hold, by the words that name them, and how f_r in 1/sr is made of each. Names of columns, units,
-// comments, titles, options and the documentation all read this one table.
+// The quantities that tables hold, by the words that name them, and how f_r in 1/sr is made of each. Names of
+// columns, units, comments, titles, options and the documentation all read this one table.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@ struct QuantityKind {
   // f_r = value / (divisor cos_i^cos_i cos_o^cos_o); of a kind that is no f_r they mean nothing.
   double divisor = 1;
   int cos_i = 0, cos_o = 0;
-  // How much of it becomes f_r: all; only if somebody states the quantity (the word has several meanings); nothing.
+  // How much of it becomes f_r: all; only if somebody states the quantity (the word has several meanings);
+  // nothing.
   enum class Use { converted, asked, refused } use = Use::converted;
   std::string_view advice = "";     // of the last two: what is missing, or what to write
   std::string_view words = "";      // that name it, between semicolons
@@ -63,7 +64,8 @@ struct NamedQuantity {
 };
 NamedQuantity quantity_of_column(std::string_view name);
 
-// The quantity of a whole text, as a comment `# quantity:` or an option states it. std::nullopt for unknown words.
+// The quantity of a whole text, as a comment `# quantity:` or an option states it. std::nullopt for unknown
+// words.
 std::optional<Quantity> quantity_named(std::string_view text);
 // The quantity that a title names: at its beginning any kind, within it f_r or a reflectance factor.
 std::optional<Quantity> quantity_in_title(std::string_view title);

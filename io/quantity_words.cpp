@@ -208,7 +208,8 @@ class WordReading {
     }
   }
 
-  // Of two words the one that says more: "relative BRDF", "BSDF, transmission", "cosine-corrected scatter BRDF".
+  // Of two words the one that says more: "relative BRDF", "BSDF, transmission", "cosine-corrected scatter
+  // BRDF".
   std::optional<Kind> stronger(Kind a, Kind b) {
     for (const Kind decisive : {Kind::transmittance, Kind::relative, Kind::radiant_intensity})
       if (a == decisive || b == decisive) return decisive;

@@ -56,7 +56,8 @@ struct QuantityWords {
   bool is_default = false;   // `fr` without a unit, the name that any values may have
 };
 
-// Reads the words and the unit of a text. A unit stands in brackets, behind `/`, `,`, `_` or a blank, or is the whole text.
+// Reads the words and the unit of a text. A unit stands in brackets, behind `/`, `,`, `_` or a blank, or is
+// the whole text.
 QuantityWords read_quantity_words(std::string_view text);
 
 // Whether nothing but words without meaning is left: "values", "of the".

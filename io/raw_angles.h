@@ -1,5 +1,5 @@
-// The columns of angles as a file holds them: evidence for their unit, before a reader applies units, signs or
-// conventions.
+// The columns of angles as a file holds them: evidence for their unit, before a reader applies units, signs
+// or conventions.
 #pragma once
 
 #include <array>
@@ -26,7 +26,8 @@ struct RawAngle {
 // In the order theta_i, phi_i, theta_o, phi_o.
 using RawAngles = std::array<RawAngle, 4>;
 
-// Collects the cells of one column, some nanoseconds each: tables have millions of rows and few distinct angles.
+// Collects the cells of one column, some nanoseconds each: tables have millions of rows and few distinct
+// angles.
 class RawMagnitudes {
  public:
   void add(double cell) {

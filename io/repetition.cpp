@@ -27,7 +27,8 @@ Angles directions_of(const SampleTable& t, std::size_t k) {
           t.theta_o[k] == 0 ? 0 : turned(t.phi_o[k])};
 }
 
-// Whether azimuths of this column are written in two ways. Columns of very many azimuths are taken to have some.
+// Whether azimuths of this column are written in two ways. Columns of very many azimuths are taken to have
+// some.
 bool has_turns(const std::vector<double>& azimuths) {
   constexpr std::size_t kMost = 5000;
   std::set<double> found;
@@ -84,18 +85,21 @@ struct Same {
 template <class MayRepeat, class IsWrittenTwice>
 void leave_out(SampleTable& table, const MayRepeat& may_repeat, const IsWrittenTwice& is_written_twice) {
   std::unordered_set<std::size_t, Hash, Same> seen(0, Hash{&table}, Same{&table});
-  std::vector<std::size_t> kept;
-  std::size_t repeated = 0;
+  std::vector<std::size_t> dropped;
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    bool is_repeated = false;
-    if (may_repeat(k)) {
-      const auto [first, is_new] = seen.insert(k);
-      is_repeated = !is_new && !is_written_twice(*first, k);
-    }
-    repeated += is_repeated;
-    if (!is_repeated) kept.push_back(k);
+    if (!may_repeat(k)) continue;
+    const auto [first, is_new] = seen.insert(k);
+    if (!is_new && !is_written_twice(*first, k)) dropped.push_back(k);
   }
+  const std::size_t repeated = dropped.size();
   if (repeated == 0) return;
+  std::vector<std::size_t> kept;
+  auto next = dropped.begin();
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    if (next == dropped.end() || k != *next)
+      kept.push_back(k);
+    else
+      ++next;
   keep_rows(table, kept);
   table.warnings.push_back(
       std::to_string(repeated) + (repeated == 1 ? " row repeats" : " rows repeat") +

@@ -56,10 +56,10 @@ struct SampleTable {
                       double phi_of_viewer);
 };
 
-// Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md).
-// Throws InputError naming file, line and column.
-// What is read can be written: names, finite values and comments are those of a CSV. Values of another quantity become f_r;
-// `supplied` states what the file does not, and may not contradict it.
+// Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md). Throws
+// InputError naming file, line and column. What is read can be written: names, finite values and comments are
+// those of a CSV. Values of another quantity become f_r; `supplied` states what the file does not, and may
+// not contradict it.
 SampleTable read_samples(const std::filesystem::path& path, const Supplied& supplied = {});
 SampleTable read_samples(Content content, const Supplied& supplied = {});
 // The same for a table of directions: a CSV without any value column is accepted.

@@ -7,8 +7,8 @@
 
 namespace brdf::io {
 
-// In a table of two signed angles: the sign of the viewer's angle on the mirror side. `automatic`: the side of the largest
-// values; if the values do not tell, positive.
+// In a table of two signed angles: the sign of the viewer's angle on the mirror side. `automatic`: the side
+// of the largest values; if the values do not tell, positive.
 enum class MirrorSide { automatic, positive, negative };
 
 struct Supplied {

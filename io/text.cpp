@@ -70,7 +70,8 @@ bool parse_number(std::string_view text, double& value) {
 
 namespace {
 
-// The bytes of a character that changes the direction of text, or ends a line, in a terminal; 0: none begins here.
+// The bytes of a character that changes the direction of text, or ends a line, in a terminal; 0: none begins
+// here.
 std::size_t direction_mark(std::string_view text) {
   if (text.starts_with("\xd8\x9c")) return 2;  // U+061C
   if (text.size() < 3 || text[0] != '\xe2') return 0;

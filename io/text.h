@@ -40,10 +40,11 @@ void split_blanks(std::string_view line, std::vector<std::string_view>& fields);
 // allowed). False where it is none or out of double's range.
 bool parse_number(std::string_view text, double& value);
 
-// For whatever is shown to people: control characters as \x1b, characters that turn the direction of text as \u202e, so that
-// a file or its name cannot drive a terminal or feign another text; cut after `most` bytes.
+// For whatever is shown to people: control characters as \x1b, characters that turn the direction of text as
+// \u202e, so that a file or its name cannot drive a terminal or feign another text; cut after `most` bytes.
 std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
-// JSON text with the characters that printable() does not show, as far as JSON holds them unescaped, as \u202e.
+// JSON text with the characters that printable() does not show, as far as JSON holds them unescaped, as
+// \u202e.
 std::string with_escaped_marks(std::string json);
 // The same as printable() in quotes, for what a file holds: 'text', the first 60 bytes of it.
 std::string shown(std::string_view text);

@@ -148,7 +148,8 @@ class UnitReader {
   void skip() { rest_.remove_prefix(std::min(rest_.size(), rest_.find_first_not_of(" \t*.()[]{}"))); }
   bool is_number() const { return rest_.front() >= '0' && rest_.front() <= '9'; }
 
-  // The exponent that follows a unit: 2, -1, ^-1, **-1, ^(-1), ^{-1}. 1 if there is none, 0 if it is not a number.
+  // The exponent that follows a unit: 2, -1, ^-1, **-1, ^(-1), ^{-1}. 1 if there is none, 0 if it is not a
+  // number.
   int take_exponent(bool needs_sign) {
     std::string_view text = rest_;
     const bool is_marked = text.starts_with('^') || text.starts_with("**");

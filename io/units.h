@@ -49,18 +49,19 @@ struct Unit {
   Kind kind() const;
 };
 
-// Letters of other alphabets and signs as ASCII that units and formulas are written with: µ u, Å angstrom, sr⁻¹ sr^-1,
-// · and × *, π pi. Greek letters become their names.
+// Letters of other alphabets and signs as ASCII that units and formulas are written with: µ u, Å angstrom,
+// sr⁻¹ sr^-1, · and × *, π pi. Greek letters become their names.
 std::string plain_symbols(std::string_view text);
 
-// A name and its unit, which stands in brackets, behind a slash or a comma, or as the last word: every way to part them,
-// the whole name first.
+// A name and its unit, which stands in brackets, behind a slash or a comma, or as the last word: every way to
+// part them, the whole name first.
 struct NameAndUnit {
   std::string_view name, unit;
 };
 std::vector<NameAndUnit> ways_to_part(std::string_view name);
 
-// Reads a product of units with exponents; std::nullopt if a word is not a unit. Nothing at all is not a unit.
+// Reads a product of units with exponents; std::nullopt if a word is not a unit. Nothing at all is not a
+// unit.
 std::optional<Unit> unit_named(std::string_view text);
 
 }  // namespace brdf::io

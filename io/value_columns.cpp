@@ -50,7 +50,8 @@ struct Candidate {
 
 using Rank = Candidate::Rank;
 
-// The name that stands beside a word for standard deviations; empty if the word is all. std::nullopt without such a word.
+// The name that stands beside a word for standard deviations; empty if the word is all. std::nullopt without
+// such a word.
 std::optional<std::string> deviation_of(const std::string& name) {
   if (name.starts_with(kSigmaPrefix)) return name.substr(kSigmaPrefix.size());
   constexpr std::string_view kWords[] = {"standard deviation",
@@ -220,7 +221,8 @@ class Values {
     note_names();
   }
 
-  // By which names a candidate is known: with its unit and without, with the words of its quantity and without.
+  // By which names a candidate is known: with its unit and without, with the words of its quantity and
+  // without.
   void note_names() {
     by_name_.clear();
     for (std::size_t k = 0; k < candidates_.size(); ++k)
@@ -281,7 +283,8 @@ class Values {
     aside_.push_back(c.column->name);
   }
 
-  // Gives a column its quantity: what is stated for all outranks its name in a comment, and may not contradict it else.
+  // Gives a column its quantity: what is stated for all outranks its name in a comment, and may not
+  // contradict it else.
   void state(Candidate& c) {
     kept_.push_back(&c);
     Quantity& own = c.named.quantity;

@@ -15,8 +15,8 @@ struct WavelengthColumn {
   std::string fault;  // why it cannot be read, as the end of a sentence about the column
 };
 
-// What a column's name says: `wavelength`, `lambda`, `wl` with a unit or without; `wavenumber`; `nu`, `frequency`,
-// `energy` with a unit. std::nullopt if the name is another one.
+// What a column's name says: `wavelength`, `lambda`, `wl` with a unit or without; `wavenumber`; `nu`,
+// `frequency`, `energy` with a unit. std::nullopt if the name is another one.
 std::optional<WavelengthColumn> wavelength_column(std::string_view name);
 bool is_wavelength_name(std::string_view name);
 

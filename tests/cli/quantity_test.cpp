@@ -18,8 +18,8 @@ using testing::Not;
 
 class QuantityCli : public testing::Test {
  protected:
-  // A matt surface of albedo 0.4 in the plane of incidence; `header` names the two angles and the values, which are
-  // f_r times `factor`.
+  // A matt surface of albedo 0.4 in the plane of incidence; `header` names the two angles and the values,
+  // which are f_r times `factor`.
   void write(const std::string& name, const std::string& header, double factor) {
     std::ofstream file(folder_.path() / name);
     file << header << '\n';

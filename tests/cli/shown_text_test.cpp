@@ -1,4 +1,5 @@
-// Names of files and cells reach a terminal as text that cannot drive it; what an interruption left is one line.
+// Names of files and cells reach a terminal as text that cannot drive it; what an interruption left is one
+// line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +24,8 @@ const std::string kRed = "a\x1b[31mred.csv", kLines = "b\n[1 of 1] all is well \
 
 // What none of the outputs may hold.
 std::string raw_part(const std::string& text) {
-  for (const char* part :
-       {"\x1b", "\r", "\xe2\x80\xae", "\xe2\x81\xa6", "\xd8\x9c", "\xe2\x80\x8f", "\xc2\x9b", "\n[1 of 1] all"})
+  for (const char* part : {"\x1b", "\r", "\xe2\x80\xae", "\xe2\x81\xa6", "\xd8\x9c", "\xe2\x80\x8f",
+                           "\xc2\x9b", "\n[1 of 1] all"})
     if (text.find(part) != text.npos) return part;
   return "";
 }

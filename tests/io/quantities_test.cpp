@@ -1,5 +1,5 @@
-// Every word of a quantity and every unit is converted, refused by its name, or asked about; nothing but the words of f_r
-// becomes f_r without a line that says so.
+// Every word of a quantity and every unit is converted, refused by its name, or asked about; nothing but the
+// words of f_r becomes f_r without a line that says so.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

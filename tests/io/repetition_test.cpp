@@ -1,4 +1,5 @@
-// What a format repeats because of its coordinates counts once; what was measured again, or written twice, stays.
+// What a format repeats because of its coordinates counts once; what was measured again, or written twice,
+// stays.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
