@@ -241,7 +241,12 @@ void CsvHeader::check_columns() const {
             : columns_.has_angle(2 - angle)
                 ? std::string("; no column holds the polar angle of the ") + (angle == 0 ? "light" : "viewer")
                 : ""));
-  if (need_values_ && columns_.channels.empty()) fail("no value column beside the four angles");
+  if (need_values_ && columns_.channels.empty()) {
+    std::string others;
+    for (const Column& c : columns_.columns)
+      if (c.kind != Column::Kind::angle) others += (others.empty() ? "" : ", ") + shown(c.name);
+    fail("no value column beside the four angles" + (others.empty() ? "" : "; no values are in " + others));
+  }
   if (is_long_ && need_values_ && columns_.channels.size() != 1)
     fail("a column of " +
          std::string(columns_.has(Column::Kind::wavelength) ? "wavelengths" : "polarisations") +

@@ -71,7 +71,9 @@ bool part_suffix(std::string_view text, NameUnit& out) {
     const std::string_view before = trimmed(text.substr(0, at)), after = trimmed(text.substr(at + 1));
     const bool is_bracket = after.starts_with('(') || after.starts_with('[');
     if (before.empty() || after.empty() || is_bracket || is_word_first(after)) continue;
-    const auto unit = unit_named(after);
+    if (after.starts_with('/')) continue;  // "BRF / %": the slash is the separator
+    const bool is_per = text[at] == '/' && unit_named(after) == unit_named("sr");
+    const auto unit = is_per ? unit_named("1/sr") : unit_named(after);  // nothing is measured in steradians
     if (!unit || *unit == Unit{unit->factor}) continue;
     constexpr std::string_view digits = "0123456789";
     const bool has_number =

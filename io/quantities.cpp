@@ -23,11 +23,11 @@ constexpr std::array kKinds{
         "brdfs; bidirectional scattering distribution function; bidirectional scatter distribution function; "
         "bidirectional reflection distribution function; reflectance distribution function",
         "rho (1/sr); q (cd/m2/lx); 1/sr"},
-    QuantityKind{
-        "BRF", "a reflectance factor", kPi, 0, 0, Use::converted, "",
-        "BRF; HDRF; HCRF; BCRF; CCRF; REFF; reflectance factor; radiance factor; luminance factor",
-        "brfs; cdrf; reflectance factors; reflection factor; refl factor; bidirectional reflectance factor; "
-        "hemispherical directional reflectance factor; biconical reflectance factor"},
+    QuantityKind{"BRF", "a reflectance factor", kPi, 0, 0, Use::converted, "",
+                 "BRF; HDRF; HCRF; BCRF; CCRF; REFF; reflectance factor; radiance factor; luminance factor",
+                 "RF; brfs; cdrf; reflectance factors; reflection factor; refl factor; bidirectional "
+                 "reflectance factor; "
+                 "hemispherical directional reflectance factor; biconical reflectance factor"},
     QuantityKind{
         "f_r*cos_o", "f_r times cos_o", 1, 0, 1, Use::converted, "",
         "ARS; DSC; angle-resolved scatter; cosine-corrected BRDF; ccBRDF; intensity",
@@ -94,7 +94,7 @@ constexpr std::array kKinds{
         "values for each pair of directions are missing",
         "albedo; TIS; haze; emissivity; absorptance; hemispherical reflectance",
         "emittance; absorptivity; total integrated scatter; total scatter; dhr; directional hemispherical "
-        "reflectance; total reflectance; diffuse reflectance; specular reflectance"},
+        "reflectance; total reflectance; diffuse reflectance; specular reflectance; d/8; 8/d; d/0; 0/d"},
     QuantityKind{"radar", "a radar cross section", 1, 0, 0, Use::refused, "the illuminated area is missing",
                  "RCS; radar cross section; sigma0", "nrcs; cross section; sigma nought", "dBsm"},
     QuantityKind{"phase", "a phase or an amplitude", 1, 0, 0, Use::refused,

@@ -42,6 +42,7 @@ class WordReading {
 
   void read(QuantityWords& out) {
     out_ = &out;
+    part_cosines();
     take_colours();
     take_multipliers();
     take_scales();
@@ -70,6 +71,20 @@ class WordReading {
     return number;
   }
 
+  // "BRDFcos" is two words.
+  void part_cosines() {
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      const std::size_t at = tokens_[k].text.find("cos");
+      if (at == std::string::npos || at == 0 || !phrases().contains(tokens_[k].text.substr(0, at))) continue;
+      Token rest = tokens_[k];
+      rest.text.erase(0, at);
+      rest.begin += at;
+      tokens_[k].text.resize(at);
+      tokens_[k].end = rest.begin;
+      tokens_.insert(tokens_.begin() + std::ptrdiff_t(k) + 1, rest);
+    }
+  }
+
   // L*, a*, b*: the star is a part of the name; and (a.u.).
   void take_colours() {
     if (tokens_.size() > 1 && is(1, "*") && (tokens_.size() == 2 || is_silent(tokens_[2])) &&
@@ -86,7 +101,8 @@ class WordReading {
       if (is_sign && take_power(k + 1, k)) return;
       if (!number_at(k)) continue;
       const std::size_t after = k + (is(k + 1, "^") ? 3 : 1);
-      if ((is(after, "x") || is(after, "*")) && take_power(k, after)) return;
+      const bool is_of_log = after + 1 < tokens_.size() && tokens_[after + 1].text.starts_with("log");
+      if ((is(after, "x") || is(after, "*")) && !is_of_log && take_power(k, after)) return;
       split_factor(k);
     }
   }
@@ -139,11 +155,19 @@ class WordReading {
       } else if (word == "db" || word == "decibel" || word == "decibels") {
         out_->scale = Scale::decibel;
         use(k, k + 1);
-      } else if (word == "m" && is(k + 1, "brdf") && token.end == tokens_[k + 1].begin) {
+      } else if (word == "m" && is_prefix(k)) {
         out_->factor *= 1e-3;
         use(k, k + 1);
+      } else if (word == "n" && is_prefix(k)) {
+        take_kind(k, k + 1, Kind::relative);
       }
     }
+  }
+
+  // mBRDF, nBRDF: a letter before a quantity's word.
+  bool is_prefix(std::size_t k) const {
+    return k + 1 < tokens_.size() && tokens_[k].end == tokens_[k + 1].begin &&
+           phrases().contains(tokens_[k + 1].text);
   }
 
   void set_percent(double factor, std::size_t k) {
@@ -158,12 +182,17 @@ class WordReading {
         word == "ln" || word == "loge" || is(k + 1, "e") || (k > 0 && is(k - 1, "natural"));
     std::size_t end = k + 1;
     if (k > 0 && is(k - 1, "-")) contradict("is a negative logarithm");
+    const std::size_t before = k > 1 && is(k - 1, "*") ? k - 2 : k - 1;  // 10 log10, 10*log10
+    const std::optional<double> times = k > 0 ? number_at(before) : std::nullopt;
+    if (times && *times != 10) contradict("is a multiple of a logarithm");
+    if (times) use(before, k);
     if (is(end, "e")) ++end;
     if (const auto base = number_at(end)) {
       if (*base != 10) contradict("is a logarithm of another base than 10 and e");
       ++end;
     }
-    out_->scale = is_natural ? Scale::ln : Scale::log10;
+    if (times && is_natural) contradict("is a multiple of a logarithm");
+    out_->scale = times ? Scale::decibel : is_natural ? Scale::ln : Scale::log10;
     use(k, end);
     for (const char* word_before : {"natural", "decimal", "common", "decadic"})
       if (k > 0 && is(k - 1, word_before)) use(k - 1, k);
@@ -180,7 +209,10 @@ class WordReading {
            ++end) {
         if (is_silent(tokens_[end])) continue;
         joined += tokens_[end].text;
-        if (const auto at = phrases().find(joined); at != phrases().end()) found = {end + 1, at->second};
+        // Two single letters mean anything, but for f_r: r_f is not RF.
+        const bool is_parted = joined.size() <= 2 && end > k && joined != "fr";
+        const auto at = phrases().find(joined);
+        if (at != phrases().end() && !is_parted) found = {end + 1, at->second};
       }
       if (!found && is_retroreflection(k)) found = {k + 2, Kind::retroreflection};
       if (!found) continue;
@@ -350,11 +382,21 @@ class Combination {
     } else if (is(Kind::reduced_luminance)) {
       out_.factor *= 1e4;  // the unit stands for the coefficient itself
     } else if (!out_.kind) {
-      out_.kind = Kind::f_r;
+      out_.kind = of_symbol();
     } else if (is(Kind::reflectance_factor) || is(Kind::radiance_factor) || is(Kind::radiance) ||
                is(Kind::luminance)) {
       contradict();
     }
+  }
+
+  // f_r, but for the coefficients of retroreflection, whose symbols mean much else: R_A and R' (cd/lx/m2), R_L (mcd/m2/lx).
+  Kind of_symbol() const {
+    const std::string symbol = plain_spelling(out_.bare);
+    const bool is_of_lux = text_.find("lx") != text_.npos || text_.find("lux") != text_.npos;
+    if (is_of_lux && (symbol == "ra" || symbol == "r'")) return Kind::retroreflection;
+    if (is_of_lux && symbol == "rl") return Kind::f_r_cos_i;
+    if (is_of_lux && symbol == "qd") return Kind::hemispherical;
+    return Kind::f_r;
   }
 
   void refused(Kind kind) {
@@ -366,7 +408,7 @@ class Combination {
 
   void no_values() {
     if (out_.kind && *out_.kind <= Kind::reduced_luminance) return contradict();
-    out_.fault = Fault::no_values;
+    if (!out_.kind) out_.fault = Fault::no_values;
   }
 
   QuantityWords& out_;
@@ -377,26 +419,15 @@ class Combination {
 }  // namespace
 
 bool is_filling(std::string_view rest) {
-  constexpr std::string_view kFillers[] = {"value",       "values",
-                                           "data",        "measured",
-                                           "measurement", "measurements",
-                                           "in",          "of",
-                                           "the",         "a",
-                                           "an",          "spectral",
-                                           "table",       "as",
-                                           "is",          "are",
-                                           "unit",        "units",
-                                           "result",      "results",
-                                           "and",         "bidirectional",
-                                           "directional", "hemispherical",
-                                           "cie",         "conical",
-                                           "biconical",   "absolute",
-                                           "quantity",    "column",
-                                           "factor"};
+  constexpr std::string_view kFillers =
+      " value values data measured measurement measurements in of the a an spectral table as is are unit "
+      "units result "
+      "results and bidirectional directional hemispherical cie conical biconical absolute quantity column "
+      "factor "
+      "weighted times multiplied by corrected ";
   const std::vector<Token> tokens = tokens_of(rest);
   return std::all_of(tokens.begin(), tokens.end(), [&](const Token& token) {
-    return token.type == Token::Type::sign ||
-           std::find(std::begin(kFillers), std::end(kFillers), token.text) != std::end(kFillers);
+    return token.type == Token::Type::sign || kFillers.find(" " + token.text + " ") != kFillers.npos;
   });
 }
 

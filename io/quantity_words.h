@@ -30,7 +30,7 @@ enum class Kind {
   radiant_intensity,
   signal,
   colour,
-  albedo,
+  hemispherical,
   radar,
   phase,
   relative

@@ -56,10 +56,12 @@ std::optional<std::string> deviation_of(const std::string& name) {
   if (name.starts_with(kSigmaPrefix)) return name.substr(kSigmaPrefix.size());
   constexpr std::string_view kWords[] = {"standard deviation",
                                          "standard uncertainty",
+                                         "standard error",
                                          "uncertainty",
                                          "sigma",
                                          "stdev",
                                          "stddev",
+                                         "std dev",
                                          "std",
                                          "sd",
                                          "unc",
@@ -211,8 +213,9 @@ class Values {
       const std::string& name = c.column->name;
       const auto of = deviation_of(name);
       const bool is_literal = facts_.keeps_names && !name.starts_with(kSigmaPrefix);
-      is_deviation.push_back(of && !is_literal && candidates_.size() > 1 &&
-                             (of->empty() || name.starts_with(kSigmaPrefix) || find(*of)));
+      const bool is_of_one = of && (of->empty() || name.starts_with(kSigmaPrefix) || find(*of) ||
+                                    quantity_of_column(*of).says == Says::quantity);
+      is_deviation.push_back(is_of_one && !is_literal);
     }
     std::vector<Candidate> values;
     for (std::size_t k = 0; k < candidates_.size(); ++k)
@@ -337,12 +340,19 @@ class Values {
     Column& column = *deviation.column;
     const std::string of = *deviation_of(column.name);
     const bool is_relative = unit_of_deviation_is_percent(deviation);
-    const Candidate* const value = of.empty() ? (kept_.size() == 1 ? kept_[0] : nullptr) : find_kept(of);
     const bool is_literal = column.name.starts_with(kSigmaPrefix);
+    const Candidate* value = of.empty() ? nullptr : find_kept(of);
+    if (!value && !is_literal && kept_.size() == 1) value = kept_[0];
     if (!value && is_literal) refuse("column " + shown(column.name) + " has no column of values");
     if (!value || (is_relative && value->named.quantity.factor != 0.01)) return set_aside(deviation);
     column.kind = Column::Kind::sigma;
     column.index = value->column->index;
+    for (const Column& other : header_.columns)
+      if (&other != &column && other.kind == Column::Kind::sigma && other.index == column.index)
+        refuse(other.name == column.name
+                   ? "column " + shown(column.name) + " twice"
+                   : "columns " + shown(other.name) + " and " + shown(column.name) +
+                         " are both standard deviations of " + shown(header_.channels[column.index]));
     announce_(column.name, std::string(kSigmaPrefix) + header_.channels[column.index]);
   }
 

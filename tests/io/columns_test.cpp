@@ -135,7 +135,8 @@ TEST(Metadata, IsToldByItsUnitOrItsCells) {
               HasSubstr("(550nm): 'x' is not a number"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,what\n1,2,3,4,x\n"),
               HasSubstr("(what): 'x' is not a number"));
-  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,time (s)\n1,2,3,4,5\n"), HasSubstr("no value column"));
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,time (s)\n1,2,3,4,5\n"),
+              HasSubstr("no value column beside the four angles; no values are in 'time (s)'"));
 }
 
 TEST(Metadata, IncludesOtherAnglesAndCosines) {

@@ -63,6 +63,8 @@ const Word kOfFr[] = {{"f_r", kTruth},
                       {"luminance coefficient (cd m^-2 lx^-1)", kTruth},
                       {"q (cd/(m²·lx))", kTruth},
                       {"1/sr", kTruth},
+                      {"BRDF/sr", kTruth},
+                      {"fr /sr", kTruth},
                       {"550nm (1/sr)", kTruth}};
 
 const Word kConverted[] = {
@@ -93,6 +95,8 @@ const Word kConverted[] = {
     {"REFF", kBrf},
     {"reflectance factor (%)", 100 * kBrf},
     {"BRF [percent]", 100 * kBrf},
+    {"Reflectance factor / %", 100 * kBrf},
+    {"RF", kBrf},
     {"% BRF", 100 * kBrf},
     {"Reflectance factor in percent", 100 * kBrf},
     {"Reflectance factor [1]", kBrf},
@@ -107,6 +111,8 @@ const Word kConverted[] = {
     {"cos corrected BRDF (1/sr)", kArs},
     {"ccBRDF", kArs},
     {"BRDF*cos", kArs},
+    {"BRDFcos", kArs},
+    {"cos-weighted BRDF", kArs},
     {"BRDF cos(theta_o)", kArs},
     {"f_r*cos_o", kArs},
     {"fr·cosθr", kArs},
@@ -121,6 +127,8 @@ const Word kConverted[] = {
     {"reduced luminance coefficient x 10^4", 1e4 * kTruth* std::pow(kCosLight, 3)},
     {"R_A (cd/lx/m2)", kTruth* kCosLight* kCosViewer},
     {"R_A", kTruth* kCosLight* kCosViewer},
+    {"R' (cd/lx/m2)", kTruth* kCosLight* kCosViewer},
+    {"R_L (mcd/m²/lx)", 1000 * kTruth* kCosLight},
     {"coefficient of retroreflection (mcd/lx/m²)", 1000 * kTruth* kCosLight* kCosViewer},
     {"log10 BRDF", std::log10(kTruth)},
     {"log10(BRDF) (1/sr)", std::log10(kTruth)},
@@ -135,6 +143,8 @@ const Word kConverted[] = {
     {"dB/sr", 10 * std::log10(kTruth)},
     {"BRDF (dB re 1/sr)", 10 * std::log10(kTruth)},
     {"BRF (dB)", 10 * std::log10(kBrf)},
+    {"10 log10(BRDF)", 10 * std::log10(kTruth)},
+    {"10*log BRDF", 10 * std::log10(kTruth)},
     {"BRDF [ppm/sr]", 1e6 * kTruth}};
 
 class NameOfFr : public testing::TestWithParam<Word> {};
@@ -199,6 +209,11 @@ const RefusedName kRefused[] = {
     {"phase", "a phase or an amplitude"},
     {"albedo", "of a whole hemisphere"},
     {"TIS", "of a whole hemisphere"},
+    {"d/8", "of a whole hemisphere"},
+    {"Qd (mcd/m2/lx)", "of a whole hemisphere"},
+    {"nBRDF", "without a scale"},
+    {"RCS (m2)", "a radar cross section"},
+    {"20 log10(BRDF)", "is a multiple of a logarithm"},
     {"BRDF (a.u.)", "without a scale"},
     {"relative BRDF", "without a scale"},
     {"normalised BRDF (1/sr)", "without a scale"},
@@ -284,6 +299,14 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
     ASSERT_TRUE(t.has_sigma(0)) << d.name;
     EXPECT_NEAR(t.sigma[0][0], d.expected, 1e-12) << d.name;
   }
+  // One whose value is named otherwise belongs to the only channel; of several none is known.
+  EXPECT_TRUE(read("Incidence,View angle,fr,u(BRDF)\n60,45,1,2\n").has_sigma(0));
+  EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
+              HasSubstr("'std dev' is set aside"));
+  EXPECT_THAT(message("Incidence,View angle,fr,sigma,std\n60,45,1,2,3\n"),
+              HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
+  EXPECT_THAT(message("Incidence,View angle,uncertainty\n60,45,1\n"),
+              HasSubstr("no value column beside the four angles; no values are in 'uncertainty'"));
   // A relative one is none of them.
   const SampleTable relative = read("Incidence,View angle,BRDF (1/sr),uncertainty (%)\n60,45,1,2\n");
   EXPECT_FALSE(relative.has_sigma(0));
