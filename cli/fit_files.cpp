@@ -4,9 +4,11 @@
 #include <iostream>
 
 #include "cli/fit_options.h"
+#include "cli/terminal.h"
 #include "io/error.h"
 #include "io/json.h"
 #include "io/provenance.h"
+#include "io/text.h"
 #ifdef BRDF_HAS_RENDER
 #include "render/job.h"
 #endif
@@ -25,10 +27,9 @@ void draw_spheres(const std::vector<fit::BatchRow>& rows, const std::filesystem:
     job.output = picture;
     job.width = job.height = 256;
     try {
-      for (const std::string& note : render::run(job).notes)
-        std::cerr << picture.string() << ": " << note << '\n';
+      for (const std::string& note : render::run(job).notes) Note() << picture.string() << ": " << note;
     } catch (const EnvironmentError& error) {
-      std::cerr << "brdf: no pictures: " << error.what() << '\n';
+      Note() << "brdf: no pictures: " << error.what();
       return;
     }
   }
@@ -61,7 +62,8 @@ Exit summarise(const std::vector<fit::BatchRow>& rows, const std::filesystem::pa
   if (json)
     std::cout << io::to_text(fit::to_json(rows, folder));
   else
-    std::cout << (folder / "summary.csv").string() << ", " << (folder / "summary.html").string() << '\n';
+    std::cout << io::printable((folder / "summary.csv").string()) << ", "
+              << io::printable((folder / "summary.html").string()) << '\n';
   if (std::ranges::any_of(rows, &fit::BatchRow::environment_failed)) return Exit::environment;
   return good ? Exit::good : Exit::failed;
 }

@@ -36,6 +36,7 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
                 "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
   add_keep_fill_option(verb, choice.options.keep_fill);
   add_arrangement_options(verb, choice.options.arrangement);
+  add_supplied_options(verb, choice.options.supplied);
   verb.add_option("--max-theta", choice.options.max_theta, "Degrees; rows with a steeper angle are left out")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 90.0));

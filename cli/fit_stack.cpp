@@ -9,9 +9,11 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/stack_scene.h"
+#include "cli/terminal.h"
 #include "io/error.h"
 #include "io/output.h"
 #include "io/provenance.h"
+#include "io/text.h"
 #include "maps/shared_fit.h"
 
 namespace brdf::cli {
@@ -66,7 +68,7 @@ Exit write_results(const StackFiles& files, const texel::Stack& stack, const map
     std::cout << json;
   else
     maps::print(std::cout, stack, making, summary, files.output, seconds);
-  if (!files.json && !scene.empty()) std::cout << scene << '\n';
+  if (!files.json && !scene.empty()) std::cout << io::printable(scene) << '\n';
   return summary.usable() > 0 ? Exit::good : Exit::failed;
 }
 
@@ -95,7 +97,7 @@ Exit run_stack(const StackFiles& files, const StackOptions& stack_options, const
                              maps::read_sharing(stack_options.share, stack_options.regions, stack), resources,
                              progress);
   if (was_interrupted()) {
-    std::cerr << "brdf fit: interrupted: nothing is written\n";
+    Note() << "brdf fit: interrupted: nothing is written";
     return Exit::failed;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

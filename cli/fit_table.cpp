@@ -22,8 +22,8 @@ void print(const fit::FitResult& result, const io::SampleTable& table, const fit
 }  // namespace
 
 fit::Samples samples_to_fit(const std::string& file, const fit::FitOptions& options) {
-  fit::Samples samples = fit::arranged(io::read_samples(file), options);
-  for (const std::string& warning : samples.table.warnings) std::cerr << "brdf fit: " << warning << '\n';
+  fit::Samples samples = fit::arranged(io::read_samples(file, options.supplied), options);
+  for (const std::string& warning : samples.table.warnings) Note() << "brdf fit: " << file << ": " << warning;
   return samples;
 }
 
@@ -32,11 +32,11 @@ Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const
   const fit::FormFit& best = result.ranking.front();
   const std::string& output = targets.material;
   if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output))
-    std::cerr << "brdf fit: interrupted: " << output << " is kept as it was\n";
+    Note() << "brdf fit: interrupted: " << output << " is kept as it was";
   else if (!output.empty() && best.solved())
     io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
   else if (!output.empty())
-    std::cerr << "brdf fit: no form could be fitted: " << output << " is not written\n";
+    Note() << "brdf fit: no form could be fitted: " << output << " is not written";
   if (!targets.report.empty())
     io::write_file_atomically(targets.report, fit::html_report(result, table, options));
   if (targets.json)

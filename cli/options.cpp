@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/stated_quantity.h"
 #include "io/text.h"
 
 namespace brdf::cli {
@@ -61,6 +62,18 @@ void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
 void add_keep_fill_option(CLI::App& verb, bool& keep_fill) {
   verb.add_flag("--keep-fill", keep_fill,
                 "Use rows of fill values, too: numbers that stand for directions that were not measured");
+}
+
+void add_supplied_options(CLI::App& verb, io::Supplied& supplied) {
+  add_word_option(
+      verb, "--quantity", "",
+      [&supplied](const std::string& words) {
+        io::stated_by_option(words);  // refused before a file is read
+        supplied.quantity = words;
+      },
+      "Quantity of the values if the file does not state it: " + io::known_quantities());
+  add_named_option(verb, "--mirror-side", supplied.mirror_side,
+                   "Tables of two signed angles: the sign of the viewer's angle on the mirror side");
 }
 
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,

@@ -10,6 +10,7 @@
 #include "io/arrange.h"
 #include "io/error.h"
 #include "io/settings.h"
+#include "io/supplied.h"
 
 namespace CLI {
 class App;
@@ -44,6 +45,9 @@ void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);
 
 // Adds --keep-fill, the same in every verb that reads samples.
 void add_keep_fill_option(CLI::App& verb, bool& keep_fill);
+
+// Adds --quantity and --mirror-side, the same in every verb that reads samples.
+void add_supplied_options(CLI::App& verb, io::Supplied& supplied);
 
 // Adds an option that takes an amount of bytes above 0, or with K, M or G (powers of 1024).
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "cli/terminal.h"
+#include "io/text.h"
 
 namespace brdf::cli {
 namespace {
@@ -51,7 +52,7 @@ std::string progress_text(const std::string& what, double fraction, double secon
     text = "[" + std::string(std::size_t(full), '#') + std::string(std::size_t(kBar - full), '.') + "] " +
            duration_text(seconds * (1 - fraction) / fraction) + " left  ";
   }
-  text += what;
+  text += io::printable(what);
   if (int(text.size()) >= columns) text.resize(std::size_t(columns - 1));  // the last column would wrap
   return text;
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "io/error.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
@@ -88,7 +89,7 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
                       }};
   if (!quiet)
     for (const std::string& note : loaded.notes)
-      std::cerr << "brdf " << verb << ": " << options.file << ": " << note << '\n';
+      Note() << "brdf " << verb << ": " << options.file << ": " << note;
   return loaded;
 #else
   (void)verb, (void)quiet;

@@ -8,32 +8,45 @@
 #include "cli/progress.h"
 #include "cli/terminal.h"
 #include "io/provenance.h"
+#include "io/text.h"
 
 namespace brdf::cli {
 namespace {
 
+// Not studied because the run was interrupted.
+bool was_left(const study::Row& row) {
+  return row.fault == study::Fault::interrupted;
+}
+
 void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
   PlainText out;
+  const auto text = [](const io::Json& json) { return io::printable(json.get<std::string>()); };
   std::size_t widest = 0;
-  for (const study::Row& row : rows) widest = std::max(widest, row.json["name"].get<std::string>().size());
+  for (const study::Row& row : rows)
+    if (!was_left(row)) widest = std::max(widest, text(row.json["name"]).size());
   for (const study::Row& row : rows) {
-    out << std::left << std::setw(int(widest) + 2) << row.json["name"].get<std::string>();
+    if (was_left(row)) continue;
+    out << std::left << std::setw(int(widest) + 2) << text(row.json["name"]);
     if (row.fault == study::Fault::none)
-      out << row.json["statement"].get<std::string>() << (row.kept ? " (kept)" : "") << '\n';
+      out << text(row.json["statement"]) << (row.kept ? " (kept)" : "") << '\n';
     else
       out << "error\n";
     for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
-      out << "  " << warning.get<std::string>() << '\n';
+      out << "  " << text(warning) << '\n';
   }
-  out << (folder / study::kPage).string() << '\n';
+  out << io::printable((folder / study::kPage).string()) << '\n';
 }
 
-// Why samples have no study, a line for each.
+// Why samples have no study, a line for each, and one for all that an interruption left.
 void say_faults(const std::vector<study::Row>& rows) {
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    if (rows[k].fault != study::Fault::none)
-      std::cerr << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>()
-                << '\n';
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const std::string& sentence : rows[k].assumptions)
+      Note() << "brdf study: " << rows[k].file << ": " << sentence;
+    if (rows[k].fault != study::Fault::none && !was_left(rows[k]))
+      Note() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
+  }
+  if (const auto left = std::count_if(rows.begin(), rows.end(), was_left); left > 0)
+    Note() << "brdf study: interrupted: " << left << " of " << rows.size() << " not looked at";
 }
 
 void print_json(const std::vector<study::Row>& rows) {

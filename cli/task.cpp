@@ -93,7 +93,7 @@ void divide_fit(const std::string& file, const std::string& size, const TaskOpti
                      ": chooses by fits one after another, which cannot be divided: name a form");
   const fit::FitOptions fit = fit_options(options.choice, 1);
   const std::size_t refits =
-      fit::count_refits(fit::arranged(io::read_samples(file), fit).table, models.size(), fit);
+      fit::count_refits(fit::arranged(io::read_samples(file, fit.supplied), fit).table, models.size(), fit);
   if (refits == 0) throw InputError(file + ": one direction, no folds: no work to divide");
   divide(refits, size, kRefitsInUnit, "of one table it must be a number of refits", plan);
 }

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "io/text.h"
+
 namespace brdf::cli {
 namespace {
 
@@ -107,6 +109,10 @@ std::string folded(std::string_view text, int columns) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return out;
+}
+
+Note::~Note() {
+  std::cerr << io::printable(str()) << '\n';
 }
 
 PlainText::~PlainText() {

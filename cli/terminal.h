@@ -18,6 +18,16 @@ bool colours_on(int descriptor);
 // A word longer than the line is broken after a comma, else left whole.
 std::string folded(std::string_view text, int columns);
 
+// A line for people: to stderr when this goes. Names of files and texts of libraries that are in it cannot
+// drive the terminal (io::printable); nothing else in it may.
+class Note : public std::ostringstream {
+ public:
+  Note() = default;
+  Note(const Note&) = delete;
+  Note& operator=(const Note&) = delete;
+  ~Note() override;
+};
+
 // Text for people: to stdout when this goes, folded to its width.
 class PlainText : public std::ostringstream {
  public:

@@ -9,6 +9,7 @@
 #include "cli/fit_options.h"
 #include "cli/fit_table.h"
 #include "cli/study_files.h"
+#include "cli/terminal.h"
 #include "io/content.h"
 #include "io/error.h"
 #include "io/output.h"
@@ -156,7 +157,7 @@ Exit collect_tables(const Task& task, const CollectFiles& files) {
   const auto rows = fit_files({task.samples(), files.output, 1, !task.options().no_pictures}, choice,
                               fit_options(choice, 1), {});
   for (const fit::BatchRow& row : rows)
-    if (!row.error.empty()) std::cerr << "brdf collect: " << row.error << '\n';
+    if (!row.error.empty() && row.error != fit::kInterrupted) Note() << "brdf collect: " << row.error;
   return summarise(rows, files.output, false);
 }
 

@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
 #include "cli/options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "interop/rgl.h"
 #include "io/any_table.h"
@@ -20,6 +20,7 @@ namespace {
 struct ConvertCall {
   std::string in, out;
   io::Arrangement arrangement;
+  io::Supplied supplied;
   bool keep_fill = false;
 };
 
@@ -33,7 +34,7 @@ Material between_samples(const ConvertCall& o) {
   const std::string& in = o.in;
   io::Content content = io::read_content(in);
   if (io::is_json(content)) return io::read_material(content);
-  io::SampleTable table = io::read_samples(std::move(content));
+  io::SampleTable table = io::read_samples(std::move(content), o.supplied);
   arrange(o, table);
   const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
   if (seen->turning() == measured::Turning::turned)
@@ -46,9 +47,9 @@ Exit to_rgl(const ConvertCall& o) {
   io::check_targets({{"OUT", out}}, {o.in});
   const std::string bytes = interop::rgl_of(between_samples(o), std::filesystem::path(o.in).stem().string());
   io::write_file_atomically(out, bytes);
-  std::cerr << "brdf convert: " << bytes.size() << " bytes to " << out << '\n'
-            << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
-               "(export --to rgl --measured interpolates beside a fit)\n";
+  Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
+  Note() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
+            "(export --to rgl --measured interpolates beside a fit)";
   return Exit::good;
 }
 
@@ -57,13 +58,12 @@ Exit run_convert(const ConvertCall& o) {
   if (out.ends_with(".bsdf")) return to_rgl(o);
   io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
-  io::SampleTable table = synth::table_of_file(in);
+  io::SampleTable table = synth::table_of_file(in, o.supplied);
   arrange(o, table);
-  for (const std::string& warning : table.warnings)
-    std::cerr << "brdf convert: " << in << ": " << warning << '\n';
+  for (const std::string& warning : table.warnings) Note() << "brdf convert: " << in << ": " << warning;
   const std::vector<std::string> lost = io::write_table(out, table);
-  std::cerr << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out << '\n';
-  for (const std::string& what : lost) std::cerr << "brdf convert: lost: " << what << '\n';
+  Note() << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out;
+  for (const std::string& what : lost) Note() << "brdf convert: lost: " << what;
   return Exit::good;
 }
 
@@ -85,11 +85,13 @@ void add_convert(CLI::App& app) {
       ->required();
   add_keep_fill_option(*verb, options->keep_fill);
   add_arrangement_options(*verb, options->arrangement);
+  add_supplied_options(*verb, options->supplied);
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
       "          brdf convert paper.csv paper.bsdf\n"
       "          brdf convert scan.csv scan.zemax --keep-fill\n"
-      "          brdf convert polarised.csv mean.csv --polarisation average --repeats average");
+      "          brdf convert polarised.csv mean.csv --polarisation average --repeats average\n"
+      "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative");
   on_run(*verb, [options] { return run_convert(*options); });
 }
 

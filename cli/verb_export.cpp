@@ -4,6 +4,7 @@
 
 #include "cli/options.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "interop/programs.h"
 #include "interop/rgl.h"
@@ -27,6 +28,7 @@ struct ExportCall {
   std::string measured, to, output, kernels = "own";
   bool include = false, naive = false, json = false;
   std::optional<double> max_loss;
+  io::Supplied supplied;
   std::uint64_t size = interop::kUsualTable;
 };
 
@@ -71,7 +73,10 @@ void check_output(const ExportCall& o) {
 std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
   std::optional<Material> fitted;
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
-  return measured::seen_in_colour(io::read_samples(o.measured), fitted ? &*fitted : nullptr,
+  io::SampleTable samples = io::read_samples(o.measured, o.supplied);
+  for (const std::string& sentence : samples.assumptions)
+    Note() << "brdf export: " << o.measured << ": " << sentence;
+  return measured::seen_in_colour(std::move(samples), fitted ? &*fitted : nullptr,
                                   measured::MeasuredReflectance::Beside::likeliest);
 }
 
@@ -89,9 +94,9 @@ Made export_merl(const ExportCall& o) {
   const bool measured = !o.measured.empty();
   const io::SampleTable cells = measured ? measured::at_merl_cells(seen(o)) : material_at_merl_cells(o);
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
-  std::cerr << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
-            << "; -1 " << (measured ? "where nothing was measured" : "below the horizon") << '\n';
-  for (const std::string& what : lost) std::cerr << "brdf export: lost: " << what << '\n';
+  Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
+         << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
+  for (const std::string& what : lost) Note() << "brdf export: lost: " << what;
   return {{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
 }
 
@@ -109,7 +114,7 @@ Made export_rgl(const ExportCall& o) {
                             std::filesystem::path(o.measured).stem().string(), o.size);
   }
   io::write_file_atomically(o.output, bytes);
-  std::cerr << "brdf export: " << bytes.size() << " bytes to " << o.output << '\n';
+  Note() << "brdf export: " << bytes.size() << " bytes to " << o.output;
   return {{{"kind", "table"}, {"bytes", bytes.size()}}};
 }
 
@@ -143,15 +148,16 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
   write(o, made.text);
-  std::cerr << "brdf export: " << made.target << ": " << interop::in_words(made.projection) << '\n';
+  Note() << "brdf export: " << made.target << ": " << interop::in_words(made.projection);
   const bool good = !o.max_loss || made.projection.loss.rms <= *o.max_loss;
-  if (!good)
-    std::cerr << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss) << '\n';
+  if (!good) Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
   return {to_json(program, made), good ? Exit::good : Exit::failed};
 }
 
 Made made_by(const ExportCall& o, const interop::Program* program) {
   if (!o.measured.empty()) check_measured(o);
+  if (o.measured.empty() && o.supplied != io::Supplied())
+    throw InputError("--quantity, --mirror-side: go with --measured");
   if (o.to == kMerl) return export_merl(o);
   if (o.to == kRgl) return export_rgl(o);
   return program ? export_program(o, *program) : export_formula(o);
@@ -227,6 +233,7 @@ void add_export(CLI::App& app) {
       ->check(CLI::NonNegativeNumber);
   verb->add_flag("--json", options->json,
                  "JSON on stdout: the loss, that of copied parameters, what was refused");
+  add_supplied_options(*verb, options->supplied);
   add_memory_option(*verb, options->size, "--size", "Of the file that --to rgl writes, about (default 4M)");
   verb->footer(
       "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exact where "
@@ -250,7 +257,9 @@ void add_export(CLI::App& app) {
       "          brdf export --material copper.json --to materialx -o copper.mtlx --json\n"
       "          brdf export --material copper.json --to merl -o copper.binary\n"
       "          brdf export --material copper.json --to rgl --size 25M -o copper.bsdf\n"
-      "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary");
+      "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary\n"
+      "          brdf export --measured plane.csv --quantity BRF --mirror-side negative --to merl -o "
+      "plane.binary");
   on_run(*verb, [options] { return run_export(*options); });
 }
 

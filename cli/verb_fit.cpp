@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "cli/fit_files.h"
@@ -10,6 +10,7 @@
 #include "cli/inputs.h"
 #include "cli/progress.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/fit.h"
 #include "io/error.h"
@@ -52,7 +53,7 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   const fit::Samples samples = samples_to_fit(o.samples[0], options);
   watch_for_interrupt();
   fit::Progress progress;
-  if (shows_progress()) progress = [](const std::string& what) { std::cerr << "brdf fit: " << what << '\n'; };
+  if (shows_progress()) progress = [](const std::string& what) { Note() << "brdf fit: " << what; };
   return write_fit(fit::fit(samples, models_of(o), options, progress), samples.table, options,
                    {o.output, o.report, o.json});
 }
@@ -61,9 +62,12 @@ Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
   if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
   watch_for_interrupt();
-  const auto progress = [](const std::string& message) { std::cerr << message << '\n'; };
-  return summarise(fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, progress),
-                   o.output, o.json);
+  const auto progress = [](const std::string& message) { Note() << message; };
+  const std::vector<fit::BatchRow> rows =
+      fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, progress);
+  const auto left = std::ranges::count(rows, fit::kInterrupted, &fit::BatchRow::error);
+  if (left > 0) Note() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not looked at";
+  return summarise(rows, o.output, o.json);
 }
 
 Exit run_fit(FitCall& o) {
@@ -124,6 +128,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
       "brushed.html\n"
       "          brdf fit polarised.csv --polarisation average --repeats average\n"
+      "          brdf fit plane.csv --quantity BRF --mirror-side negative\n"
       "          brdf fit a.csv b.csv --free-scale --keep-fill --jobs 2 --no-pictures -o fits\n"
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/\n"

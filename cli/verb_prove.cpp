@@ -6,10 +6,12 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/material_file.h"
 #include "io/output.h"
 #include "io/settings.h"
+#include "io/text.h"
 #include "prove/check/certificate.h"
 #include "prove/report.h"
 #ifdef BRDF_HAS_PROVE_SHADER
@@ -47,7 +49,7 @@ Exit run_check(const ProveCall& o) {
     json["checked"] = {{"results", checked.results}, {"leaves", checked.leaves}, {"faults", checked.faults}};
     std::cout << io::to_text(json) << '\n';
   } else {
-    for (const std::string& fault : checked.faults) std::cout << fault << '\n';
+    for (const std::string& fault : checked.faults) std::cout << io::printable(fault) << '\n';
     std::cout << checked.results << " results, " << checked.leaves
               << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';
   }
@@ -59,7 +61,7 @@ void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options
 #ifdef BRDF_HAS_PROVE_SHADER
   const auto model = shader::load_shader({options.file, options.parameters, options.entry, options.returns});
   for (const std::string& note : model->function().notes)
-    if (!quiet) std::cerr << "brdf prove: " << options.file << ": " << note << '\n';
+    if (!quiet) Note() << "brdf prove: " << options.file << ": " << note;
   const std::string words =
       " " + shader::command_words({options.file, options.parameters, options.entry, options.returns});
   for (prove::Proof& p : prove::prove(*model, model->material(model), words, how))

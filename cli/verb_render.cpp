@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/render_parity.h"
 #include "cli/shown_shader.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/json.h"
@@ -22,8 +23,8 @@ namespace brdf::cli {
 namespace {
 
 void print_text(const render::JobReport& report, const render::Job& job, bool times) {
-  std::cout << (job.output.empty() ? "not written" : job.output.string()) << ": " << report.width << " x "
-            << report.height;
+  std::cout << (job.output.empty() ? "not written" : io::printable(job.output.string())) << ": "
+            << report.width << " x " << report.height;
   if (job.turntable) std::cout << ", " << *job.turntable << " frames";
   std::cout << " on " << report.device;
   if (report.clipped > 0) std::cout << ", " << 100 * report.clipped << " % of the surface clipped";
@@ -31,8 +32,8 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
   if (job.exposure_from_picture)
     std::cout << "exposure " << io::short_number(double(report.exposure), 4) << " stops, from the picture\n";
   if (report.difference) {
-    std::cout << "against " << report.other << ": relative MSE " << report.difference->rel_mse << ", PSNR "
-              << report.difference->psnr << " dB, coverage mismatch "
+    std::cout << "against " << io::printable(report.other) << ": relative MSE " << report.difference->rel_mse
+              << ", PSNR " << report.difference->psnr << " dB, coverage mismatch "
               << 100 * report.difference->coverage_mismatch << " %";
     if (report.difference->not_measured > 0)
       std::cout << ", not measured " << io::short_number(100 * report.difference->not_measured, 3)
@@ -55,7 +56,7 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
   };
   for (const std::string& line : lines(*report.probe)) std::cout << line << '\n';
   print("picture", report.probed_a);
-  if (report.difference) print(report.other.c_str(), report.probed_b);
+  if (report.difference) print(io::printable(report.other).c_str(), report.probed_b);
 }
 
 io::Json json_of(const glm::vec3& v) {
@@ -281,7 +282,7 @@ Exit run_render(RenderCall& o) {
     if (!o.over.empty()) make_row(o);
     if (job.turntable) job.progress = progress_line("brdf render");
     const render::JobReport report = render::run(job);
-    for (const std::string& note : report.notes) std::cerr << "brdf render: " << note << '\n';
+    for (const std::string& note : report.notes) Note() << "brdf render: " << note;
     o.json ? print_json(report, job) : print_text(report, job, o.times);
     if (report.validation_messages > 0) return Exit::failed;
   }

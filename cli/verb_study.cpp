@@ -42,6 +42,7 @@ void add_study(CLI::App& app) {
       "Samples whose results are in the folder, made from the same file by the same options, are kept.\n"
       "Examples: brdf study paint.csv -o paint\n"
       "          brdf study samples/*.csv --jobs 4 -o studied\n"
+      "          brdf study plane.csv --quantity BRF --mirror-side negative -o plane\n"
       "          brdf study samples/*.csv --form cook_torrance --no-pictures --json -o numbers");
   on_run(*verb, [options] { return run_study(*options); });
 }

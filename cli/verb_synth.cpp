@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/output.h"
 #include "synth/instrument.h"
@@ -118,9 +119,9 @@ void add_options(CLI::App& verb, SynthCall& o) {
 
 Exit write(const io::SampleTable& table, const std::string& path) {
   io::write_samples(path, table);
-  std::cerr << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
-            << path << '\n';
-  for (const std::string& warning : table.warnings) std::cerr << "brdf synth: warning: " << warning << '\n';
+  Note() << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
+         << path;
+  for (const std::string& warning : table.warnings) Note() << "brdf synth: warning: " << warning;
   return Exit::good;
 }
 
@@ -142,8 +143,8 @@ Exit run_stack(const SynthCall& o) {
   io::check_folder_target({"-o", o.output}, {texel::kLightsFile}, {o.material.material});
   synth::write_stack(o.output, choose_material(o.material, "synth"), stack,
                      progress_line("brdf synth: images"));
-  std::cerr << "brdf synth: " << stack.lights * stack.viewers << " images of " << stack.width << " x "
-            << stack.height << " texels to " << o.output << '\n';
+  Note() << "brdf synth: " << stack.lights * stack.viewers << " images of " << stack.width << " x "
+         << stack.height << " texels to " << o.output;
   return Exit::good;
 }
 

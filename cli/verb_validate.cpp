@@ -35,6 +35,7 @@ struct ValidateCall {
   double max_theta = 89.5;
   std::uint64_t seed = 1;
   ShaderOptions shader;
+  io::Supplied supplied;
   std::string such_that, against;
   std::vector<std::string> maps;
   bool integrators = false, microsurface = false, numerics = false, gpu = false;
@@ -82,7 +83,14 @@ validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptio
     content.subjects.push_back(subject_of(*shader, o.shader.file));
   restrict_all(o, content.subjects);
   const std::size_t whole_domain = content.subjects.size();
-  for (const std::string& file : o.files) validate::add_file(content, file);
+  for (const std::string& file : o.files) {
+    validate::add_file(content, file, o.supplied);
+    if (!content.tables.empty() && content.tables.back().table.source == file)
+      for (const std::string& sentence : content.tables.back().table.assumptions)
+        Note() << "brdf validate: " << file << ": " << sentence;
+  }
+  if (content.tables.empty() && o.supplied != io::Supplied())
+    throw InputError("--quantity, --mirror-side: go with tables of samples");
   if (content.subjects.empty() && content.tables.empty())
     throw InputError("nothing to validate: give materials, samples, --form, --all or --shader");
   std::vector<validate::Against> against;  // refused before the work begins
@@ -232,8 +240,8 @@ void refuse_what_is_passed_over(const CLI::App& verb) {
         throw InputError(std::string(other) + ": has no effect beside " + mode + ": leave it out");
   };
   for (const char* mode : {"--integrators", "--microsurface", "--numerics", "--gpu"})
-    refuse(mode,
-           {"--require", "--max-theta", "--keep-fill", "--picture", "--such-that", "--against", "--map"});
+    refuse(mode, {"--require", "--max-theta", "--keep-fill", "--picture", "--such-that", "--against", "--map",
+                  "--quantity", "--mirror-side"});
   for (const char* mode : {"--integrators", "--microsurface"}) refuse(mode, {"--form", "--all", "--shader"});
   refuse("--numerics", {"--shader"});
 }
@@ -261,6 +269,7 @@ void add_validate(CLI::App& app) {
                    "degrees: largest angle of the energy check; rows of samples beyond it are set apart")
       ->capture_default_str();
   add_keep_fill_option(*verb, o->keep_fill);
+  add_supplied_options(*verb, o->supplied);
   verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
   add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
   verb->add_option("-o,--output", o->output, "report.html or report.md");
@@ -282,6 +291,7 @@ void add_validate(CLI::App& app) {
       "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
       "          brdf validate samples.csv --max-theta 80 --keep-fill --picture photograph.png -o "
       "sheet.html\n"
+      "          brdf validate reflectance_factors.csv --quantity BRF --mirror-side negative\n"
       "          brdf validate --form ward --effort full --seed 2\n"
       "          brdf validate --all --json\n"
       "          brdf validate --shader disney.brdf --param roughness=0.05:1 --require finite,non_negative\n"

@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "cli/shown_shader.h"
 #include "cli/solver_beside.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/numbers.h"
@@ -120,7 +121,7 @@ void add_view(CLI::App& app) {
     io::check_targets(targets, inputs);
     options->viewer.state = initial_state(options->job, options->viewer.width, options->viewer.height);
     for (const std::string& note : render::colour_notes(options->viewer.state))
-      std::cerr << "brdf view: " << note << '\n';
+      Note() << "brdf view: " << note;
     options->viewer.file = file_of(job);
     options->viewer.solver = solver_beside();
     const render::ViewerReport report = render::view(options->viewer);

@@ -155,6 +155,9 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
     add("--polarisation", std::string(name_of(o.options.arrangement.polarisation)));
   if (o.options.arrangement.repeats != plain.options.arrangement.repeats)
     add("--repeats", std::string(name_of(o.options.arrangement.repeats)));
+  if (!o.options.supplied.quantity.empty()) add("--quantity", o.options.supplied.quantity);
+  if (o.options.supplied.mirror_side != plain.options.supplied.mirror_side)
+    add("--mirror-side", std::string(name_of(o.options.supplied.mirror_side)));
   add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
   add_number("--aperture", o.options.aperture, plain.options.aperture);
   add_number("--starts", o.options.random_starts, plain.options.random_starts);

@@ -79,7 +79,7 @@ class Batch {
     row.file = files_[first_ + k];
     row.name = names_[first_ + k];
     if (options_.stop()) {
-      row.error = "interrupted";
+      row.error = kInterrupted;
       return;
     }
     try {
@@ -93,7 +93,7 @@ class Batch {
       row.environment_failed = true;
       row.error = error.what();
     }
-    say(row);
+    if (row.error != kInterrupted) say(row);
   }
 
   void fit_file(BatchRow& row) {
@@ -102,12 +102,13 @@ class Batch {
         {batch_.settings + constants_text(options_) + (batch_.spheres ? "" : " no spheres"), content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
-    const Samples samples = arranged(io::read_samples(std::move(content)), options_);
+    const Samples samples = arranged(io::read_samples(std::move(content), options_.supplied), options_);
     const io::SampleTable& table = samples.table;
+    row.assumptions = table.assumptions;
     const FitResult result = fit(samples, models_, options_);
     const FormFit& best = result.ranking.front();
     if (result.interrupted) {
-      row.error = "interrupted";
+      row.error = kInterrupted;
       return;
     }
     if (!best.solved()) {
@@ -151,6 +152,7 @@ class Batch {
                              row.error);
     batch_.progress(number + row.file + ": " + row.best["form"].get<std::string>() + ", " +
                     row.best["verdict"].get<std::string>() + (row.reused ? " (kept)" : ""));
+    for (const std::string& sentence : row.assumptions) batch_.progress(row.file + ": " + sentence);
   }
 
   const std::vector<std::string>& files_;

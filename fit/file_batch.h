@@ -23,11 +23,16 @@ struct BatchOptions {
   bool spheres = true;  // on each file's page, which take longer than the fit
 };
 
+// The error of a file that was not fitted because the run was interrupted.
+inline constexpr const char* kInterrupted = "interrupted";
+
 struct BatchRow {
   std::string file, name;           // name.json (material), name.fit.json, name.html in the folder
   std::string error;                // why there is no fit; empty where there is one
   bool environment_failed = false;  // not the file's fault
   bool reused = false;
+  std::vector<std::string> assumptions =
+      {};         // of the reader, on which the values rest; of a file that is not kept
   io::Json best;  // first of the ranking
   std::string recommended;
 };

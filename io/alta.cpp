@@ -7,6 +7,7 @@
 #include "brdf/angle.h"
 #include "brdf/vec3.h"
 #include "io/error.h"
+#include "io/repetition.h"
 #include "io/text.h"
 
 namespace brdf::io::alta {
@@ -86,6 +87,7 @@ class Reader {
                                 " rows left out: a direction lies below the horizon");
     if (segments_ > 0) table_.warnings.push_back("vertical segments are left out");
     if (divides_) table_.warnings.push_back("the cosine of the outgoing direction is divided out");
+    leave_out_repetitions(table_, [&](std::size_t a, std::size_t b) { return places_[a] == places_[b]; });
     return std::move(table_);
   }
 
@@ -180,10 +182,12 @@ class Reader {
     for (std::size_t c = 0; c < table_.channels.size(); ++c)
       table_.values[c].push_back(number(dimensions_ + c) / (divides_ ? pair.viewer.z : 1));
     table_.lines.push_back(static_cast<std::uint32_t>(lines_.line()));
+    places_.push_back(place);
   }
 
   LineReader lines_;
   SampleTable table_;
+  std::vector<Numbers> places_;  // [row] as written
   std::vector<std::string_view> words_;
   std::size_t dimensions_ = 0, segments_ = 0;  // columns of either
   const Parametrisation* parametrisation_ = nullptr;

@@ -7,15 +7,18 @@
 
 #include "io/channel_colours.h"
 #include "io/error.h"
+#include "io/metadata_names.h"
 #include "io/output.h"
 #include "io/table_rules.h"
 #include "io/text.h"
+#include "io/to_f_r.h"
+#include "io/value_columns.h"
 
 namespace brdf::io::astm {
 namespace {
 
 constexpr std::string_view kAngles[] = {"theta_i", "phi_i", "theta_s", "phi_s"};
-constexpr std::string_view kKeyword = "VARS", kUnit = "ANGLE_UNIT";
+constexpr std::string_view kKeyword = "VARS", kUnit = "ANGLE_UNIT", kQuantity = "QUANTITY";
 
 bool is_keyword_line(std::string_view line, std::string_view keyword) {
   return line.starts_with(keyword) && line.size() > keyword.size() &&
@@ -24,7 +27,11 @@ bool is_keyword_line(std::string_view line, std::string_view keyword) {
 
 class AstmReader {
  public:
-  explicit AstmReader(const Content& text) : reader_(text) {
+  AstmReader(const Content& text, const Supplied& supplied)
+      : reader_(text), stated_(stated_by_option(supplied.quantity)) {
+    if (supplied.mirror_side != MirrorSide::automatic)
+      throw InputError(text.name +
+                       ": --mirror-side is for tables of two angles; this format states azimuths");
     table_.source = text.name;
     table_.format = "astm_e1392";
   }
@@ -41,6 +48,7 @@ class AstmReader {
     }
     if (table_.rows() == 0) throw InputError(table_.source + ": no rows after VARS");
     to_degrees();
+    make_f_r(table_, header_.quantities);
     return std::move(table_);
   }
 
@@ -69,7 +77,10 @@ class AstmReader {
         is_radians_ = value == "radians";
         continue;
       }
-      table_.add_comment(line.substr(0, blank), value);
+      if (line.substr(0, blank) == kQuantity && quantity_named(value))
+        stated_.add_comment(value, reader_.line(), reader_.where());
+      else
+        table_.add_comment(line.substr(0, blank), value);
     }
     throw InputError(table_.source + ": no VARS line");
   }
@@ -86,36 +97,44 @@ class AstmReader {
       fail(std::to_string(fields_.size()) + " columns where VARS names " + std::to_string(names_.size()));
     for (std::size_t k = 0; k < names_.size(); ++k) {
       const auto angle = std::find(std::begin(kAngles), std::end(kAngles), names_[k]);
+      Column column;
+      column.name = names_[k];
       if (angle != std::end(kAngles)) {
         column_[angle - kAngles] = static_cast<int>(k);
-      } else if (!names_[k].starts_with(kSigmaPrefix)) {
-        value_columns_.push_back(k);
-        table_.channels.push_back(with_band_unit(names_[k]));
+        column.kind = Column::Kind::angle;
       }
+      header_.columns.push_back(std::move(column));
     }
-    check_channel_names(table_.channels, reader_.where());
-    find_sigma_columns();
+    place_columns();
     if (column_[0] < 0 || column_[2] < 0) fail("the polar angles theta_i and theta_s are both needed");
     if (value_columns_.empty()) fail("VARS names no values");
     for (const int k : {1, 3}) {
       if (column_[k] >= 0) continue;
-      table_.warnings.push_back(std::string(kAngles[k]) + " is not in the file: taken as " +
-                                (k == 1 ? "180 degrees" : "0 degrees"));
+      table_.assume(std::string(kAngles[k]) + " is not in the file: taken as " +
+                    (k == 1 ? "180 degrees" : "0 degrees"));
     }
     table_.values.resize(table_.channels.size());
     table_.sigma.resize(table_.channels.size());
   }
 
-  void find_sigma_columns() {
+  // The columns that are no angles, as in any other table.
+  void place_columns() {
+    const auto& stated = stated_.result();
+    HeaderFacts facts{reader_.where(), stated};
+    facts.is_plain = facts.is_format = true;
+    facts.keeps_names = stated && stated->by == StatedQuantity::By::comment && stated->quantity.is_f_r();
+    place_values(header_, facts, [](std::string_view, const std::string&) {});
+    table_.channels = header_.channels;
+    for (const std::string& note : header_.assumptions) table_.assume(note);
+    check_channel_names(table_.channels, reader_.where());
+    value_columns_.resize(table_.channels.size());
     sigma_columns_.resize(table_.channels.size());
     for (std::size_t k = 0; k < names_.size(); ++k) {
-      if (!names_[k].starts_with(kSigmaPrefix)) continue;
-      const auto channel = std::find(table_.channels.begin(), table_.channels.end(),
-                                     with_band_unit(names_[k].substr(kSigmaPrefix.size())));
-      if (channel == table_.channels.end()) fail("column " + shown(names_[k]) + " has no column of values");
-      std::optional<std::size_t>& column = sigma_columns_[std::size_t(channel - table_.channels.begin())];
-      if (column) fail("column " + shown(names_[k]) + " twice");
-      column = k;
+      const Column& column = header_.columns[k];
+      if (column.kind == Column::Kind::value) value_columns_[column.index] = k;
+      if (column.kind != Column::Kind::sigma) continue;
+      if (sigma_columns_[column.index]) fail("column " + shown(names_[k]) + " twice");
+      sigma_columns_[column.index] = k;
     }
   }
 
@@ -123,8 +142,8 @@ class AstmReader {
     for (std::size_t k = 0; k < 4; ++k) {
       if (std::find(names_.begin(), names_.end(), kAngles[k]) != names_.end()) continue;
       names_.insert(names_.begin() + static_cast<std::ptrdiff_t>(k), std::string(kAngles[k]));
-      table_.warnings.push_back("VARS omits the name " + std::string(kAngles[k]) + ": column " +
-                                std::to_string(k + 1) + " taken for it");
+      table_.assume("VARS omits the name " + std::string(kAngles[k]) + ": column " + std::to_string(k + 1) +
+                    " taken for it");
       return;
     }
   }
@@ -145,6 +164,8 @@ class AstmReader {
     std::vector<double>* const angles[] = {&table_.theta_i, &table_.phi_i, &table_.theta_o, &table_.phi_o};
     for (std::size_t k = 0; k < 4; ++k)
       angles[k]->push_back(column_[k] < 0 ? 0.0 : number(static_cast<std::size_t>(column_[k])));
+    for (std::size_t k = 0; k < 4; ++k)
+      if (column_[k] >= 0) raw_[k].add(angles[k]->back());
     for (std::size_t c = 0; c < value_columns_.size(); ++c) {
       table_.values[c].push_back(number(value_columns_[c]));
       if (sigma_columns_[c]) table_.sigma[c].push_back(number(*sigma_columns_[c]));
@@ -152,15 +173,31 @@ class AstmReader {
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
   }
 
+  void store_raw_angles() {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (column_[k] < 0) continue;
+      RawAngle& angle = table_.raw_angles[k];
+      angle.name = names_[static_cast<std::size_t>(column_[k])];
+      angle.has_unit = is_radians_.has_value();
+      std::move(raw_[k]).store(angle);
+    }
+  }
+
+  // Radians reach pi/2 in a polar angle and a whole turn, to either side, in an azimuth. Files print few
+  // digits.
+  bool may_be_radians() const {
+    constexpr double kRound = 1 + 1e-6;
+    const RawAngles& raw = table_.raw_angles;
+    return std::max(raw[0].largest, raw[2].largest) <= std::numbers::pi / 2 * kRound &&
+           std::max(raw[1].largest, raw[3].largest) <= 2 * std::numbers::pi * kRound;
+  }
+
   void to_degrees() {
-    constexpr double kRightAngle = std::numbers::pi / 2 * (1 + 1e-6);  // files print few digits
-    double largest = 0;
-    for (const auto* thetas : {&table_.theta_i, &table_.theta_o})
-      for (const double theta : *thetas) largest = std::max(largest, std::abs(theta));
-    const bool is_radians = is_radians_.value_or(largest <= kRightAngle);
+    store_raw_angles();
+    const bool is_radians = is_radians_.value_or(may_be_radians());
     const double scale = is_radians ? 180 / std::numbers::pi : 1.0;
     const std::string unit = is_radians ? "radians" : "degrees";
-    if (!is_radians_) table_.warnings.push_back("angles taken for " + unit);
+    if (!is_radians_) table_.assume("angles taken for " + unit);
     for (std::size_t k = 0; k < table_.rows(); ++k) {
       table_.phi_i[k] = column_[1] < 0 ? 180.0 : table_.phi_i[k] * scale;
       table_.phi_o[k] = column_[3] < 0 ? 0.0 : table_.phi_o[k] * scale;
@@ -187,7 +224,10 @@ class AstmReader {
   std::vector<std::size_t> value_columns_;
   std::vector<std::optional<std::size_t>> sigma_columns_;  // [channel]
   std::optional<bool> is_radians_;                         // where the file says so
+  StatedQuantities stated_;
+  Columns header_;
   int column_[4] = {-1, -1, -1, -1};
+  RawMagnitudes raw_[4];
   bool is_laid_out_ = false;
 };
 
@@ -206,8 +246,8 @@ bool recognises(const Content& text) {
   return false;
 }
 
-SampleTable read(const Content& text) {
-  return AstmReader(text).read();
+SampleTable read(const Content& text, const Supplied& supplied) {
+  return AstmReader(text, supplied).read();
 }
 
 namespace {
@@ -216,7 +256,16 @@ namespace {
 bool is_keyword(const Comment& comment) {
   const auto& [key, value] = comment;
   return !key.empty() && key.find_first_of(" \t#{\"") == key.npos && key != kKeyword && key != kUnit &&
-         !key.starts_with(kAngles[0]) && key != kQuantityKey && printable(key + value) == key + value;
+         key != kQuantity && !key.starts_with(kAngles[0]) && key != kQuantityKey &&
+         printable(key + value) == key + value;
+}
+
+// Whether a channel's name, read as a column's, would be taken for another quantity than f_r.
+bool says_other(const std::string& channel) {
+  const NamedQuantity named = quantity_of_column(channel);
+  const bool is_f_r = named.says == NamedQuantity::Says::quantity && named.quantity.is_f_r();
+  return holds_no_values(channel) != NoValues::no || named.name != channel ||
+         !(named.says == NamedQuantity::Says::nothing || is_f_r);
 }
 
 // Rows in degrees, as the table has them.
@@ -243,6 +292,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   if (table.rows() == 0) throw InputError(table.name() + ": holds no rows");
   std::string text;
   (text += kUnit) += " degrees\n";
+  if (std::any_of(table.channels.begin(), table.channels.end(), says_other)) (text += kQuantity) += " f_r\n";
   std::size_t lost = 0, lines = 2;
   for (const Comment& comment : table.metadata) {
     if (is_keyword(comment) && lines++ < kLongestHeader)

@@ -60,19 +60,6 @@ std::string with_band_unit(std::string_view name) {
   return std::string(name) + (is_band ? "nm" : "");
 }
 
-std::optional<double> wavelength_of(std::string_view channel) {
-  const std::string name = lower_case(channel);
-  std::string_view rest = name;
-  if (!rest.ends_with("nm")) return std::nullopt;
-  rest.remove_suffix(2);
-  while (rest.ends_with(' ') || rest.ends_with('_')) rest.remove_suffix(1);
-  const std::size_t before = rest.find_last_not_of("0123456789.");
-  if (before != rest.npos && rest[before] >= 'a' && rest[before] <= 'z') return std::nullopt;
-  double nm;
-  if (!parse_number(rest.substr(before == rest.npos ? 0 : before + 1), nm) || !(nm > 0)) return std::nullopt;
-  return nm;
-}
-
 std::optional<ChannelColours> channel_colours(const std::vector<std::string>& channels) {
   using By = ChannelColours::By;
   if (channels.size() == 1) return ChannelColours{{0, 0, 0}, By::grey, ""};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/wavelengths.h"
 
 namespace brdf::io {
 
@@ -34,8 +35,5 @@ void require_red_first(const Term& term, const ChannelColours& colours);
 // A name that is nothing but a wavelength's number, from 100 to 100,000 nm, with its unit: 400 is 400nm. Any other name as
 // it is.
 std::string with_band_unit(std::string_view name);
-
-// In nm, of a name that ends in it: 465nm, fr_465.5 nm.
-std::optional<double> wavelength_of(std::string_view channel);
 
 }  // namespace brdf::io

@@ -3,74 +3,50 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <span>
 
 #include "brdf/angle.h"
 #include "io/angle_names.h"
-#include "io/channel_colours.h"
 #include "io/error.h"
+#include "io/metadata_names.h"
 #include "io/table_rules.h"
 #include "io/text.h"
+#include "io/value_columns.h"
+#include "io/wavelengths.h"
 
 namespace brdf::io {
 namespace {
 
-struct Parts {
-  std::string_view name, unit;
-};
-
-// A name and its unit, which stands in brackets, behind a slash or a comma, or as the last word.
-std::vector<Parts> ways_to_part(std::string_view name) {
-  std::vector<Parts> ways{{name, ""}};
-  if (!name.empty() && (name.back() == ')' || name.back() == ']')) {
-    const std::size_t open = name.find_last_of("([");
-    if (open != name.npos && open > 0)
-      ways.push_back({trimmed(name.substr(0, open)), trimmed(name.substr(open + 1, name.size() - open - 2))});
-  }
-  if (const std::size_t at = name.find_last_of("/, _"); at != name.npos && at > 0 && at + 1 < name.size())
-    ways.push_back({trimmed(name.substr(0, at)), trimmed(name.substr(at + 1))});
-  return ways;
-}
-
-constexpr std::string_view kDegrees[] = {"deg", "degs", "degree", "degrees", "°", "º"};
-constexpr std::string_view kRadians[] = {"rad", "rads", "radian", "radians"};
-constexpr std::string_view kNanometres[] = {"nm", "nanometre", "nanometres", "nanometer", "nanometers"};
-constexpr std::string_view kMicrometres[] = {"um",      "µm",         "μm",        "micron",
-                                             "microns", "micrometre", "micrometer"};
-constexpr std::string_view kPerSteradian[] = {"1/sr",   "sr^-1", "sr^{-1}", "sr-1",       "sr⁻¹",
-                                              "sr**-1", "/sr",   "per sr",  "1/steradian"};
-
-bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
-  return std::find(words.begin(), words.end(), lower_case(word)) != words.end();
-}
-
-bool is_wavelength(std::string_view bare, std::string_view unit) {
-  const std::string key = plain_spelling(bare);
-  return (key == "wavelength" || key == "wavelengths" || key == "lambda" || key == "wl") &&
-         (unit.empty() || is_one_of(unit, kNanometres) || is_one_of(unit, kMicrometres));
+bool is_angle_unit(std::string_view text) {
+  const auto unit = unit_named(text);
+  return unit && unit->kind() == Unit::Kind::angle;
 }
 
 // Turns a header's names into columns; remembers what has to be said.
-class Reading {
+class HeaderReading {
  public:
-  Reading(const std::vector<std::string_view>& names, const std::string& where)
-      : names_(names), where_(where) {}
+  HeaderReading(const std::vector<std::string_view>& names, const HeaderFacts& facts)
+      : names_(names), facts_(facts) {
+    facts_.is_plain = has_plain_angle_names(names_);
+    // What is written must be read back as it was.
+    const auto& stated = facts_.stated;
+    facts_.keeps_names =
+        facts_.is_plain && stated && stated->by == StatedQuantity::By::comment && stated->quantity.is_f_r();
+  }
 
   Columns result() {
-    // A table in the plain format has channels of any name: what is written must be read back as it was.
-    is_plain_ = std::none_of(names_.begin(), names_.end(), is_wavelength_name) &&
-                std::none_of(names_.begin(), names_.end(), is_polarisation_name) &&
-                has_plain_angle_names(names_);
     for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
     place_angles();
-    place_values();
-    if (!read_as_.empty()) out_.notes.push_back("read as: " + read_as_);
+    announce_bands_and_turns();
+    if (out_.has_angle(0) && out_.has_angle(2))
+      place_values(out_, facts_,
+                   [this](std::string_view theirs, const std::string& ours) { announce(theirs, ours); });
+    if (!read_as_.empty()) out_.notes.insert(out_.notes.begin(), "read as: " + read_as_);
     if (out_.only_azimuth) note_the_only_azimuth();
     return std::move(out_);
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const { throw InputError(where_ + ": " + what); }
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(facts_.where + ": " + what); }
 
   // Adds "'their name' our name" to what is announced, where the names differ.
   void announce(std::string_view theirs, const std::string& ours) {
@@ -83,51 +59,61 @@ class Reading {
     Column column;
     column.name = name;
     angles_.emplace_back();
-    if (is_plain_ && !is_plain_angle_name(name)) return column;
     if (is_polarisation_name(name)) column.kind = Column::Kind::polarisation;
+    if (read_as_wavelength(column) || (facts_.keeps_names && !is_plain_angle_name(name))) return column;
     for (const auto& [bare, unit] : ways_to_part(name))
-      if (read_as_angle(column, bare, unit) || read_as_wavelength(column, bare, unit)) break;
+      if (read_as_angle(column, bare, unit) || read_as_rotation(column, bare, unit)) break;
     return column;
   }
 
-  // Whether the name is an angle's, which the column then holds.
+  // Whether the name is an angle's, which the column then may hold.
   bool read_as_angle(Column& column, std::string_view bare, std::string_view unit) {
     const std::optional<AngleName> angle = angle_named(bare);
-    const bool is_radians = is_one_of(unit, kRadians);
-    if (!angle || !(unit.empty() || is_radians || is_one_of(unit, kDegrees))) return false;
+    if (!angle || !(unit.empty() || is_angle_unit(unit))) return false;
+    if (facts_.is_plain && !is_plain_angle_name(column.name)) return false;
     angles_.back() = angle;
-    column.kind = Column::Kind::angle;
-    if (angle->quantity == AngleName::Quantity::elevation)
-      column.unit = is_radians ? Column::Unit::elevation_in_radians : Column::Unit::elevation;
-    else if (is_radians)
-      column.unit = Column::Unit::radians;
+    angles_.back()->is_weak = angle->is_weak && unit.empty();
+    if (!unit.empty()) column.unit = unit_named(unit);
+    column.is_elevation = angle->quantity == AngleName::Quantity::elevation;
+    if (!angles_.back()->is_weak) column.kind = Column::Kind::angle;
     return true;
   }
 
-  static bool read_as_wavelength(Column& column, std::string_view bare, std::string_view unit) {
-    if (!is_wavelength(bare, unit)) return false;
+  static bool read_as_rotation(Column& column, std::string_view bare, std::string_view unit) {
+    if (!is_rotation_name(bare) || !(unit.empty() || is_angle_unit(unit))) return false;
+    column.kind = Column::Kind::rotation;
+    if (!unit.empty()) column.unit = unit_named(unit);
+    return true;
+  }
+
+  bool read_as_wavelength(Column& column) {
+    const auto found = wavelength_column(column.name);
+    if (!found) return false;
+    if (!found->fault.empty()) refuse("column " + shown(column.name) + " " + found->fault);
     column.kind = Column::Kind::wavelength;
-    if (is_one_of(unit, kMicrometres)) column.unit = Column::Unit::micrometres;
+    column.unit = found->unit;
     return true;
   }
 
   // Whether a column is an azimuth, or else a polar angle or elevation, of this side.
   bool states(bool azimuth, AngleSide side) const {
     return std::any_of(angles_.begin(), angles_.end(), [&](const auto& angle) {
-      return angle && is_azimuth(*angle) == azimuth && angle->side == side;
+      return angle && !angle->is_weak && is_azimuth(*angle) == azimuth && angle->side == side;
     });
   }
 
   static bool is_azimuth(const AngleName& angle) { return angle.quantity == AngleName::Quantity::azimuth; }
 
-  // Whose angle it is; theta_s beside an incident direction is the scattered one's.
+  // Whose angle it is; theta_s beside an incident direction is the scattered one's, phi beside phi_r is the
+  // light's.
   AngleSide side_of(std::size_t k) {
     const AngleName& angle = *angles_[k];
+    const bool light = states(is_azimuth(angle), AngleSide::light),
+               viewer = states(is_azimuth(angle), AngleSide::viewer);
+    if (angle.is_bare_phi && light != viewer) return light ? AngleSide::viewer : AngleSide::light;
     if (angle.side == AngleSide::none) alone_ = k;
     if (angle.side != AngleSide::scatter_or_source)
       return angle.side == AngleSide::light ? AngleSide::light : AngleSide::viewer;
-    const bool light = states(is_azimuth(angle), AngleSide::light),
-               viewer = states(is_azimuth(angle), AngleSide::viewer);
     if (light == viewer)
       refuse("column " + shown(names_[k]) + " may be the source's or the scattered direction: " +
              (light ? "both are stated" : "neither is stated beside it"));
@@ -138,7 +124,7 @@ class Reading {
   void place_angles() {
     std::map<std::size_t, std::string> taken;
     for (std::size_t k = 0; k < out_.columns.size(); ++k) {
-      if (!angles_[k]) continue;
+      if (!angles_[k] || angles_[k]->is_weak) continue;
       Column& column = out_.columns[k];
       column.index = (side_of(k) == AngleSide::light ? 0 : 2) + (is_azimuth(*angles_[k]) ? 1 : 0);
       const auto [first, is_new] = taken.emplace(column.index, std::string(names_[k]));
@@ -147,81 +133,72 @@ class Reading {
         refuse("columns " + shown(first->second) + " and " + shown(names_[k]) + " are both " + ours);
       announce_angle(column, ours);
     }
+    place_weak_angles();
     const bool of_light = out_.has_angle(1), of_viewer = out_.has_angle(3);
     if (of_light != of_viewer) out_.only_azimuth = of_light ? 1 : 3;
+    out_.in_plane = !of_light && !of_viewer;
     if (alone_ && of_light && of_viewer)
       refuse("column " + shown(names_[*alone_]) + " does not say whose azimuth it is, and " +
              std::string(kAngleNames[1]) + " is stated beside it");
+    refuse_other_angles();
+  }
+
+  // A word of several meanings is a polar angle if the table lacks that angle, states the other one, and has
+  // another column of values.
+  void place_weak_angles() {
+    const auto light = weak_angle(AngleSide::light), viewer = weak_angle(AngleSide::viewer);
+    const bool has_light = out_.has_angle(0), has_viewer = out_.has_angle(2);
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    if (!has_light && light && (has_viewer || viewer)) found.emplace_back(*light, 0);
+    if (!has_viewer && viewer && (has_light || light)) found.emplace_back(*viewer, 2);
+    const auto values =
+        std::size_t(std::count_if(out_.columns.begin(), out_.columns.end(),
+                                  [](const Column& c) { return c.kind == Column::Kind::value; }));
+    if (values <= found.size() && facts_.needs_values) return;
+    for (const auto& [k, angle] : found) {
+      Column& column = out_.columns[k];
+      column.kind = Column::Kind::angle;
+      column.index = angle;
+      announce_angle(column, std::string(kAngleNames[angle]));
+    }
+  }
+
+  // The only column of such a word.
+  std::optional<std::size_t> weak_angle(AngleSide side) const {
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      if (!angles_[k] || !angles_[k]->is_weak || angles_[k]->side != side) continue;
+      if (found) return std::nullopt;
+      found = k;
+    }
+    return found;
+  }
+
+  // An angle that is not read, in place of one that is missing.
+  void refuse_other_angles() const {
+    const bool lacks_polar = !out_.has_angle(0) || !out_.has_angle(2);
+    for (const Column& column : out_.columns)
+      for (const auto& [bare, unit] : ways_to_part(column.name)) {
+        const auto refused = refused_angle(bare);
+        if (refused && (lacks_polar || (refused->is_for_azimuths && out_.in_plane)))
+          refuse("column " + shown(column.name) + " " + refused->reason);
+      }
   }
 
   void announce_angle(const Column& column, const std::string& ours) {
-    switch (column.unit) {
-      case Column::Unit::radians:
-        return announce(column.name, ours + " in radians");
-      case Column::Unit::elevation:
-        return announce(column.name, ours + " = 90 - elevation");
-      case Column::Unit::elevation_in_radians:
-        return announce(column.name, ours + " = 90 - elevation in radians");
-      default:
-        return announce(column.name, ours);
+    const bool is_radians = column.unit && column.unit->factor == 1;
+    announce(column.name,
+             ours + (column.is_elevation ? " = 90 - elevation" : "") + (is_radians ? " in radians" : ""));
+  }
+
+  void announce_bands_and_turns() {
+    for (const Column& column : out_.columns) {
+      const bool is_nm = column.unit && column.unit->factor == 1e-9;
+      if (column.kind == Column::Kind::wavelength && column.unit && !is_nm)
+        announce(column.name, "wavelengths in nm");
+      if (column.kind == Column::Kind::rotation)
+        announce(column.name, "turn of the sample (subtracted from the azimuths)");
     }
-  }
-
-  void place_values() {
-    std::vector<Column*> sigmas;
-    Column* alone = nullptr;  // a column called `sigma`, or the like
-    for (Column& column : out_.columns) {
-      if (column.kind != Column::Kind::value) continue;
-      const std::string name = without_unit(column.name);
-      if (name.starts_with(kSigmaPrefix)) {
-        column.kind = Column::Kind::sigma;
-        sigmas.push_back(&column);
-      } else if (!is_plain_ && !alone && is_a_sigma(plain_spelling(name))) {
-        alone = &column;
-      } else {
-        add_channel(column, name);
-      }
-    }
-    if (alone && out_.channels.size() == 1) {
-      alone->kind = Column::Kind::sigma;
-      announce(alone->name, std::string(kSigmaPrefix) + out_.channels[0]);
-    } else if (alone) {
-      add_channel(*alone, alone->name);
-    }
-    for (Column* column : sigmas) place_sigma(*column);
-  }
-
-  void add_channel(Column& column, const std::string& name) {
-    column.index = out_.channels.size();
-    out_.channels.push_back(with_band_unit(name));
-    announce(column.name, out_.channels.back());
-  }
-
-  static bool is_a_sigma(const std::string& key) {
-    return key == "sigma" || key == "std" || key == "stdev" || key == "stddev" || key == "sd" ||
-           key == "uncertainty";
-  }
-
-  void place_sigma(Column& column) {
-    const std::string name = without_unit(column.name);
-    const auto found = std::find(out_.channels.begin(), out_.channels.end(),
-                                 with_band_unit(name.substr(kSigmaPrefix.size())));
-    if (found == out_.channels.end()) refuse("column " + shown(column.name) + " has no column of values");
-    column.index = static_cast<std::size_t>(found - out_.channels.begin());
-    announce(column.name, name);
-  }
-
-  // A value's name without its unit, which can only be 1/sr.
-  std::string without_unit(std::string_view name) const {
-    if (is_plain_) return std::string(name);
-    for (const auto& [bare, unit] : ways_to_part(name)) {
-      if (unit == "%" || lower_case(unit) == "percent")
-        refuse("column " + shown(name) + " is in percent, of what is not said; f_r in 1/sr is read");
-      if (is_one_of(unit, kPerSteradian)) return std::string(bare);
-    }
-    if (const std::size_t at = name.rfind("1/sr"); at != name.npos && at > 0 && at + 4 == name.size())
-      return std::string(trimmed(name.substr(0, name.find_last_not_of(" _,", at - 1) + 1)));
-    return std::string(name);
   }
 
   void note_the_only_azimuth() {
@@ -229,18 +206,17 @@ class Reading {
     const auto column = std::find_if(out_.columns.begin(), out_.columns.end(), [&](const Column& c) {
       return c.kind == Column::Kind::angle && c.index == stated;
     });
-    out_.notes.push_back("one azimuth, " + shown(column->name) + ": taken for " +
-                         std::string(kAngleNames[stated]) + " with " + std::string(kAngleNames[other]) +
-                         " 0, so that the mirror direction is at 180 degrees");
+    out_.assume("one azimuth, " + shown(column->name) + ": taken for " + std::string(kAngleNames[stated]) +
+                " with " + std::string(kAngleNames[other]) +
+                " 0, so that the mirror direction is at 180 degrees");
   }
 
   const std::vector<std::string_view>& names_;
-  const std::string& where_;
+  HeaderFacts facts_;
   Columns out_;
   std::vector<std::optional<AngleName>> angles_;  // what each column's name says
   std::optional<std::size_t> alone_;              // the column of an azimuth that does not say whose it is
   std::string read_as_;
-  bool is_plain_ = false;
 };
 
 // The number of degrees with the fewest digits that is this angle to its last bit: instruments write 30 degrees as
@@ -255,39 +231,45 @@ double shortest_degrees(double radian) {
   return plain;
 }
 
+// Degrees stay as they are.
+double in_degrees(double value, const std::optional<Unit>& unit) {
+  static const double degree = unit_named("deg")->factor;
+  return !unit || unit->factor == degree ? value : shortest_degrees(value * unit->factor);
+}
+
 }  // namespace
 
 double Column::converted(double value) const {
-  switch (unit) {
-    case Unit::as_is:
-      return value;
-    case Unit::radians:
-      return shortest_degrees(value);
-    case Unit::elevation:
-      return 90 - value;
-    case Unit::elevation_in_radians:
-      return 90 - shortest_degrees(value);
-    case Unit::micrometres:
-      return std::round(1e6 * value) / 1e3;  // to a picometre: .6328 is 632.8 nm
+  if (kind == Kind::angle || kind == Kind::rotation)
+    return is_elevation ? 90 - in_degrees(value, unit) : in_degrees(value, unit);
+  if (kind == Kind::wavelength && unit) {
+    const bool is_nm = unit->factor == 1e-9 && unit->kind() == Unit::Kind::length;
+    return is_nm ? without_noise(value) : to_nm(value, *unit);
   }
   return value;
-}
-
-bool is_wavelength_name(std::string_view name) {
-  const std::vector<Parts> ways = ways_to_part(name);
-  return std::any_of(ways.begin(), ways.end(), [](const Parts& p) { return is_wavelength(p.name, p.unit); });
 }
 
 bool is_unit(std::string_view field) {
   if (field.size() > 1 && (field.front() == '[' || field.front() == '('))
     field = trimmed(field.substr(1, field.size() - 2));
-  return field.empty() || field == "-" || is_one_of(field, kDegrees) || is_one_of(field, kRadians) ||
-         is_one_of(field, kNanometres) || is_one_of(field, kMicrometres) || is_one_of(field, kPerSteradian);
+  return field.empty() || field == "-" || unit_named(field);
 }
 
 bool is_polarisation_name(std::string_view name) {
   const std::string key = plain_spelling(name);
   return key == "polarisation" || key == "polarization";
+}
+
+bool names_angles(const std::vector<std::string_view>& names) {
+  std::size_t count = 0;
+  for (const std::string_view name : names)
+    for (const auto& [bare, unit] : ways_to_part(name)) {
+      const auto angle = angle_named(bare);
+      if (!angle || (angle->is_weak && unit.empty()) || !(unit.empty() || is_angle_unit(unit))) continue;
+      ++count;
+      break;
+    }
+  return count >= 2;
 }
 
 bool Columns::has_angle(std::size_t angle) const {
@@ -299,8 +281,13 @@ bool Columns::has(Column::Kind kind) const {
   return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.kind == kind; });
 }
 
-Columns understand_columns(const std::vector<std::string_view>& names, const std::string& where) {
-  return Reading(names, where).result();
+void Columns::assume(const std::string& sentence) {
+  notes.push_back(sentence);
+  assumptions.push_back(sentence);
+}
+
+Columns understand_columns(const std::vector<std::string_view>& names, const HeaderFacts& facts) {
+  return HeaderReading(names, facts).result();
 }
 
 }  // namespace brdf::io

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 
+#include "io/stated_quantity.h"
 #include "io/text.h"
 
 namespace brdf::io {
@@ -36,7 +37,7 @@ std::string comment_text(const Comment& comment) {
   const std::string key(trimmed(on_one_line(comment.first)));
   const std::string text = on_one_line(key.empty() ? comment.second : key + ": " + comment.second);
   const bool would_have_key = key.empty() && text.find(':') != text.npos;
-  return (would_have_key || parse_comment(text).first == kQuantityKey ? ": " : "") + text;
+  return (would_have_key || quantity_in_comment(text) ? ": " : "") + text;
 }
 
 }  // namespace brdf::io

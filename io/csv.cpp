@@ -2,378 +2,302 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
-#include <unordered_set>
 
-#include "io/channel_colours.h"
-#include "io/column_names.h"
-#include "io/dialect.h"
+#include "io/csv_header.h"
 #include "io/error.h"
 #include "io/long_format.h"
+#include "io/mirror_side.h"
 #include "io/no_number.h"
-#include "io/output.h"
 #include "io/table_rules.h"
-#include "io/text.h"
+#include "io/to_f_r.h"
+#include "io/wavelengths.h"
 
 namespace brdf::io {
 namespace {
 
-constexpr const char* kBadQuotation = "a quotation mark is not closed in its line, or text follows it";
-
-enum class ColumnQuantity { brdf, brdf_cos_i, brdf_cos_o };
-
 class CsvReader {
  public:
-  CsvReader(const Content& text, bool need_values) : reader_(text), need_values_(need_values) {
+  CsvReader(const Content& text, bool need_values, const Supplied& supplied)
+      : reader_(text), supplied_(supplied), header_(reader_, dialect_, table_, need_values, supplied) {
     table_.source = text.name;
   }
 
   SampleTable read() {
-    std::string_view line;
-    while (reader_.next(line)) {
-      line = trimmed(line);
+    std::string_view whole;
+    while (reader_.next(whole)) {
+      const std::string_view line = trimmed(whole);
       if (line.empty()) continue;
       if (line.front() == '#')
-        read_comment(line);
-      else if (columns().empty() && dialect_.is_separator_line(line))
-        continue;
-      else if (columns().empty() && !is_header_in_comment(line))
+        header_.read_comment(line);
+      else if (header_.is_read())
+        read_line(header_.matrix() ? whole : line);  // a tab at its end is an empty cell
+      else if (!dialect_.is_separator_line(line))
         read_header(line);
-      else
-        read_row(line);
     }
-    if (columns().empty())
+    if (!header_.is_read())
       throw InputError(table_.source + ": no header row (theta_i,phi_i,theta_o,phi_o,<channel>...)");
     if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
-    if (table_.skipped > 0)
-      table_.warnings.push_back(std::to_string(table_.skipped) +
-                                " rows left out: f_r is undefined where the quantity's cosine is 0");
-    note_dialect();
-    return is_long_ ? widened(table_, bands_) : std::move(table_);
+    finish();
+    return header_.is_long() ? widened(table_, bands_) : std::move(table_);
   }
 
  private:
-  const std::vector<Column>& columns() const { return header_.columns; }
+  const std::vector<Column>& columns() const { return header_.columns().columns; }
 
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
-  [[noreturn]] void fail(std::size_t column, std::string_view text, const std::string& rule) const {
-    fail("column " + std::to_string(column + 1) + " (" + columns()[column].name + "): " + shown(text) + " " +
+  [[noreturn]] void fail(const Column& column, std::size_t k, const std::string& rule) const {
+    fail("column " + std::to_string(k + 1) + " (" + printable(column.name) + "): " + shown(fields_[k]) + " " +
          rule);
   }
 
-  void read_comment(std::string_view line) {
-    if (columns().empty()) last_comment_ = trimmed(line.substr(1));
-    Comment comment = parse_comment(line.substr(1));
-    if (comment.first == kQuantityKey)
-      read_quantity(comment.second);  // and no comment: the table holds f_r whatever the file held
-    else
-      table_.metadata.push_back(std::move(comment));
-  }
-
-  // Where numbers begin without a header row it may be the comment above them, as numpy writes it: that is then read.
-  bool is_header_in_comment(std::string_view line) {
-    Dialect of_numbers, of_names;
-    std::vector<std::string_view> fields;
-    double number;
-    if (!of_numbers.split_header(line, fields) || fields.empty() || !of_numbers.parse(fields[0], number) ||
-        !of_names.split_header(last_comment_, fields) || !has_plain_angle_names(fields))
-      return false;
-    table_.metadata.pop_back();
-    read_header(last_comment_);
-    header_.notes.push_back("the header row is the comment above the numbers");
-    return true;
-  }
-
-  void read_quantity(const std::string& value) {
-    if (!columns().empty()) fail("the quantity must be stated before the header row");
-    std::string name;
-    std::copy_if(value.begin(), value.end(), std::back_inserter(name), [](char c) { return c != ' '; });
-    if (name == "f_r*cos_i")
-      quantity_ = ColumnQuantity::brdf_cos_i;
-    else if (name == "f_r*cos_o")
-      quantity_ = ColumnQuantity::brdf_cos_o;
-    else if (name != "f_r")
-      fail("quantity " + shown(value) + " is unknown (known: f_r, f_r*cos_i, f_r*cos_o)");
-  }
-
   void read_header(std::string_view line) {
-    if (!dialect_.split_header(line, fields_)) fail(kBadQuotation);
-    double number;
-    const bool has_names = std::any_of(fields_.begin(), fields_.end(),
-                                       [&](std::string_view name) { return !dialect_.parse(name, number); });
-    std::unordered_set<std::string_view> seen;
-    for (std::size_t k = 0; k < fields_.size(); ++k) {
-      const std::string at = "column " + std::to_string(k + 1);
-      if (fields_[k].empty()) fail(at + " has no name; leave out a column of row numbers");
-      const bool is_band = has_names && with_band_unit(fields_[k]) != fields_[k];
-      if (!is_band && dialect_.parse(fields_[k], number))
-        fail("the header row is missing: " + at + " is the number " + shown(fields_[k]) +
-             ", not a name; write one above the numbers: theta_i,phi_i,theta_o,phi_o,<channel>...");
-      if (!seen.insert(fields_[k]).second)
-        fail(
-            "column " + shown(fields_[k]) +
-            " twice; a reading that was repeated is a row of its own, another channel has a name of its own");
-    }
-    understand(fields_);
-  }
-
-  void understand(const std::vector<std::string_view>& names) {
-    header_ = understand_columns(names, reader_.where());
-    is_long_ = header_.has(Column::Kind::wavelength) || header_.has(Column::Kind::polarisation);
-    check_header();
-    table_.channels = header_.channels;
-    check_channel_names(table_.channels, reader_.where());
-    table_.values.resize(table_.channels.size());
-    table_.sigma.resize(table_.channels.size());
-    row_values_.resize(table_.channels.size());
-    row_sigma_.resize(table_.channels.size());
-  }
-
-  // Whether the header row is words between blanks, none of them an angle's.
-  bool is_a_title() const {
-    return dialect_.separates_by_blanks() &&
-           std::none_of(columns().begin(), columns().end(),
-                        [](const Column& c) { return c.kind == Column::Kind::angle; });
-  }
-
-  void check_header() {
-    std::string found;
-    for (const Column& c : columns()) found += (found.empty() ? "" : ", ") + shown(c.name);
-    for (std::size_t angle = 0; angle < 4; ++angle) {
-      const bool is_replaced = angle % 2 == 1 && header_.only_azimuth;
-      if (!header_.has_angle(angle) && !is_replaced)
-        fail("column '" + std::string(kAngleNames[angle]) +
-             "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by " +
-             dialect_.separator_in_words() + ": " + found +
-             (is_a_title() ? "; lines above the header row begin with '#'" : ""));
-    }
-    if (need_values_ && header_.channels.empty()) fail("no value column beside the four angles");
-    if (is_long_ && need_values_ && header_.channels.size() != 1)
-      fail("a column of " +
-           std::string(header_.has(Column::Kind::wavelength) ? "wavelengths" : "polarisations") +
-           " needs one column of values, not " + std::to_string(header_.channels.size()));
-    for (const auto kind : {Column::Kind::wavelength, Column::Kind::polarisation})
-      if (std::count_if(columns().begin(), columns().end(), [&](const Column& c) { return c.kind == kind; }) >
-          1)
-        fail("two columns of " +
-             std::string(kind == Column::Kind::wavelength ? "wavelengths" : "polarisations"));
+    const bool is_row = header_.read(line);
+    const std::size_t channels = header_.columns().channels.size();
+    table_.values.resize(channels);
+    table_.sigma.resize(channels);
+    row_values_.resize(channels);
+    row_sigma_.resize(channels);
     for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
+    if (is_row) read_line(line);
   }
 
-  // What differs from the plain format is announced.
-  void note_dialect() {
-    std::vector<std::string> notes = header_.notes;
+  void read_line(std::string_view line) {
+    split_row(line);
+    if (header_.matrix())
+      read_row_of_matrix(line);
+    else
+      read_row(line);
+  }
+
+  // From what is written to f_r, directions and bands.
+  void finish() {
+    make_f_r(table_, header_.columns().quantities);
+    if (empty_ > 0)
+      table_.warnings.push_back(std::to_string(empty_) + " empty cells of the matrix: not measured");
+    table_.skipped += empty_;
+    // What differs from the plain format is announced first.
+    std::vector<std::string> notes = header_.columns().notes;
     if (const std::string differences = dialect_.differences(); !differences.empty())
       notes.insert(notes.begin(), differences);
     table_.warnings.insert(table_.warnings.begin(), notes.begin(), notes.end());
+    table_.assumptions = header_.columns().assumptions;
+    store_raw_angles();
+    if (header_.columns().in_plane)
+      place_in_plane(table_, supplied_.mirror_side);
+    else if (supplied_.mirror_side != MirrorSide::automatic)
+      throw InputError(table_.source +
+                       ": --mirror-side is for tables of two angles; this one states azimuths");
+    find_unit_of_bands();
+  }
+
+  void store_raw_angles() {
+    for (const Column& c : columns()) {
+      if (c.kind != Column::Kind::angle) continue;
+      RawAngle& angle = table_.raw_angles[c.index];
+      angle.name = c.name;
+      angle.has_unit = c.unit.has_value();
+      std::move(raw_[c.index]).store(angle);
+    }
+  }
+
+  // Wavelengths without a unit.
+  void find_unit_of_bands() {
+    const bool lacks_unit = std::any_of(columns().begin(), columns().end(), [](const Column& c) {
+      return c.kind == Column::Kind::wavelength && !c.unit;
+    });
+    if (!lacks_unit) return;
+    const auto largest = std::max_element(bands_.begin(), bands_.end());
+    if (!are_micrometres(largest->nm)) {
+      for (Band& band : bands_) band.nm = without_noise(band.nm);
+      return;
+    }
+    const Unit micrometre = *unit_named("um");
+    for (Band& band : bands_) band.nm = to_nm(band.nm, micrometre);
+    table_.assume("the wavelengths state no unit and are all below 100: taken for micrometres");
   }
 
   void split_row(std::string_view line) {
-    if (!dialect_.split_row(line, fields_)) fail(kBadQuotation);
+    if (!dialect_.split_row(line, fields_)) fail(std::string(kBadQuotation));
+  }
+
+  void check_width(std::string_view line, std::size_t width) const {
+    if (fields_.size() != width)
+      fail(std::to_string(fields_.size()) + " columns where the header has " + std::to_string(width) +
+           ", separated by " + dialect_.separator_in_words() + other_separator(line, width));
   }
 
   // Where the line is one of another separator.
-  std::string other_separator(std::string_view line) const {
+  std::string other_separator(std::string_view line, std::size_t width) const {
     for (const auto& [c, words] : {std::pair(',', "','"), std::pair(';', "';'"), std::pair('\t', "a tab")})
       if (words != dialect_.separator_in_words() && fields_.size() == 1 &&
-          static_cast<std::size_t>(std::count(line.begin(), line.end(), c)) == columns().size() - 1)
+          static_cast<std::size_t>(std::count(line.begin(), line.end(), c)) == width - 1)
         return std::string("; this line is separated by ") + words;
     return "";
   }
 
+  double number_of(const Column& column, std::size_t k) {
+    double number;
+    if (!dialect_.parse(fields_[k], number))
+      fail(column, k,
+           dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
+                                      : "is not a number" + advice_on(fields_[k]));
+    if (column.kind == Column::Kind::angle) raw_[column.index].add(number);
+    number = column.converted(number);
+    if (!std::isfinite(number)) fail(column, k, "is not finite" + advice_on(fields_[k]));
+    return number;
+  }
+
   void read_row(std::string_view line) {
-    split_row(line);
-    if (table_.rows() == 0 && table_.skipped == 0 && !has_units_ && is_row_of_units()) return;
-    if (fields_.size() != columns().size())
-      fail(std::to_string(fields_.size()) + " columns where the header has " +
-           std::to_string(columns().size()) + ", separated by " + dialect_.separator_in_words() +
-           other_separator(line));
-    for (std::size_t k = 0; k < columns().size(); ++k) {
-      if (columns()[k].kind == Column::Kind::polarisation) {
+    const std::vector<Column>& all = columns();
+    check_width(line, all.size());
+    if (table_.rows() == 0) reserve(line.size() + 1);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Column& column = all[k];
+      if (column.kind == Column::Kind::polarisation)
         read_polarisation(k);
-        continue;
-      }
-      double number;
-      if (!dialect_.parse(fields_[k], number))
-        fail(k, fields_[k],
-             dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
-                                        : "is not a number" + advice_on(fields_[k]));
-      number = columns()[k].converted(number);
-      if (!std::isfinite(number)) fail(k, fields_[k], "is not finite" + advice_on(fields_[k]));
-      read_number(k, number);
+      else if (column.kind != Column::Kind::aside)
+        read_number(column, k, number_of(column, k));
     }
     store_row();
   }
 
-  // Names and units may stand in two rows: as one they are "theta_i (deg)".
-  bool is_row_of_units() {
-    if (fields_.size() != columns().size() ||
-        std::none_of(fields_.begin(), fields_.end(), [](std::string_view f) { return !f.empty(); }))
-      return false;
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < columns().size(); ++k) {
-      const std::string_view unit = fields_[k];
-      double number;
-      if (dialect_.parse(unit, number) || !is_unit(unit)) return false;
-      const bool has_brackets = !unit.empty() && (unit.front() == '[' || unit.front() == '(');
-      const std::string in_brackets = has_brackets ? std::string(unit) : "(" + std::string(unit) + ")";
-      names.push_back(columns()[k].name + (unit.empty() || unit == "-" ? "" : " " + in_brackets));
-    }
-    has_units_ = true;
-    understand({names.begin(), names.end()});
-    return true;
+  // About as many rows as the file has, by the length of the first one.
+  void reserve(std::size_t bytes) {
+    constexpr std::size_t kFewest = 8;  // bytes of a row
+    const std::size_t rows = reader_.content().bytes.size() / std::max(bytes, kFewest) + 1;
+    table_.reserve(std::min(rows, kMostRows));
+    table_.lines.reserve(std::min(rows, kMostRows));
   }
 
-  void read_number(std::size_t k, double number) {
-    const Column& column = columns()[k];
+  void read_row_of_matrix(std::string_view line) {
+    const MatrixHeader& matrix = *header_.matrix();
+    check_width(line, matrix.angles.size() + 1);
+    static const Column value;
+    angles_[1] = angles_[3] = 0;
+    for (std::size_t k = 1; k < fields_.size(); ++k) {
+      if (!advice_on(fields_[k]).empty() && fields_[k].find_first_of("0123456789") == fields_[k].npos) {
+        ++empty_;
+        continue;
+      }
+      set_angle(matrix.rows, 0, number_of(matrix.rows, 0));
+      raw_[matrix.columns.index].add(matrix.angles[k - 1]);
+      angles_[matrix.columns.index] = matrix.columns.converted(matrix.angles[k - 1]);
+      row_values_[0] = number_of(value, k);
+      store_row();
+    }
+  }
+
+  void set_angle(const Column& column, std::size_t k, double number) {
+    largest_[column.index] = std::max(largest_[column.index], std::abs(number));
+    if (column.index % 2 == 0 && std::abs(number) > 90.0) below_horizon(column, k);
+    angles_[column.index] = number;
+  }
+
+  void read_number(const Column& column, std::size_t k, double number) {
     switch (column.kind) {
       case Column::Kind::angle:
-        largest_[column.index] = std::max(largest_[column.index], std::abs(number));
-        if (column.index % 2 == 0 && std::abs(number) > 90.0) below_horizon(k);
-        angles_[column.index] = number;
+        set_angle(column, k, number);
         break;
       case Column::Kind::value:
         row_values_[column.index] = number;
         break;
       case Column::Kind::sigma:
-        if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
+        if (!(number > 0.0)) fail(column, k, "must be above 0");
         row_sigma_[column.index] = number;
         break;
       case Column::Kind::wavelength:
-        if (!(number > 0.0)) fail(k, fields_[k], "must be above 0");
+        if (!(number > 0.0)) fail(column, k, "must be above 0");
         band_.nm = number;
         break;
+      case Column::Kind::rotation:
+        turn_ = number;
+        break;
       case Column::Kind::polarisation:
+      case Column::Kind::aside:
         break;
     }
   }
 
   void read_polarisation(std::size_t k) {
     band_.polarisation = polarisation_named(fields_[k]);
-    if (!band_.polarisation) fail(k, fields_[k], "is no polarisation (s, p, ss, sp, ps, pp, te, tm)");
+    if (!band_.polarisation) fail(columns()[k], k, "is no polarisation (s, p, ss, sp, ps, pp, te, tm)");
   }
 
   // Azimuths in the polar angle's column are told apart from a wrong angle: there are many of them, and the
   // other column never exceeds 90 degrees. Reads the rest of the file for that.
-  [[noreturn]] void below_horizon(std::size_t column) {
-    const std::size_t theta = columns()[column].index, phi = theta + 1;
-    const std::string at = reader_.where() + ": column " + std::to_string(column + 1) + " (" +
-                           columns()[column].name + "): " + shown(fields_[column]) + " ";
+  [[noreturn]] void below_horizon(const Column& column, std::size_t k) {
+    const std::size_t theta = column.index, phi = theta + 1;
+    const std::string at = reader_.where() + ": column " + std::to_string(k + 1) + " (" +
+                           printable(column.name) + "): " + shown(fields_[k]) + " ";
     std::size_t rows = table_.rows(), above = 0;
     bool first = true;
     for (std::string_view line; first || reader_.next(line); first = false) {
       if (!first) split_row(trimmed(line));
       if (fields_.size() != columns().size()) continue;
-      for (std::size_t k = 0; k < columns().size(); ++k) {
-        const Column& c = columns()[k];
+      for (std::size_t field = 0; field < columns().size(); ++field) {
+        const Column& c = columns()[field];
         double x;
-        if (c.kind != Column::Kind::angle || !dialect_.parse(fields_[k], x)) continue;
+        if (c.kind != Column::Kind::angle || !dialect_.parse(fields_[field], x)) continue;
         x = std::abs(c.converted(x));
         largest_[c.index] = std::max(largest_[c.index], x);
         above += c.index == theta && x > 90.0;
       }
       ++rows;
     }
-    if (largest_[phi] <= 90.0 && above > 1 && 4 * above >= rows) {
+    if (!header_.columns().in_plane && largest_[phi] <= 90.0 && above > 1 && 4 * above >= rows) {
       const std::string t(kAngleNames[theta]), p(kAngleNames[phi]);
       throw ExchangedColumns(at + "is below the horizon; " + t + " reaches " + to_text(largest_[theta]) +
                              " degrees and " + p + " only " + to_text(largest_[phi]) + ": the columns " + t +
                              " and " + p + " look exchanged");
     }
-    throw InputError(at + "is below the horizon (theta must be between -90 and 90 degrees)");
-  }
-
-  double divided(double value, double cosine) const {
-    if (!std::isfinite(value / cosine))
-      fail(to_text(value) + " divided by the cosine " + to_text(cosine) + " is beyond the range of numbers");
-    return value / cosine;
+    throw InputError(at + "is below the horizon (theta must be between -90 and 90 degrees)" +
+                     (theta == 2 ? "; transmitted light is not read" : ""));
   }
 
   void store_row() {
-    // Instruments that swing through the normal write the far side as negative theta.
-    for (const int k : {0, 2}) {
-      if (angles_[k] < 0.0) {
-        angles_[k] = -angles_[k];
-        angles_[k + 1] += 180.0;
-      }
-    }
-    if (quantity_ != ColumnQuantity::brdf) {
-      const double cosine = cos_degrees(quantity_ == ColumnQuantity::brdf_cos_i ? angles_[0] : angles_[2]);
-      if (cosine <= 0.0) {
-        ++table_.skipped;
-        return;
-      }
-      for (double& value : row_values_) value = divided(value, cosine);
-      for (double& sigma : row_sigma_) sigma = divided(sigma, cosine);
-    }
     if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
-    table_.add_directions(angles_[0], angles_[1], angles_[2], angles_[3]);
+    double theta_i = angles_[0], phi_i = angles_[1] - turn_, theta_o = angles_[2], phi_o = angles_[3] - turn_;
+    if (!header_.columns().in_plane) {
+      // Instruments that swing through the normal write the far side as negative theta.
+      unfold(theta_i, phi_i);
+      unfold(theta_o, phi_o);
+    }
+    table_.add_directions(theta_i, phi_i, theta_o, phi_o);
     for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
     if (has_sigma_) {
       for (const Column& c : columns())
         if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
-    if (is_long_) bands_.push_back(band_);
+    if (header_.is_long()) bands_.push_back(band_);
+  }
+
+  static void unfold(double& theta, double& phi) {
+    if (theta >= 0.0) return;
+    theta = -theta;
+    phi += 180.0;
   }
 
   LineReader reader_;
-  bool need_values_;
+  const Supplied& supplied_;
   SampleTable table_;
   Dialect dialect_;
-  Columns header_;
+  CsvHeader header_;
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
+  double turn_ = 0;                          // of the sample
+  RawMagnitudes raw_[4];
   std::vector<double> row_values_, row_sigma_;
-  ColumnQuantity quantity_ = ColumnQuantity::brdf;
-  bool has_sigma_ = false, is_long_ = false, has_units_ = false;
-  std::string last_comment_;  // above the header row
-  Band band_;                 // of this row
+  std::size_t empty_ = 0;  // cells of a matrix
+  bool has_sigma_ = false;
+  Band band_;  // of this row
   std::vector<Band> bands_;
 };
 
 }  // namespace
 
-SampleTable read_csv(const Content& text, bool need_values) {
-  return CsvReader(text, need_values).read();
-}
-
-void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity) {
-  check_table(table);
-  std::string text;
-  for (const Comment& comment : table.metadata) text += "# " + comment_text(comment) + '\n';
-  (((text += "# ") += kQuantityKey) += ": ") += quantity;
-  text += '\n';
-  for (const std::string_view angle : kAngleNames) (text += angle) += ',';
-  for (const std::string& channel : table.channels) (text += channel) += ',';
-  for (std::size_t c = 0; c < table.channels.size(); ++c)
-    if (table.has_sigma(c)) ((text += kSigmaPrefix) += table.channels[c]) += ',';
-  text.back() = '\n';
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    for (const double angle : {table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]}) {
-      append_number(text, angle);
-      text += ',';
-    }
-    for (const auto& column : table.values) {
-      append_number(text, column[k]);
-      text += ',';
-    }
-    for (const auto& column : table.sigma) {
-      if (column.empty()) continue;
-      append_number(text, column[k]);
-      text += ',';
-    }
-    text.back() = '\n';
-    if (text.size() > (1 << 16)) {
-      out.write(text.data(), static_cast<std::streamsize>(text.size()));
-      text.clear();
-    }
-  }
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-}
-
-void write_samples(const std::filesystem::path& path, const SampleTable& table, std::string_view quantity) {
-  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table, quantity); });
+SampleTable read_csv(const Content& text, bool need_values, const Supplied& supplied) {
+  return CsvReader(text, need_values, supplied).read();
 }
 
 }  // namespace brdf::io

@@ -4,7 +4,7 @@
 
 namespace brdf::io {
 
-// The project's own sample table; `need_values` refuses a table of mere directions.
-SampleTable read_csv(const Content& text, bool need_values);
+// Tables of columns of text; `need_values` refuses a table of mere directions.
+SampleTable read_csv(const Content& text, bool need_values, const Supplied& supplied);
 
 }  // namespace brdf::io

@@ -68,10 +68,15 @@ char Dialect::separator_of(std::string_view line) {
   std::vector<std::string_view> names;
   separator_ = ',';
   if (split(line, names) && has_plain_angle_names(names)) return ',';
-  constexpr int kFewest = 2;  // no table has fewer than three columns
+  constexpr int kFewest = 2;  // few tables have fewer than three columns
   const std::string bare = bare_text(line);
   for (const char c : {'\t', ';', ','})
     if (std::count(bare.begin(), bare.end(), c) >= kFewest) return c;
+  separator_ = ' ';
+  names.clear();
+  if (split(line, names)) join_units(names);
+  for (const char c : {'\t', ';', ','})
+    if (names.size() < 3 && bare.find(c) != bare.npos) return c;
   return ' ';
 }
 

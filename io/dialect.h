@@ -8,6 +8,10 @@
 
 namespace brdf::io {
 
+// Of a line that split_header or split_row cannot split.
+inline constexpr std::string_view kBadQuotation =
+    "a quotation mark is not closed in its line, or text follows it";
+
 // Comma, semicolon, tab or blanks between fields, as the header row or a line `sep=;` says; fields may stand in
 // double quotes (RFC 4180); numbers have a decimal point, or a decimal comma throughout where that cannot be a
 // separator.
@@ -15,9 +19,10 @@ class Dialect {
  public:
   // Whether the line is spreadsheets' `sep=;`, which is then obeyed.
   bool is_separator_line(std::string_view line);
-  // Splits the header row, a line without blanks at its ends, whose separator this finds: a comma where that gives the
-  // four plain names, else the first of tab, semicolon, comma that stands outside quotes and brackets at least twice,
-  // else blanks. Empty names at its end are left out, as fields under them are. False as in split_row.
+  // Splits the header row, a line without blanks at its ends, whose separator this finds: a comma where that
+  // gives the four plain names, else the first of tab, semicolon, comma that stands outside quotes and
+  // brackets at least twice, or once where blanks part fewer than three names; else blanks. Empty names at
+  // its end are left out, as fields under them are. False as in split_row.
   bool split_header(std::string_view line, std::vector<std::string_view>& names);
   // Splits a row; false where a quotation mark is not closed, or text follows a closed one. The fields stay valid until the next line is split.
   bool split_row(std::string_view line, std::vector<std::string_view>& fields);

@@ -21,9 +21,11 @@ inline constexpr std::string_view kExrPrefix = "comment.";
 // Returns what is lost. A standard deviation that a float cannot hold is kept above 0.
 std::vector<std::string> write_exr_table(const std::filesystem::path& path, const SampleTable& table);
 
-// Reads such an image, anybody's: the channels theta_i, phi_i, theta_o, phi_o in degrees and those of values, of any
-// type of pixel. A float becomes the shortest decimal that it stands for, so that numbers of six digits come back as they
-// were. Pixels that are not finite are left out and counted. Throws InputError where it is none or is damaged.
-SampleTable read_exr_table(const Content& content);
+// Reads such an image, anybody's: the channels theta_i, phi_i, theta_o, phi_o in degrees and those of values,
+// of any type of pixel. A float becomes the shortest decimal that it stands for, so that numbers of six
+// digits come back as they were. Pixels that are not finite are left out and counted. Channels of another
+// quantity become f_r, as columns of text do, unless the attribute `columns` says that the file is ours.
+// Throws InputError where it is none or is damaged.
+SampleTable read_exr_table(const Content& content, const Supplied& supplied);
 
 }  // namespace brdf::io

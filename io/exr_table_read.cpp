@@ -13,8 +13,11 @@
 #include "io/exr_stream.h"
 #include "io/exr_table.h"
 #include "io/numbers.h"
+#include "io/stated_quantity.h"
 #include "io/table_rules.h"
 #include "io/text.h"
+#include "io/to_f_r.h"
+#include "io/value_columns.h"
 
 namespace brdf::io {
 namespace {
@@ -85,7 +88,11 @@ std::vector<std::string> column_names(const Imf::Header& header, const std::stri
   return names;
 }
 
-void add_comments(const Imf::Header& header, SampleTable& table) {
+bool is_ours(const Imf::Header& header) {
+  return header.findTypedAttribute<Imf::StringAttribute>(std::string(kExrColumns)) != nullptr;
+}
+
+void add_comments(const Imf::Header& header, SampleTable& table, StatedQuantities& stated) {
   if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(std::string(kExrComments))) {
     for (const std::string_view line : fields_of(text->value(), '\n'))
       table.metadata.push_back(parse_comment(line));
@@ -95,33 +102,51 @@ void add_comments(const Imf::Header& header, SampleTable& table) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
     std::string_view key = a.name();
     if (!text || key == kExrColumns) continue;
+    if (lower_case(key) == kQuantityKey && !is_ours(header)) {
+      stated.add_comment(text->value(), 0, table.source + ": attribute " + std::string(key));
+      continue;
+    }
     if (key.starts_with(kExrPrefix)) key.remove_prefix(kExrPrefix.size());
     table.add_comment(key, text->value());
   }
 }
 
+RawAngle raw_angle(const std::string& name, const std::vector<double>& cells) {
+  RawMagnitudes magnitudes;
+  for (const double cell : cells) magnitudes.add(cell);
+  RawAngle angle{name};
+  std::move(magnitudes).store(angle);
+  return angle;
+}
+
 // Takes the columns where they belong by name; standard deviations find their channels.
 void place_columns(const std::vector<std::string>& names, std::vector<std::vector<double>>& columns,
-                   SampleTable& table) {
+                   const HeaderFacts& facts, SampleTable& table) {
   std::vector<double>* const angles[] = {&table.theta_i, &table.phi_i, &table.theta_o, &table.phi_o};
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names[k].starts_with(kSigmaPrefix)) continue;
-    if (is_plain_angle_name(names[k])) {
-      *angles[std::ranges::find(kAngleNames, names[k]) - kAngleNames] = std::move(columns[k]);
-      continue;
-    }
-    table.channels.push_back(names[k]);
-    table.values.push_back(std::move(columns[k]));
+  Columns header;
+  for (const std::string& name : names) {
+    header.columns.emplace_back().name = name;
+    if (is_plain_angle_name(name)) header.columns.back().kind = Column::Kind::angle;
   }
+  place_values(header, facts, [](std::string_view, const std::string&) {});
+  table.channels = header.channels;
   if (table.channels.empty()) throw InputError(table.source + ": has no channel of values beside the angles");
+  for (const std::string& note : header.assumptions) table.assume(note);
+  table.values.resize(table.channels.size());
   table.sigma.resize(table.channels.size());
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (!names[k].starts_with(kSigmaPrefix)) continue;
-    const auto channel = std::ranges::find(table.channels, names[k].substr(kSigmaPrefix.size()));
-    if (channel == table.channels.end())
-      throw InputError(table.source + ": " + shown(names[k]) + " has no channel of values");
-    table.sigma[static_cast<std::size_t>(channel - table.channels.begin())] = std::move(columns[k]);
+    const Column& column = header.columns[k];
+    if (column.kind == Column::Kind::angle) {
+      const std::ptrdiff_t angle = std::ranges::find(kAngleNames, names[k]) - kAngleNames;
+      table.raw_angles[static_cast<std::size_t>(angle)] = raw_angle(names[k], columns[k]);
+      *angles[angle] = std::move(columns[k]);
+    } else if (column.kind == Column::Kind::value) {
+      table.values[column.index] = std::move(columns[k]);
+    } else if (column.kind == Column::Kind::sigma) {
+      table.sigma[column.index] = std::move(columns[k]);
+    }
   }
+  make_f_r(table, header.quantities);
 }
 
 // Leaves out pixels that are no rows: those that fill the last line, and any other whose numbers are not all finite.
@@ -145,7 +170,7 @@ std::vector<std::size_t> rows_of(const std::vector<std::vector<float>>& planes, 
   return rows;
 }
 
-SampleTable read_table(const Content& content) {
+SampleTable read_table(const Content& content, const Supplied& supplied) {
   ExrBytes bytes(content);
   Imf::InputFile file(bytes);
   SampleTable table;
@@ -166,15 +191,24 @@ SampleTable read_table(const Content& content) {
     for (const std::size_t pixel : rows) columns[k].push_back(as_written(planes[k][pixel]));
     planes[k] = {};
   }
-  place_columns(names, columns, table);
-  add_comments(file.header(), table);
+  StatedQuantities stated(stated_by_option(supplied.quantity));
+  add_comments(file.header(), table, stated);
+  HeaderFacts facts{content.name, stated.result()};
+  facts.is_plain = true;
+  facts.keeps_names = is_ours(file.header());
+  if (facts.keeps_names && !facts.stated)
+    facts.stated =
+        StatedQuantity{StatedQuantity::By::comment, {&quantity_kinds()[0]}, "f_r", "attribute columns"};
+  place_columns(names, columns, facts, table);
+  if (supplied.mirror_side != MirrorSide::automatic)
+    throw InputError(content.name + ": --mirror-side is for tables of two angles; this one states azimuths");
   return table;
 }
 
 }  // namespace
 
-SampleTable read_exr_table(const Content& content) try {
-  return read_table(content);
+SampleTable read_exr_table(const Content& content, const Supplied& supplied) try {
+  return read_table(content, supplied);
 } catch (const InputError&) {
   throw;
 } catch (const std::exception& error) {

@@ -116,7 +116,7 @@ Json read_json(const std::filesystem::path& path) {
 }
 
 std::string to_line(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return with_escaped_marks(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string to_text(const Json& json) {

@@ -92,7 +92,8 @@ std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of
 std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vector<Band>& bands) {
   const Band &first = bands.front(), &last = bands.back();
   const std::string count = std::to_string(bands.size());
-  const std::string what = !first.polarisation
+  const std::string what = bands.size() == 1 ? "1 band, " + words_of(first)
+                           : !first.polarisation
                                ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
                                : count + " bands, " + words_of(first) + " to " + words_of(last);
   std::vector<std::string> warnings = narrow.warnings;
@@ -141,6 +142,8 @@ SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows)
   wide.source = narrow.source;
   wide.warnings = has_values ? warnings_of(narrow, bands) : narrow.warnings;
   wide.skipped = narrow.skipped;
+  wide.raw_angles = narrow.raw_angles;
+  wide.assumptions = narrow.assumptions;
   add_rows(narrow, all, wide);
   if (!has_values) return wide;
   wide.values.resize(bands.size());

@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "io/near_name.h"
+#include "io/other_formats.h"
 #include "io/output.h"
 #include "io/table_rules.h"
 #include "io/text.h"
@@ -185,6 +186,9 @@ MaterialFile read_material_file(const Content& content) {
   if (place.has("ranking"))
     throw InputError(content.name +
                      ": is the result of a fit (fit --json); the material is what its -o wrote");
+  if (!place.has("format"))
+    if (const std::string foreign = foreign_json(content); !foreign.empty())
+      throw InputError(content.name + ": " + foreign);
   if (place.at("format").value() == kViewFormat) return material_of_view(place);
   place.at("version");
   return material_from_json(place);

@@ -13,19 +13,20 @@
 #include "io/numbers.h"
 #include "io/spectrum.h"
 #include "io/text.h"
+#include "io/wavelengths.h"
 
 namespace brdf::io {
 namespace {
 
-enum class Unit { unsaid, nanometres, micrometres };
+enum class StatedUnit { unsaid, nanometres, micrometres };
 
-Unit unit_of(std::string_view name) {
+StatedUnit unit_of(std::string_view name) {
   const std::string key = lower_case(name);
   for (const char* word : {"um", "µm", "μm", "micr"})
-    if (key.find(word) != key.npos) return Unit::micrometres;
+    if (key.find(word) != key.npos) return StatedUnit::micrometres;
   for (const char* word : {"nm", "nano"})
-    if (key.find(word) != key.npos) return Unit::nanometres;
-  return Unit::unsaid;
+    if (key.find(word) != key.npos) return StatedUnit::nanometres;
+  return StatedUnit::unsaid;
 }
 
 // One quantity of the file, n or k, with its own wavelengths.
@@ -59,7 +60,7 @@ class Reader {
   void begin_record(std::string_view type) {
     is_record_ = true;
     wavelength_ = n_ = k_ = material_ = std::nullopt;
-    unit_ = Unit::micrometres;
+    unit_ = StatedUnit::micrometres;
     set_separator(' ');
     if (!type.starts_with("tabulated ")) {
       other_type_ = type;
@@ -182,9 +183,9 @@ class Reader {
 
   OpticalConstants sorted() {
     const std::vector<double>& wavelengths = read_n_.wavelengths;
-    const bool is_micrometres =
-        unit_ == Unit::micrometres ||
-        (unit_ == Unit::unsaid && *std::max_element(wavelengths.begin(), wavelengths.end()) < 100);
+    const bool is_micrometres = unit_ == StatedUnit::micrometres ||
+                                (unit_ == StatedUnit::unsaid &&
+                                 are_micrometres(*std::max_element(wavelengths.begin(), wavelengths.end())));
     std::vector<std::pair<double, Index>> rows;
     for (std::size_t r = 0; r < wavelengths.size(); ++r)
       rows.push_back({is_micrometres ? std::round(1e7 * wavelengths[r]) / 1e4 : wavelengths[r],
@@ -207,7 +208,7 @@ class Reader {
   std::vector<std::string_view> fields_;
   std::optional<std::size_t> wavelength_, n_, k_, material_;  // their columns
   std::size_t width_ = 0;
-  Unit unit_ = Unit::unsaid;
+  StatedUnit unit_ = StatedUnit::unsaid;
   Dialect dialect_;
   bool is_record_ = false;
   IndexColumn read_n_, read_k_;

@@ -8,7 +8,10 @@
 #include "io/exr_table.h"
 #include "io/material_file.h"
 #include "io/merl.h"
+#include "io/other_formats.h"
+#include "io/repetition.h"
 #include "io/rgl.h"
+#include "io/stated_quantity.h"
 #include "io/table_rules.h"
 #include "io/text.h"
 #include "io/zemax.h"
@@ -24,6 +27,11 @@ std::optional<std::string> SampleTable::find_metadata(std::string_view key) cons
   for (const auto& [name, value] : metadata)
     if (name == key) return value;
   return std::nullopt;
+}
+
+void SampleTable::assume(const std::string& sentence) {
+  warnings.push_back(sentence);
+  assumptions.push_back(sentence);
 }
 
 void SampleTable::add_comment(std::string_view key, std::string_view value) {
@@ -45,6 +53,17 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
 
 namespace {
 
+// A table of a format that states f_r and its directions itself.
+SampleTable of_f_r(SampleTable table, const Supplied& supplied) {
+  const std::optional<StatedQuantity> stated = stated_by_option(supplied.quantity);
+  if (stated && !stated->quantity.is_f_r())
+    throw InputError(table.name() + ": --quantity " + stated->words + ": the format states f_r");
+  if (supplied.mirror_side != MirrorSide::automatic)
+    throw InputError(table.name() +
+                     ": --mirror-side is for tables of two angles; this format states azimuths");
+  return table;
+}
+
 // A saved state of the window: what it is, and of which forms the material is that it shows.
 [[noreturn]] void refuse_view(const Content& text) {
   std::string forms;
@@ -55,72 +74,56 @@ namespace {
                    forms);
 }
 
-// Files of other kinds by their first bytes, and what to do with them.
-void refuse_other_kinds(const Content& content) {
-  using namespace std::string_view_literals;
-  constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
-      {"\x89PNG"sv, "is a picture (PNG), not a table of samples"},
-      {"\xff\xd8\xff"sv, "is a picture (JPEG), not a table of samples"},
-      {"PK\x03\x04"sv, "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
-      {"\xd0\xcf\x11\xe0"sv, "is an Excel workbook: export the sheet as CSV"},
-      {"\x1f\x8b"sv, "is compressed: `zcat FILE | brdf fit /dev/stdin` reads what is in it"},
-      {"%PDF"sv, "is a PDF: copy the table out of it as text"},
-      {"\xff\xfe\0\0"sv, "is UTF-32 text: save it as UTF-8"},
-      {"\0\0\xfe\xff"sv, "is UTF-32 text: save it as UTF-8"}};
-  for (const auto& [magic, what] : kKinds)
-    if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
+bool is_json_array(const Content& content) {
   const std::size_t first = content.bytes.find_first_not_of(" \t\r\n");
-  if (first == content.bytes.npos) return;
-  if (content.bytes[first] == '<')
-    throw InputError(content.name + ": is a web page or XML, not a table of samples");
-  constexpr std::string_view kFred = "type bsdf_data";
-  if (lower_case(content.bytes.substr(first, kFred.size())) == kFred)
-    throw InputError(
-        content.name +
-        ": is FRED's tabulated BSDF ('type bsdf_data'), of which no published file tells where its azimuths "
-        "begin: export columns theta_i, phi_i, theta_o, phi_o and the value as CSV");
+  if (first == std::string::npos || content.bytes[first] != '[') return false;
+  const std::size_t next = content.bytes.find_first_not_of(" \t\r\n", first + 1);
+  return next != std::string::npos &&
+         std::string_view("{[\"-0123456789").find(content.bytes[next]) != std::string::npos;
 }
 
-SampleTable read_text(Content text, bool need_values) {
+[[noreturn]] void refuse_json(const Content& text) {
   const std::size_t format = text.bytes.find("\"format\"");
-  if (is_json(text) && format < 10 && text.bytes.substr(format, 30).find("brdf-view") != text.bytes.npos)
-    refuse_view(text);
-  if (is_json(text)) {
-    const bool material = text.bytes.find("\"brdf-material\"") != text.bytes.npos;
-    throw InputError(text.name +
-                     (material ? ": is a material, not a table of samples; `brdf synth` measures materials"
-                               : ": is JSON, not a table of samples"));
-  }
+  if (format < 10 && text.bytes.substr(format, 30).find("brdf-view") != text.bytes.npos) refuse_view(text);
+  if (text.bytes.find("\"brdf-material\"") != text.bytes.npos)
+    throw InputError(text.name + ": is a material, not a table of samples; `brdf synth` measures materials");
+  const std::string foreign = foreign_json(text);
+  throw InputError(text.name + ": " + (foreign.empty() ? "is JSON, not a table of samples" : foreign));
+}
+
+SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
+  if (is_json(text) || is_json_array(text)) refuse_json(text);
   const std::string transcoded = make_utf8(text);
-  SampleTable table = need_values && zemax::recognises(text)  ? zemax::read(text)
-                      : need_values && astm::recognises(text) ? astm::read(text)
-                      : need_values && alta::recognises(text) ? alta::read(text)
-                                                              : read_csv(text, need_values);
+  SampleTable table = need_values && zemax::recognises(text)  ? of_f_r(zemax::read(text), supplied)
+                      : need_values && astm::recognises(text) ? astm::read(text, supplied)
+                      : need_values && alta::recognises(text) ? of_f_r(alta::read(text), supplied)
+                                                              : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
 }
 
 }  // namespace
 
-SampleTable read_samples(Content content) {
-  refuse_other_kinds(content);
-  SampleTable table = rgl::recognises(content)    ? rgl::read(content)
-                      : merl::recognises(content) ? merl::read(content)
-                      : is_exr(content)           ? read_exr_table(content)
-                                                  : read_text(std::move(content), true);
+SampleTable read_samples(Content content, const Supplied& supplied) {
+  refuse_other_formats(content);
+  SampleTable table = rgl::recognises(content)    ? of_f_r(rgl::read(content), supplied)
+                      : merl::recognises(content) ? of_f_r(merl::read(content), supplied)
+                      : is_exr(content)           ? read_exr_table(content, supplied)
+                                                  : read_text(std::move(content), true, supplied);
+  leave_out_repetitions(table);
   check_table(table);
   return table;
 }
 
 SampleTable read_directions(Content content) {
-  refuse_other_kinds(content);
-  SampleTable table = read_text(std::move(content), false);
+  refuse_other_formats(content);
+  SampleTable table = read_text(std::move(content), false, {});
   check_table(table);
   return table;
 }
 
-SampleTable read_samples(const std::filesystem::path& path) {
-  return read_samples(read_content(path));
+SampleTable read_samples(const std::filesystem::path& path, const Supplied& supplied) {
+  return read_samples(read_content(path), supplied);
 }
 
 SampleTable read_directions(const std::filesystem::path& path) {

@@ -12,6 +12,8 @@
 #include "brdf/directions.h"
 #include "io/comments.h"
 #include "io/content.h"
+#include "io/raw_angles.h"
+#include "io/supplied.h"
 
 namespace brdf::io {
 
@@ -30,8 +32,11 @@ struct SampleTable {
   std::string format = "csv";         // csv, merl, rgl, astm_e1392, zemax, alta, exr
   std::vector<std::uint32_t> lines;   // [row] line in the file; empty where the format has none
   std::vector<std::string> warnings;  // what the reader left out or repaired, one sentence each
-  double scale = 1;                   // by which the file's values were divided (relative_scale.h)
-  std::size_t skipped = 0;            // entries of the file that hold no value (marked invalid, or undefined)
+  // Those of the warnings on which values or directions rest: conversions of quantities and units, guesses.
+  std::vector<std::string> assumptions;
+  double scale = 1;         // by which the file's values were divided (relative_scale.h)
+  std::size_t skipped = 0;  // entries of the file that hold no value (marked invalid, or undefined)
+  RawAngles raw_angles;     // the columns of the angles as the file holds them; empty for binary formats
 
   std::size_t rows() const { return theta_i.size(); }
   bool has_sigma(std::size_t channel) const { return channel < sigma.size() && !sigma[channel].empty(); }
@@ -41,6 +46,8 @@ struct SampleTable {
   std::string where(std::size_t row) const;
   // First metadata value under `key`.
   std::optional<std::string> find_metadata(std::string_view key) const;
+  // Adds a warning that is an assumption.
+  void assume(const std::string& sentence);
   // Adds a comment as a file holds it: one line, free text where its key is reserved.
   void add_comment(std::string_view key, std::string_view value);
   void reserve(std::size_t rows);
@@ -49,11 +56,12 @@ struct SampleTable {
                       double phi_of_viewer);
 };
 
-// Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md).
-// Throws InputError naming file, line and column.
-// What is read can be written: names, finite values and comments are those of a CSV.
-SampleTable read_samples(const std::filesystem::path& path);
-SampleTable read_samples(Content content);
+// Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md). Throws
+// InputError naming file, line and column. What is read can be written: names, finite values and comments are
+// those of a CSV. Values of another quantity become f_r; `supplied` states what the file does not, and may
+// not contradict it.
+SampleTable read_samples(const std::filesystem::path& path, const Supplied& supplied = {});
+SampleTable read_samples(Content content, const Supplied& supplied = {});
 // The same for a table of directions: a CSV without any value column is accepted.
 SampleTable read_directions(const std::filesystem::path& path);
 SampleTable read_directions(Content content);

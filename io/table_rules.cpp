@@ -11,6 +11,7 @@
 #include "io/error.h"
 #include "io/limits.h"
 #include "io/text.h"
+#include "io/wavelengths.h"
 
 namespace brdf::io {
 namespace {
@@ -21,7 +22,7 @@ std::string broken_rule(std::string_view name) {
   if (name.empty()) return "must not be empty";
   if (name.size() > kLongestName) return "must have at most " + std::to_string(kLongestName) + " bytes";
   if (!utf8::is_valid(name.begin(), name.end())) return "must be UTF-8";
-  if (printable(name) != name) return "must not hold control characters";
+  if (printable(name) != name) return "must not hold control characters or marks of direction";
   if (name.find(',') != name.npos) return "must not hold a comma";
   if (name.front() == '"') return "must not begin with a quotation mark";
   if (trimmed(name) != name) return "must not begin or end with a blank";

@@ -68,6 +68,42 @@ bool parse_number(std::string_view text, double& value) {
   return error == std::errc() && stop == end;
 }
 
+namespace {
+
+// The bytes of a character that changes the direction of text, or ends a line, in a terminal; 0: none begins
+// here.
+std::size_t direction_mark(std::string_view text) {
+  if (text.starts_with("\xd8\x9c")) return 2;  // U+061C
+  if (text.size() < 3 || text[0] != '\xe2') return 0;
+  const auto second = static_cast<unsigned char>(text[1]), third = static_cast<unsigned char>(text[2]);
+  const bool is_mark = second == 0x80 && (third == 0x8e || third == 0x8f || (third >= 0xa8 && third <= 0xae));
+  const bool is_isolate = second == 0x81 && third >= 0xa6 && third <= 0xa9;
+  return is_mark || is_isolate ? 3 : 0;
+}
+
+void append_hex(std::string& out, unsigned value, int digits) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  for (int k = digits - 1; k >= 0; --k) out += kHex[value >> (4 * k) & 15];
+}
+
+}  // namespace
+
+std::string with_escaped_marks(std::string json) {
+  if (json.find_first_of("\xc2\xd8\xe2") == json.npos) return json;
+  std::string out;
+  for (std::size_t k = 0; k < json.size(); ++k) {
+    const std::string_view rest = std::string_view(json).substr(k);
+    const bool is_c1 = rest.size() > 1 && rest[0] == '\xc2' && static_cast<unsigned char>(rest[1]) < 0xa0;
+    const std::size_t size = is_c1 ? 2 : direction_mark(rest);
+    if (size > 0)
+      append_hex(out += "\\u", utf8::peek_next(rest.begin(), rest.end()), 4);
+    else
+      out += json[k];
+    k += size > 0 ? size - 1 : 0;
+  }
+  return out;
+}
+
 std::string printable(std::string_view text, std::size_t most) {
   const bool is_cut = text.size() > most;
   while (is_cut && most > 0 && (text[most] & 0xc0) == 0x80) --most;  // not within a character
@@ -79,11 +115,16 @@ std::string printable(std::string_view text, std::size_t most) {
     const unsigned char c = at(k);
     // U+0080..U+009F are control characters too: C2 and one more byte.
     const bool is_c1 = (c == 0xc2 && at(k + 1) < 0xa0) || (c >= 0x80 && c < 0xa0 && at(k - 1) == 0xc2);
-    constexpr std::string_view kHex = "0123456789abcdef";
-    if (c < 0x20 || c == 0x7f || is_c1 || (c >= 0x80 && !is_utf8))
-      ((out += "\\x") += kHex[c >> 4]) += kHex[c & 15];
-    else
+    const std::size_t mark = is_utf8 && c >= 0x80 ? direction_mark(text.substr(k)) : 0;
+    if (mark > 0) {
+      const auto next = text.begin() + static_cast<std::ptrdiff_t>(k);
+      append_hex(out += "\\u", utf8::peek_next(next, text.end()), 4);
+      k += mark - 1;
+    } else if (c < 0x20 || c == 0x7f || is_c1 || (c >= 0x80 && !is_utf8)) {
+      append_hex(out += "\\x", c, 2);
+    } else {
       out += text[k];
+    }
   }
   return is_cut ? out + "..." : out;
 }

@@ -16,6 +16,7 @@ class LineReader {
   explicit LineReader(Content&&) = delete;
   bool next(std::string_view& line);
   std::size_t line() const { return line_; }  // of the last line returned, from 1
+  const Content& content() const { return *content_; }
   // "FILE, line N"
   std::string where() const;
 
@@ -39,9 +40,13 @@ void split_blanks(std::string_view line, std::vector<std::string_view>& fields);
 // allowed). False where it is none or out of double's range.
 bool parse_number(std::string_view text, double& value);
 
-// For messages: control characters as \xNN, so that a file cannot drive a terminal; cut after `most` bytes.
+// For whatever is shown to people: control characters as \x1b, characters that turn the direction of text as
+// \u202e, so that a file or its name cannot drive a terminal or feign another text; cut after `most` bytes.
 std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
-// The same in quotes, for what a file holds: 'text', the first 60 bytes of it.
+// JSON text with the characters that printable() does not show, as far as JSON holds them unescaped, as
+// \u202e.
+std::string with_escaped_marks(std::string json);
+// The same as printable() in quotes, for what a file holds: 'text', the first 60 bytes of it.
 std::string shown(std::string_view text);
 
 // Shortest decimal that reads back to the same double.

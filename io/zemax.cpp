@@ -5,6 +5,7 @@
 
 #include "brdf/vec3.h"
 #include "io/error.h"
+#include "io/repetition.h"
 #include "io/text.h"
 
 namespace brdf::io::zemax {
@@ -167,7 +168,7 @@ SampleTable read(const Content& text) {
   table.channels = header.channels;
   table.values.resize(raw.size());
   table.sigma.resize(raw.size());
-  std::size_t entry = 0, below = 0, repeated = 0;
+  std::size_t entry = 0, below = 0;
   for (const double rotation : header.rotation)
     for (const double theta_i : header.theta_i)
       for (const double azimuth : header.azimuth)
@@ -177,10 +178,7 @@ SampleTable read(const Content& text) {
           bool is_measured = wo.z > 0;
           below += !is_measured;
           for (const auto& values : raw) is_measured &= values[k] != 0;
-          // The mirror direction stands once for every azimuth: one is enough.
-          const bool is_repeated = radial == 0 && azimuth != header.azimuth.front();
-          repeated += is_measured && is_repeated;
-          if (!is_measured || is_repeated) continue;
+          if (!is_measured) continue;
           double theta_o, phi_o;
           polar_degrees(wo, theta_o, phi_o);
           theta_o = set_point(theta_o);
@@ -189,11 +187,13 @@ SampleTable read(const Content& text) {
           for (std::size_t c = 0; c < raw.size(); ++c) table.values[c].push_back(raw[c][k]);
           table.lines.push_back(at_line[k]);
         }
-  table.skipped = entry - table.rows() - repeated;
+  table.skipped = entry - table.rows();
   if (table.rows() == 0) throw InputError(table.source + ": holds no measured value");
   table.warnings.push_back(std::to_string(table.skipped) + " of " + std::to_string(entry) +
                            " entries left out: " + std::to_string(below) + " below the horizon, " +
                            std::to_string(table.skipped - below) + " zero (not measured)");
+  // The mirror direction has an entry for every azimuth, the azimuths 0 and 360 have one each.
+  leave_out_repetitions(table, [](std::size_t, std::size_t) { return false; });
   return table;
 }
 

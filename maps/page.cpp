@@ -231,7 +231,8 @@ void print(std::ostream& out, const texel::Stack& stack, const Making& making, c
     out << io::short_number(*seconds) << " s, "
         << io::short_number(1e6 * *seconds / double(std::max<std::size_t>(summary.fitted, 1)))
         << " us for each texel\n";
-  out << (folder / kMapsFile).string() << ", " << (folder / kSummaryFile).string() << '\n';
+  out << io::printable((folder / kMapsFile).string()) << ", "
+      << io::printable((folder / kSummaryFile).string()) << '\n';
 }
 
 std::string html_page(const texel::Stack& stack, const Making& making, const Summary& summary,

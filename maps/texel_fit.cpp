@@ -40,6 +40,8 @@ void check(const Settings& s) {
     throw InputError("--free-scale: not for stacks: divide the images by one scale before");
   if (s.options.arrangement != io::Arrangement())
     throw InputError("--polarisation, --repeats: not for stacks, whose images are what they are");
+  if (s.options.supplied != io::Supplied())
+    throw InputError("--quantity, --mirror-side: not for stacks, whose lights.csv states the directions");
   if (s.options.smooth > 0)
     throw InputError("--shape smooth: not for stacks, whose maps hold one shape or one for every channel");
   if (s.options.random_starts > 0 || !s.options.start.empty())

@@ -3,6 +3,7 @@
 #include <iomanip>
 
 #include "io/numbers.h"
+#include "io/text.h"
 #include "prove/check/certificate.h"
 #include "prove/scalar/growth.h"
 
@@ -70,13 +71,14 @@ void print(std::ostream& out, std::span<const Proof> proofs) {
   for (const Proof& p : proofs) {
     const std::string bounds =
         has_range(p) ? io::short_number(p.low, 6) + " .. " + io::short_number(p.high, 6) : std::string("-");
-    out << std::left << std::setw(28) << (p.channel.empty() ? p.form : p.form + " " + p.channel)
+    out << std::left << std::setw(28) << io::printable(p.channel.empty() ? p.form : p.form + " " + p.channel)
         << std::setw(14) << name_of(p.claim.property) << std::setw(8) << scalar_of(p.claim) << std::setw(11)
         << name_of(p.verdict) << std::setw(26) << bounds << std::right << std::setw(8) << p.cover.boxes
         << std::setw(10) << std::fixed << std::setprecision(3) << p.seconds << std::defaultfloat
         << std::setprecision(6) << "  " << p.statement << '\n';
     if (p.witness)
-      out << "    " << p.witness->command << "    gives " << io::short_number(p.witness->value, 6) << '\n';
+      out << "    " << io::printable(p.witness->command) << "    gives "
+          << io::short_number(p.witness->value, 6) << '\n';
   }
 }
 

@@ -11,6 +11,7 @@
 #include "io/error.h"
 #include "io/material_json.h"
 #include "io/samples.h"
+#include "io/stated_quantity.h"
 
 namespace brdf::python {
 
@@ -37,6 +38,12 @@ Enum named(const char* option, const std::string& word) {
 
 inline io::Arrangement arrangement_of(const std::string& polarisation, const std::string& repeats) {
   return {named<io::Polarisation>("--polarisation", polarisation), named<io::Repeats>("--repeats", repeats)};
+}
+
+// `quantity` is empty and `mirror_side` "auto" if nothing is supplied.
+inline io::Supplied supplied_of(const std::string& quantity, const std::string& mirror_side) {
+  io::stated_by_option(quantity);  // refused before a file is read
+  return {quantity, named<io::MirrorSide>("--mirror-side", mirror_side)};
 }
 
 void bind_samples(py::module_& module);

@@ -20,7 +20,9 @@ io::Progress told_to(Watch& watch) {
 
 // Whole forms, then files, materials and tables in their order.
 Judged judge(const std::vector<std::string>& forms, const py::list& items, const std::string& effort,
-             double max_theta, bool keep_fill, std::uint64_t seed, py::object progress) {
+             double max_theta, bool keep_fill, std::uint64_t seed, const std::string& quantity,
+             const std::string& mirror_side, py::object progress) {
+  const io::Supplied supplied = supplied_of(quantity, mirror_side);
   if (effort != "quick" && effort != "full") throw InputError("--effort: " + effort + " not in {quick,full}");
   validate::check_max_theta(max_theta);
   Judged judged;
@@ -40,7 +42,7 @@ Judged judge(const std::vector<std::string>& forms, const py::list& items, const
     } else {
       const auto path = item.cast<std::string>();
       const py::gil_scoped_release unlocked;
-      validate::add_file(content, path);
+      validate::add_file(content, path, supplied);
     }
   }
   const validate::CheckOptions options{effort == "full" ? validate::Effort::full : validate::Effort::quick,

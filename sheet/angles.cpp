@@ -217,9 +217,23 @@ AngleColumn column_of(std::string name, bool is_polar, const std::vector<double>
   return c;
 }
 
+// By the cells of the file where its reader kept them: signs and conventions hide a unit. A column whose unit the file states is none.
 std::vector<AngleColumn> angle_columns(const io::SampleTable& t) {
-  return {column_of("theta_i", true, t.theta_i), column_of("phi_i", false, t.phi_i),
-          column_of("theta_o", true, t.theta_o), column_of("phi_o", false, t.phi_o)};
+  const std::pair<const char*, const std::vector<double>*> of_table[] = {
+      {"theta_i", &t.theta_i}, {"phi_i", &t.phi_i}, {"theta_o", &t.theta_o}, {"phi_o", &t.phi_o}};
+  std::vector<AngleColumn> columns;
+  for (std::size_t a = 0; a < std::size(of_table); ++a) {
+    const io::RawAngle& raw = t.raw_angles[a];
+    const bool is_polar = a % 2 == 0;
+    if (raw.name.empty()) {
+      columns.push_back(column_of(of_table[a].first, is_polar, *of_table[a].second));
+      continue;
+    }
+    if (raw.has_unit) continue;
+    columns.push_back({raw.name, is_polar, raw.largest, raw.magnitudes});
+    std::erase(columns.back().sizes, 0.0);
+  }
+  return columns;
 }
 
 std::string named(const std::vector<const AngleColumn*>& columns) {
@@ -235,9 +249,14 @@ Finding angle_unit(const Evidence& e) {
   const io::SampleTable& t = e.read;
   const std::vector<AngleColumn> columns = angle_columns(t);
   std::vector<const AngleColumn*> radian, open;
-  double polar = 0;
+  const double polar = std::max(*std::max_element(t.theta_i.begin(), t.theta_i.end()),
+                                *std::max_element(t.theta_o.begin(), t.theta_o.end()));
+  if (columns.empty()) {
+    Finding stated = start(t, "angle_unit");
+    stated.statement = "the file states the unit of every angle";
+    return stated;
+  }
   for (const AngleColumn& c : columns) {
-    if (c.is_polar) polar = std::max(polar, c.largest);
     if (c.looks_like_radians())
       radian.push_back(&c);
     else if (c.may_be_radians())

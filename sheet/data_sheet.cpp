@@ -70,18 +70,22 @@ const std::vector<Misleading>& misleading() {
   return all;
 }
 
-// One fault, one name: what follows from it is not judged, and does not mislead in its turn. A check that did not apply keeps its
-// own reason.
+// A check that did not apply keeps its own reason.
+void mislead(std::vector<Finding>& findings, const std::vector<std::string_view>& checks,
+             const std::string& why) {
+  for (Finding& f : findings)
+    if (f.outcome != Outcome::not_applicable &&
+        std::find(checks.begin(), checks.end(), f.check) != checks.end())
+      f = not_applicable(f.subject, f.check, why);
+}
+
+// One fault, one name: what follows from it is not judged, and does not mislead in its turn.
 void name_once(std::vector<Finding>& findings) {
   for (const Misleading& m : misleading()) {
     const bool failed = std::any_of(findings.begin(), findings.end(), [&](const Finding& f) {
       return f.check == m.fault && f.outcome == Outcome::fail;
     });
-    if (!failed) continue;
-    for (Finding& f : findings)
-      if (f.outcome != Outcome::not_applicable &&
-          std::find(m.misled.begin(), m.misled.end(), f.check) != m.misled.end())
-        f = not_applicable(f.subject, f.check, std::string(m.why));
+    if (failed) mislead(findings, m.misled, std::string(m.why));
   }
 }
 
@@ -131,6 +135,8 @@ DataSheet sheet_of_scans(const io::SampleTable& t, const SheetOptions& options) 
                     {}};
   evidence.turns = turns_of(view, evidence.neighbours.value);
   evidence.pairs = reciprocal_pairs(view);
+  if (evidence.turns.is_anisotropic())
+    std::erase_if(evidence.pairs, [](const Pair& p) { return !p.is_in_plane(); });
   evidence.causes = causes_of(view, evidence.pairs);
   evidence.scatter =
       scatter_of(view, evidence.neighbours, evidence.causes.found ? std::vector<Pair>{} : evidence.pairs,
@@ -165,6 +171,10 @@ DataSheet data_sheet(const io::SampleTable& t, const SheetOptions& options) {
   sheet.facts = facts_of(t);
   name_once(sheet.findings);
   return sheet;
+}
+
+void set_apart(DataSheet& sheet, const std::vector<std::string_view>& checks, const std::string& why) {
+  mislead(sheet.findings, checks, why);
 }
 
 std::vector<bool> not_measured(const io::SampleTable& t, double max_theta) {

@@ -52,6 +52,9 @@ DataSheet data_sheet(const io::SampleTable& table, const SheetOptions& options =
 // Of each row whether it holds a fill value: the same as DataSheet::not_measured, without the other checks.
 std::vector<bool> not_measured(const io::SampleTable& table, double max_theta = kMaxTheta);
 
+// Makes checks not_applicable, with this reason.
+void set_apart(DataSheet& sheet, const std::vector<std::string_view>& checks, const std::string& why);
+
 // Leaves out the marked rows, if any, and adds a warning that says so. `rows`: of each row, or empty.
 void leave_out(const std::vector<bool>& rows, io::SampleTable& table);
 

@@ -16,6 +16,8 @@ struct Pair {
   double order;           // how much later in the file the first value stands, -1 to 1: a share of all rows
   Row forward, backward;  // the rows (the nearest ones, of interpolated values)
   bool exact() const { return uncertainty == 0; }
+  // The exchanged pair of an anisotropic sample is measured only there: half a turn brings it back.
+  bool is_in_plane() const { return azimuth < 1 || azimuth > 179; }
 };
 
 // Every pair that the scans hold, in logarithms by cubic interpolation along the viewer's polar angle where the grid does

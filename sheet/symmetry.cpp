@@ -46,18 +46,21 @@ Turns turns_of(const View& view, std::optional<double> scatter) {
   std::set<double> turns;
   for (const Scan& scan : view.scans()) turns.insert(scan.phi_i);
   out.turns = turns.size();
-  if (turns.size() < 2) return out;
   std::map<std::tuple<long, long, long>, std::vector<Row>> same;
   const auto key = [](double angle) { return std::lround(angle * 1e3); };
   for (const Scan& scan : view.scans())
     for (const Row k : scan.rows)
-      same[{key(t.theta_i[k]), key(t.theta_o[k]), key(view.turn(k))}].push_back(k);
+      if (scan.theta_i > 0)
+        same[{key(t.theta_i[k]), key(t.theta_o[k]), key(view.turn(k))}].push_back(k);
+      else if (t.theta_o[k] >
+               0)  // under light along the normal each azimuth of the viewer is a turn of the sample
+        same[{0, key(t.theta_o[k]), 0}].push_back(k);
   std::vector<double> differences;
   for (const auto& [place, rows] : same)
     for (std::size_t j = 1; j < rows.size(); ++j) {
-      if (t.phi_i[rows[j]] == t.phi_i[rows[0]]) continue;
+      const bool is_turned = t.phi_i[rows[j]] != t.phi_i[rows[0]] || view.turn(rows[j]) != view.turn(rows[0]);
       for (const auto& v : t.values)
-        if (v[rows[j]] > 0 && v[rows[0]] > 0)
+        if (is_turned && v[rows[j]] > 0 && v[rows[0]] > 0)
           differences.push_back(std::abs(std::log(v[rows[j]] / v[rows[0]])));
     }
   out.differences = differences.size();
@@ -72,7 +75,7 @@ Finding isotropy(const Evidence& e) {
   constexpr std::size_t kEnough = 16;
   const io::SampleTable& t = e.view.table();
   const Turns& turns = e.turns;
-  if (turns.turns < 2)
+  if (turns.differences < Turns::kFewest && turns.turns < 2)
     return not_applicable(t.source, "isotropy", "the sample was not turned: all light has one azimuth");
   if (turns.differences < Turns::kFewest)
     return not_applicable(t.source, "isotropy", "no direction was measured at two turns of the sample");

@@ -115,7 +115,8 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
 SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
                          const Step& step) {
   Findings found;
-  found.table = io::read_samples(std::move(content));
+  found.table = io::read_samples(std::move(content), options.fit.supplied);
+  const std::vector<std::string> assumptions = found.table.assumptions;
   found.name = std::filesystem::path(found.table.source).filename().string();
   fit::Samples samples = fit::arranged(std::move(found.table), options.fit);
   step();
@@ -125,6 +126,7 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   step();
   SampleStudy out;
   out.interrupted = found.fit.interrupted;
+  out.assumptions = assumptions;
   if (out.interrupted) return out;
   out.files.push_back({kSheet, io::to_text(validate::to_json(found.sheet.findings))});
   out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});

@@ -47,6 +47,7 @@ struct SampleStudy {
   std::vector<File> files;
   io::Json row;  // of study.json
   bool interrupted = false;
+  std::vector<std::string> assumptions = {};  // of the reader
 };
 
 // `name` is the row's. Throws InputError where the samples cannot be read or fitted.

@@ -101,6 +101,7 @@ class Study {
     SampleStudy found = study_sample(std::move(content), name, options, step);
     if (found.interrupted) return false;
     row.json = std::move(found.row);
+    row.assumptions = std::move(found.assumptions);
     Json results = io::to_json(io::provenance(options.fit.seed));
     results["results"] = Json::array({row.json});
     publish(row.folder, found.files, std::move(results), key);

@@ -30,6 +30,8 @@ struct Row {
   io::Json json;                 // docs/study.schema.json
   Fault fault = Fault::none;     // why there is no study: json's `error` says it in words
   bool kept = false;             // from an earlier run
+  std::vector<std::string> assumptions =
+      {};  // of the reader, on which values or directions rest; of one that is not kept
   bool usable() const { return fault == Fault::none && json["usable"].get<bool>(); }
 };
 

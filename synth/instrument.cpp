@@ -172,9 +172,11 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
   return table;
 }
 
-io::SampleTable table_of_file(const std::filesystem::path& path) {
+io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied) {
   io::Content content = io::read_content(path);
-  if (!io::is_json(content)) return io::read_samples(std::move(content));
+  if (!io::is_json(content)) return io::read_samples(std::move(content), supplied);
+  if (supplied != io::Supplied())
+    throw InputError(path.string() + ": --quantity and --mirror-side are for samples, not for a material");
   Instrument instrument;
   instrument.grid.parts = {"merl"};
   io::SampleTable table = measure(io::read_material(content), instrument);

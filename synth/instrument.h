@@ -41,6 +41,6 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress = {});
 
 // Any file as a table: samples as they are read, a material as it is at the centres of the MERL cells.
-io::SampleTable table_of_file(const std::filesystem::path& path);
+io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied = {});
 
 }  // namespace brdf::synth

@@ -29,11 +29,11 @@ void add_table(ReportContent& content, io::SampleTable table) {
   content.tables.push_back({std::move(table), std::move(sheet)});
 }
 
-void add_file(ReportContent& content, const std::string& path) {
+void add_file(ReportContent& content, const std::string& path, const io::Supplied& supplied) {
   io::Content bytes = io::read_content(path);
   if (io::is_json(bytes)) return add_material(content, path, io::read_material_file(bytes));
   try {
-    add_table(content, io::read_samples(std::move(bytes)));
+    add_table(content, io::read_samples(std::move(bytes), supplied));
   } catch (const ExchangedColumns& e) {
     io::SampleTable table;
     table.source = path;

@@ -15,7 +15,7 @@ void add_material(ReportContent& content, const std::string& name, io::MaterialF
 void add_table(ReportContent& content, io::SampleTable table);
 // A material's or a table's file, told by what it holds. A table that cannot be read because two columns are exchanged has
 // that finding. Throws InputError.
-void add_file(ReportContent& content, const std::string& path);
+void add_file(ReportContent& content, const std::string& path, const io::Supplied& supplied = {});
 
 // Throws InputError where this is no largest angle.
 void check_max_theta(double degrees);

@@ -6,6 +6,7 @@
 #include <iomanip>
 
 #include "io/numbers.h"
+#include "io/text.h"
 
 namespace brdf::validate {
 namespace {
@@ -49,16 +50,16 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
   constexpr std::array colours{"\033[32m", "\033[33m", "\033[31m", "\033[2m", "\033[33m"};
   std::string subject;
   for (const Finding& f : findings) {
-    if (f.subject != subject) out << (subject.empty() ? "" : "\n") << f.subject << '\n';
+    if (f.subject != subject) out << (subject.empty() ? "" : "\n") << io::printable(f.subject) << '\n';
     subject = f.subject;
     out << "  " << std::left << std::setw(15) << f.check;
     if (colour) out << colours[std::size_t(f.outcome)];
     out << std::setw(16) << plain(f.outcome);
     if (colour) out << "\033[0m";
-    out << std::right << said(f) << '\n';
+    out << std::right << io::printable(said(f)) << '\n';
     if (!shows_witness(f)) continue;
     out << "      at " << readable(*f.witness) << '\n';
-    if (!f.witness->command.empty()) out << "      $ " << f.witness->command << '\n';
+    if (!f.witness->command.empty()) out << "      $ " << io::printable(f.witness->command) << '\n';
   }
   out << '\n' << summary(findings) << '\n';
 }

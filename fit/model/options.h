@@ -83,6 +83,7 @@ struct FitOptions {
   bool free_scale = false;      // the samples are uncalibrated: arranged() divides them
   bool keep_fill = false;       // arranged() keeps rows whose value stands for "not measured"
   io::Arrangement arrangement;  // what arranged() makes of polarisations and repeats
+  io::Supplied supplied;        // what the samples' files do not state; readers of files take it
   // Whether a shape may differ between channels.
   bool shapes_differ() const { return per_channel || smooth > 0; }
   std::vector<NamedValues> fix, start;

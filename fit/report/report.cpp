@@ -8,6 +8,7 @@
 #include "fit/assess/reported.h"
 #include "fit/report/plain_words.h"
 #include "io/numbers.h"
+#include "io/text.h"
 
 namespace brdf::fit {
 namespace {
@@ -190,8 +191,9 @@ std::string scatter_text(const FitResult& result) {
 
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
            const FitOptions& options, const TextStyle& style) {
-  out << table.source << ": " << result.rows << " rows, " << result.channels.size() << " channel"
-      << (result.channels.size() == 1 ? "" : "s") << ", residual " << name_of(result.metric.metric) << '\n';
+  out << io::printable(table.source) << ": " << result.rows << " rows, " << result.channels.size()
+      << " channel" << (result.channels.size() == 1 ? "" : "s") << ", residual "
+      << name_of(result.metric.metric) << '\n';
   if (!result.metric.asked) out << "  residual chosen (--metric auto): " << result.metric.reason << '\n';
   if (result.beyond_max_theta)
     out << "  " << result.beyond_max_theta << " rows beyond " << options.max_theta
@@ -201,7 +203,8 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   if (options.free_scale)
     out << "  values divided by the scale " << io::short_number(table.scale, 6)
         << ", which is unknown: weights are relative\n";
-  for (const std::string& fault : sheet_in_words(result)) out << "  the samples: " << fault << '\n';
+  for (const std::string& fault : sheet_in_words(result))
+    out << "  the samples: " << io::printable(fault) << '\n';
   out << "  " << scatter_text(result) << '\n';
   if (result.interrupted) out << "  interrupted: this is what was reached\n";
   for (const Step& step : result.steps) out << "  " << in_words(step) << '\n';

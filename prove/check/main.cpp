@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "io/error.h"
+#include "io/text.h"
 #include "prove/check/certificate.h"
 
 namespace {
@@ -36,12 +37,12 @@ int main(int argc, char** argv) {
   }
   try {
     const brdf::prove::Checked checked = brdf::prove::check(brdf::io::read_content(argv[1]));
-    for (const std::string& fault : checked.faults) std::cout << fault << '\n';
+    for (const std::string& fault : checked.faults) std::cout << brdf::io::printable(fault) << '\n';
     std::cout << checked.results << " results, " << checked.leaves
               << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';
     return checked.faults.empty() ? 0 : 1;
   } catch (const brdf::InputError& error) {
-    std::cerr << "brdf_check: " << error.what() << '\n';
+    std::cerr << "brdf_check: " << brdf::io::printable(error.what()) << '\n';
     return 2;
   }
 }

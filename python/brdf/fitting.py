@@ -155,9 +155,11 @@ class Fit(Entries):
 def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Settings | None, start: Settings | None,
             bounds: Mapping[str, tuple[float, float]] | None, tie: str | Iterable[str] | None, physical: bool,
             anisotropic: bool, per_channel: bool, free_scale: bool, keep_fill: bool, polarisation: str, repeats: str,
-            max_theta: float, aperture: float, starts: int, seed: int, shape: str | None) -> _brdf.FitChoice:
+            quantity: str, mirror_side: str, max_theta: float, aperture: float, starts: int, seed: int,
+            shape: str | None) -> _brdf.FitChoice:
     return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
-                           list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation, repeats,
+                           list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation,
+                           repeats, quantity, mirror_side,
                            finite("--max-theta", max_theta), finite("--aperture", aperture),
                            whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
 
@@ -166,9 +168,9 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
         fix: Settings | None = None, start: Settings | None = None,
         bounds: Mapping[str, tuple[float, float]] | None = None, tie: str | Iterable[str] | None = None,
         physical: bool = False, anisotropic: bool = False, per_channel: bool = False, free_scale: bool = False,
-        keep_fill: bool = False, polarisation: str = "keep", repeats: str = "keep", max_theta: float = 80.0, aperture: float = 0.0,
-        starts: int = 0, seed: int = 1, shape: str | None = None,
-        progress: Progress | None = None) -> Fit:
+        keep_fill: bool = False, polarisation: str = "keep", repeats: str = "keep", quantity: str = "",
+        mirror_side: str = "auto", max_theta: float = 80.0, aperture: float = 0.0, starts: int = 0, seed: int = 1,
+        shape: str | None = None, progress: Progress | None = None) -> Fit:
     """Fits forms to samples: `brdf fit`, with its options as keywords.
 
     samples: a Table or a file. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
@@ -176,17 +178,20 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
     ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel, or of f0 (n, k) a
     file: a table of refractive indices, "gold.yml". bounds: {"alpha": (low, high)}.
     tie: names of parameters with one value for all channels. shape: over the channels, "shared", "free" (as
-    per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: how polarised channels and
-    repeated directions are arranged, as in `convert`. keep_fill: rows of fill values are fitted, too. max_theta, aperture: degrees. starts: random starts besides
-    the grid, of `seed`.
+    per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: what is made of polarised channels
+    and of repeated directions, as in `convert`. keep_fill: rows of fill values are fitted, too. quantity, mirror_side: what a
+    file does not state, as of `read`. max_theta, aperture: degrees. starts: random starts besides the grid, of `seed`.
 
     progress: called with a sentence before each form; where it returns False the best so far is returned, and
     `interrupted` says so. Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt. InputError on options
     that do not fit the samples.
     """
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
-                     free_scale, keep_fill, polarisation, repeats, max_theta, aperture, starts, seed, shape)
-    table = samples if isinstance(samples, Table) else read(samples)
+                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, max_theta,
+                     aperture, starts, seed, shape)
+    if isinstance(samples, Table) and (quantity or mirror_side != "auto"):
+        raise InputError("quantity, mirror_side: are for files; this table was read before")
+    table = samples if isinstance(samples, Table) else read(samples, quantity=quantity, mirror_side=mirror_side)
     return Fit(_brdf.fit(table._samples, choice, progress))
 
 
@@ -194,9 +199,10 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
               weights: str = "auto", robust: str | None = None, fix: Settings | None = None,
               start: Settings | None = None, bounds: Mapping[str, tuple[float, float]] | None = None,
               tie: str | Iterable[str] | None = None, physical: bool = False, anisotropic: bool = False,
-              per_channel: bool = False, free_scale: bool = False, keep_fill: bool = False, polarisation: str = "keep",
-              repeats: str = "keep", max_theta: float = 80.0, aperture: float = 0.0, starts: int = 0, seed: int = 1,
-              shape: str | None = None, progress: Progress | None = None) -> list[dict[str, Any]]:
+              per_channel: bool = False, free_scale: bool = False, keep_fill: bool = False,
+              polarisation: str = "keep", repeats: str = "keep",
+              quantity: str = "", mirror_side: str = "auto", max_theta: float = 80.0, aperture: float = 0.0,
+              starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> list[dict[str, Any]]:
     """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without its pictures.
 
     What a file's earlier run with the same options has left there is kept. Returns the entries of its `--json`: "file",
@@ -205,7 +211,8 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
     if not samples:
         raise InputError("no samples: give at least one file")
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
-                     free_scale, keep_fill, polarisation, repeats, max_theta, aperture, starts, seed, shape)
+                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, max_theta,
+                     aperture, starts, seed, shape)
     rows: list[dict[str, Any]] = json.loads(
         _brdf.fit_files([path_of(p) for p in samples], path_of(output), whole("--jobs", jobs, 1, 256), choice, progress))["files"]
     return rows

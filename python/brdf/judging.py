@@ -83,14 +83,13 @@ def _png(path: Path) -> bytes:
 def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
              form: str | Iterable[str] | None = None, all: bool = False, effort: str = "quick",
              require: str | Iterable[str] | None = None, max_theta: float = 89.5, keep_fill: bool = False,
-             seed: int = 1,
-             progress: Progress | None = None) -> Judgement:
+             seed: int = 1, quantity: str = "", mirror_side: str = "auto", progress: Progress | None = None) -> Judgement:
     """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
 
     effort: quick or full. require: checks that must pass for `passed`. max_theta: degrees, above 0 and at most 90, the
     largest angle of the energy check; rows of tables beyond it are set apart. keep_fill: rows of fill values are judged,
-    too. progress: called with how many checks are done and of how many; where it returns
-    False `brdf.Stopped` is raised.
+    too. quantity, mirror_side: what files of samples do not state, as of `read`. progress:
+    called with how many checks are done and of how many; where it returns False `brdf.Stopped` is raised.
     """
     given: list[Subject] = list(subjects) if isinstance(subjects, (list, tuple)) else [subjects]
     required = list_of(require)
@@ -106,4 +105,4 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
         else:
             items.append(subject._samples if isinstance(subject, Table) else path_of(subject))
     return Judgement(_brdf.validate(names, items, effort, finite("--max-theta", max_theta), keep_fill, seed_of(seed),
-                                    progress), required)
+                                     quantity, mirror_side, progress), required)

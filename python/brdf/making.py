@@ -34,19 +34,23 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
 
 
 def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
-            repeats: str = "keep") -> list[str]:
+            repeats: str = "keep", quantity: str = "", mirror_side: str = "auto") -> list[str]:
     """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`); of a material its
     values at the MERL cells. Returns what is lost, a phrase each.
 
     keep_fill: write rows of fill values, too: numbers that stand for directions that were not measured.
     polarisation: what is made of channels whose names say one (fr_s, 465nm p): keep, average, s, p, ss, sp, ps, pp.
-    repeats: keep a row for each, or average directions that were measured more than once.
+    repeats: keep a row for each, or average directions that were measured more than once. quantity, mirror_side: what a
+    file does not state, as of `read`.
     """
+    if isinstance(source, (Table, Material)) and (quantity or mirror_side != "auto"):
+        raise InputError("quantity, mirror_side: are for files; this was read before")
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
         source = synth(source, grid="merl", azimuths=(0,))
-    samples = source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source))
+    samples = source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source), quantity,
+                                                                                            mirror_side)
     if not keep_fill:
         samples = samples.measured()
     return samples.arranged(polarisation, repeats).write(name)

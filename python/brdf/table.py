@@ -94,9 +94,9 @@ class Table:
                                 metadata=metadata)
 
     @classmethod
-    def from_csv(cls, text: str, name: str = "text") -> Table:
-        """The table that a file of this content would be."""
-        return cls._of(_brdf.read_text(text, name))
+    def from_csv(cls, text: str, name: str = "text", *, quantity: str = "", mirror_side: str = "auto") -> Table:
+        """The table that a file of this content would be; options as of `read`."""
+        return cls._of(_brdf.read_text(text, name, quantity, mirror_side))
 
     @classmethod
     def _of(cls, samples: _brdf.Samples) -> Table:
@@ -185,7 +185,8 @@ class Table:
         return self._samples.write(path_of(path))
 
     def to_csv(self) -> str:
-        """The text of its CSV, which reads back to exactly the same table."""
+        """The text of its CSV, which reads back to exactly the same table; of rows that repeat a direction with the same values
+        (azimuths of 0 and 360 degrees, any azimuth along the normal) one is read."""
         return self._samples.csv()
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -262,7 +263,12 @@ def read_directions(path: Path) -> tuple[Array, Array]:
     return pairs.wi, pairs.wo
 
 
-def read(path: Path) -> Table:
+def read(path: Path, *, quantity: str = "", mirror_side: str = "auto") -> Table:
     """Reads samples in any format that the program reads, told by their content: CSV, MERL .binary, RGL or lens-design
-    .bsdf, ASTM E1392. InputError names file, line and column."""
-    return Table._of(_brdf.read(path_of(path)))
+    .bsdf, ASTM E1392. InputError names file, line and column.
+
+    quantity: the quantity of the values if the file does not state it: "BRF", "BRF %", "f_r*cos_o", ... (docs/formats.md);
+    they become f_r. mirror_side: of a table of two signed angles, the sign of the viewer's angle on the mirror side,
+    "positive" or "negative" (default "auto": the side of the largest values). `warnings` says what was decided.
+    """
+    return Table._of(_brdf.read(path_of(path), quantity, mirror_side))

@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "io/text.h"
+
 namespace brdf::render {
 
 void Messages::say(const std::string& message) {
@@ -17,7 +19,7 @@ void Messages::keep(const std::string& error) {
 
 void Messages::complain(const std::exception& error) {
   keep(error.what());
-  std::cerr << "brdf: " << error.what() << std::endl;
+  std::cerr << "brdf: " << io::printable(error.what()) << std::endl;
 }
 
 }  // namespace brdf::render

@@ -129,7 +129,8 @@ TEST_F(MeasuredTables, FitRepeatsACosineThatTheSheetFinds) {
   for (auto& values : table.values)
     for (std::size_t k = 0; k < table.rows(); ++k) values[k] *= std::cos(degrees(table.theta_o[k]).radians());
   write("c.csv", table);
-  EXPECT_THAT(run("fit c.csv --form oren_nayar").out, HasSubstr("the samples: cosine_factor fails: " + found));
+  EXPECT_THAT(run("fit c.csv --form oren_nayar").out,
+              HasSubstr("the samples: cosine_factor fails: " + found));
   const io::Json json = io::Json::parse(run("fit c.csv --form oren_nayar --json").out);
   EXPECT_THAT(json["samples"]["fault"].get<std::string>(), HasSubstr(found));
   EXPECT_THAT(run("validate c.csv").out, HasSubstr(found));

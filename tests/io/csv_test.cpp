@@ -80,7 +80,8 @@ TEST_F(Csv, DividesTheStatedCosineOut) {
   EXPECT_DOUBLE_EQ(o.values[0][0], 2.0);
   EXPECT_EQ(o.rows(), 1u);
   EXPECT_EQ(o.skipped, 1u);
-  EXPECT_THAT(o.warnings.at(0), HasSubstr("1 rows left out"));
+  EXPECT_THAT(o.warnings, testing::ElementsAre("column 'fr' is f_r times cos_o: divided by cos_o",
+                                               HasSubstr("1 rows left out")));
   const SampleTable i =
       read_samples(file("# quantity: f_r * cos_i\n" + std::string(kOneChannel) + "60,0,0,0,1\n"));
   EXPECT_DOUBLE_EQ(i.values[0][0], 2.0);
@@ -111,14 +112,17 @@ TEST_F(Csv, NamesExchangedColumns) {
 
 TEST_F(Csv, NamesWhatIsWrongWithTheHeader) {
   EXPECT_THAT(message("0,0,0,0,1\n"), HasSubstr("line 1: the header row is missing"));
-  EXPECT_THAT(message("theta_i,theta_o,fr\n"), HasSubstr("'phi_i' is missing"));
+  EXPECT_THAT(message("theta_i,phi_i,fr\n"), HasSubstr("'theta_o' is missing"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o\n"), HasSubstr("no value column"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,a\n"), HasSubstr("column 'a' twice"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_b\n"),
               HasSubstr("'sigma_b' has no column of values"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,a,sigma_a\n0,0,0,0,1,0\n"), HasSubstr("must be above 0"));
-  EXPECT_THAT(message("# quantity: radiance\n" + std::string(kOneChannel)),
-              HasSubstr("quantity 'radiance' is unknown"));
+  EXPECT_THAT(
+      message("# quantity: radiance\n" + std::string(kOneChannel)),
+      HasSubstr("quantity 'radiance' is a radiance, not f_r: the irradiance of the sample is missing"));
+  EXPECT_THAT(message("# quantity: stickiness\n" + std::string(kOneChannel)),
+              HasSubstr("quantity 'stickiness' is unknown (known: f_r, BRF, f_r*cos_o, "));
   EXPECT_THAT(message(kOneChannel), HasSubstr("holds no rows"));
   EXPECT_THAT(message(""), HasSubstr("no header row"));
 }

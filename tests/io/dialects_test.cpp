@@ -212,7 +212,7 @@ TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
       {"theta_s,phi_s,fr\n1,2,3\n", "'theta_s' may be the source's or the scattered direction"},
       {"theta_i,thetain,theta_o,phi_o,fr\n1,2,3,4,5\n", "columns 'theta_i' and 'thetain' are both theta_i"},
       {"theta_i,phi_i,azimuth,theta_o,fr\n1,2,3,4,5\n", "'azimuth' does not say whose azimuth it is"},
-      {"thetai,phii,thetao,phio,BRF (%)\n1,2,3,4,5\n", "'BRF (%)' is in percent"},
+      {"thetai,phii,thetao,phio,550nm (%)\n1,2,3,4,5\n", "'550nm (%)' is in percent, of a quantity"},
       {wave + "1,2,3,4,500,1\n1,2,3,4,500,2\n1,2,3,4,600,2\n",
        "line 4: rows of these directions at 600 nm: 1, at 500 nm: 2"},
       {"theta_i,phi_i,theta_o,phi_o,polarisation,fr\n1,2,3,4,x,1\n",
@@ -252,7 +252,7 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {bars + "30;0;40;180;1.250,5\n", "thousands are not grouped"},
       {bars + "30,0,40,180,1\n",
        "1 columns where the header has 5, separated by ';'; this line is separated by ','"},
-      {"My measurement of paper\n" + names + "30,0,40,180,1\n", "lines above the header row begin with '#'"},
+      {"My data on paper\nangle signal\n30 1\n", "lines above the header row begin with '#'"},
       {"30,0,40,180,1\n", "write one above the numbers: theta_i,phi_i,theta_o,phi_o"},
       {",theta_i,phi_i,theta_o,phi_o,fr\n0,1,2,3,4,5\n",
        "column 1 has no name; leave out a column of row numbers"},
@@ -266,18 +266,18 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {"%PDF-1.4", "is a PDF"},
       {"<html>", "is a web page or XML"},
       {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n30\t0\n0\t0\t0.1\n",
-       "is FRED's tabulated BSDF ('type bsdf_data'), of which no published file tells where its azimuths "
-       "begin: export "
-       "columns theta_i, phi_i, theta_o, phi_o and the value as CSV"},
+       "is FRED's tabulated BSDF ('type bsdf_data'), which is not read. The head of a block is the mirror "
+       "direction"},
   };
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
-  EXPECT_THAT(message("theta_i (gon),phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
+  EXPECT_THAT(message("theta_i (mm),phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
               testing::Not(HasSubstr("lines above")));
 }
 
 // What we write must be read back as it was, whatever other formats call their channels.
 TEST(PlainFormat, KeepsTheNamesOfItsChannels) {
-  const SampleTable t = read("theta_i,phi_i,theta_o,phi_o,azimuth,fr (1/sr),sigma,thetar\n1,2,3,4,5,6,7,8\n");
+  const SampleTable t =
+      read("# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,azimuth,fr (1/sr),sigma,thetar\n1,2,3,4,5,6,7,8\n");
   EXPECT_THAT(t.channels, ElementsAre("azimuth", "fr (1/sr)", "sigma", "thetar"));
   EXPECT_TRUE(t.warnings.empty());
 }

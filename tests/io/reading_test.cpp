@@ -83,9 +83,9 @@ TEST(Limits, AzimuthsAreWithinAMillionDegrees) {
   EXPECT_EQ(message(kHeader + replaced(kRow, "180", "1e6")), "accepted");
   EXPECT_EQ(message(replaced(kAstm, "180", "1e308")), "file, line 2: phi_i 1e+308" + rule);
   // Radians: the million counts after the conversion, and what overflows in it is no angle either.
-  const std::string radians = replaced(replaced(kAstm, "30", ".3"), "60", ".6");
-  EXPECT_EQ(message(replaced(radians, "180", "17454")), "file, line 2: phi_i 1000040.5356213389" + rule);
-  EXPECT_EQ(message(replaced(radians, "180", "1e308")), "file, line 2: phi_i inf" + rule);
+  const std::string radians = "ANGLE_UNIT radians\n" + replaced(replaced(kAstm, "30", ".3"), "60", ".6");
+  EXPECT_EQ(message(replaced(radians, "180", "17454")), "file, line 3: phi_i 1000040.5356213389" + rule);
+  EXPECT_EQ(message(replaced(radians, "180", "1e308")), "file, line 3: phi_i inf" + rule);
   EXPECT_THAT(message(replaced(kLens, "Azimuth 1\n0", "Azimuth 1\n1e300")),
               HasSubstr("line 10: angle 1e+300" + rule));
   EXPECT_THAT(message(replaced(kLens, "Rotation 1\n0", "Rotation 1\n-1e9")),

@@ -74,6 +74,26 @@ class Errors(unittest.TestCase):
         self.same_sentence(lambda: brdf.synth(WARD, noise=-1), "synth", "--form", "ward", "--noise", -1, "-o",
                            f"{self.folder.name}/x.csv")
 
+    def test_what_a_file_does_not_state_is_supplied(self):
+        rows = "".join(f"{i},{o},{2.5 + 0.001 * o}\n" for i in (20, 50) for o in range(-60, 61, 20))
+        plane = pathlib.Path(self.folder.name, "plane.csv")
+        plane.write_text("Incident_angle,Measure_angle,550nm\n" + rows)
+        f_r = brdf.read(plane)
+        brf = brdf.read(plane, quantity="BRF", mirror_side="negative")
+        np.testing.assert_allclose(np.sort(brf.values[:, 0]), np.sort(f_r.values[:, 0]) / np.pi)
+        self.assertIn("column '550nm' is a reflectance factor: divided by pi", brf.warnings)
+        self.assertIn("column '550nm' is taken for f_r in 1/sr: the column names no quantity", f_r.warnings)
+        self.assertEqual(brdf.Table.from_csv(plane.read_text(), quantity="BRF", mirror_side="negative").to_csv(), brf.to_csv())
+        brdf.convert(plane, f"{self.folder.name}/c.csv", quantity="BRF", mirror_side="negative")
+        self.assertEqual(brdf.read(f"{self.folder.name}/c.csv").values.tolist(), brf.values.tolist())
+        fitted = brdf.fit(plane, "lambert", quantity="BRF", mirror_side="negative")
+        self.assertEqual(str(fitted.best.material), str(brdf.fit(brf, "lambert").best.material))
+        brdf.validate(plane, quantity="BRF")
+        self.same_sentence(lambda: brdf.read(plane, quantity="BTDF"), "fit", plane, "--quantity", "BTDF")
+        self.same_sentence(lambda: brdf.fit(plane, mirror_side="x"), "fit", plane, "--mirror-side", "x")
+        with self.assertRaisesRegex(brdf.InputError, "this table was read before"):
+            brdf.fit(brf, "lambert", quantity="BRF")
+
     def test_classes(self):
         self.assertTrue(issubclass(brdf.InputError, ValueError))
         self.assertTrue(issubclass(brdf.EnvironmentError, OSError))

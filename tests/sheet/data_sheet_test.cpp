@@ -91,6 +91,9 @@ TEST(DataSheet, NamesDuplicatedRows) {
   }
   EXPECT_EQ(failing(t), Names{"duplicates"});
   EXPECT_EQ(finding(data_sheet(t), "duplicates").value, 3);
+  t.lines.assign(t.rows(), 7);  // a line that holds several rows is named once
+  const std::string statement = finding(data_sheet(t), "duplicates").statement;
+  EXPECT_EQ(statement.find("line 7"), statement.rfind("line 7")) << statement;
 }
 
 TEST(DataSheet, NamesOneOutlierByItsRow) {

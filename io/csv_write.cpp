@@ -1,0 +1,48 @@
+#include <ostream>
+
+#include "io/output.h"
+#include "io/samples.h"
+#include "io/table_rules.h"
+#include "io/text.h"
+
+namespace brdf::io {
+
+void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity) {
+  check_table(table);
+  std::string text;
+  for (const Comment& comment : table.metadata) text += "# " + comment_text(comment) + '\n';
+  (((text += "# ") += kQuantityKey) += ": ") += quantity;
+  text += '\n';
+  for (const std::string_view angle : kAngleNames) (text += angle) += ',';
+  for (const std::string& channel : table.channels) (text += channel) += ',';
+  for (std::size_t c = 0; c < table.channels.size(); ++c)
+    if (table.has_sigma(c)) ((text += kSigmaPrefix) += table.channels[c]) += ',';
+  text.back() = '\n';
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    for (const double angle : {table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]}) {
+      append_number(text, angle);
+      text += ',';
+    }
+    for (const auto& column : table.values) {
+      append_number(text, column[k]);
+      text += ',';
+    }
+    for (const auto& column : table.sigma) {
+      if (column.empty()) continue;
+      append_number(text, column[k]);
+      text += ',';
+    }
+    text.back() = '\n';
+    if (text.size() > (1 << 16)) {
+      out.write(text.data(), static_cast<std::streamsize>(text.size()));
+      text.clear();
+    }
+  }
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+void write_samples(const std::filesystem::path& path, const SampleTable& table, std::string_view quantity) {
+  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table, quantity); });
+}
+
+}  // namespace brdf::io

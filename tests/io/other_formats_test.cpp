@@ -1,0 +1,71 @@
+// Files of other programs are recognised by their content and refused with what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/material_file.h"
+#include "tests/io/reading.h"
+
+namespace brdf::io {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
+  using namespace std::string_literals;
+  const std::pair<std::string, const char*> cases[] = {
+      {"OPTIS - brdf surface file v8.0\n0\ncomment\n",
+       "is a Speos BRDF file ('OPTIS - brdf surface file v8.0'), which is not read"},
+      {"OPTIS - Anisotropic BSDF surface file v8.0\r\n0\r\n", "is a Speos anisotropic BSDF file"},
+      {"OPTIS - brdf surface file v9.0\n1\n\0\1\2"s,
+       "the binary variant, which is not read: save it as text"},
+      {"<?xml version=\"1.0\"?>\n<WindowElement><x>LBNL/Klems Full</x></WindowElement>\n",
+       "is a BSDF of Radiance or LBNL Window as XML, a matrix of patches (Klems basis), which is not read"},
+      {"<WindowElement><IncidentDataStructure>TensorTree4</IncidentDataStructure></WindowElement>",
+       "with a tensor tree, which is not read"},
+      {"<?xml version=\"1.0\"?>\n<!-- x -->\n<plist/>", "is a web page or XML (root element 'plist')"},
+      {"<!DOCTYPE html>\n<html>", "is a web page or XML, not a table"},
+      {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n",
+       "the light stands at theta_i = theta_spec, phi_i = phi_spec + 180"},
+      {"3 450 550 650\n.1 0 .2 3.1 .3 .4 .5\n.1 0 .4 3.1 .3 .4 .5\n",
+       "the numbers look like spectral text of the Cornell laboratory (3 wavelengths"},
+      {"# a comment\n1\n650 # nm\n.1 0 .2\n3.1 .3\n",
+       "spectral text of the Cornell laboratory (1 wavelengths"},
+      {"0.3 3.1 0.2 0.1 0.5\n0.3 3.1 1.2 0.1 0.5\n",
+       "write one above the numbers: theta_i (rad) phi_i (rad) theta_o (rad) phi_o (rad) fr (a guess"},
+      {"30,180,40,0,550,0.5\n30,180,40,0,650,0.5\n",
+       "theta_i,phi_i,theta_o,phi_o,wavelength (nm),fr (a guess"},
+      {"30,-40,0.5\n30,40,0.5\n", "write one above the numbers: theta_i,theta_o,fr (a guess"},
+      {"30,40,180,0.5\n", "write one above the numbers: theta_i,theta_o,phi_o,fr (a guess"},
+      {"VERSION 1.0\nDATA_TYPE BRDF\nCOLOR_MODEL RGB\n", "is SSDD text of libbsdf"},
+      {"\x89HDF\r\n", "is an HDF5 file"},
+      {"\x93NUMPY\1\0"s, "is an array of NumPy"},
+      {R"([{"theta_i": 10, "theta_o": 20, "f": 1}])",
+       "is JSON, but no material: it looks like a table of samples"}};
+  for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+}
+
+// JSON is read for a material by some verbs and for a table by others: both name a table.
+TEST(OtherFormats, InJsonAreToldByTheirKeys) {
+  const std::pair<const char*, const char*> cases[] = {
+      {R"({"metadata": {}, "brdf": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0.05]]}})",
+       "is JSON, but no material: it looks like a look-up table of ASAM OpenMATERIAL"},
+      {R"({"data": {"theta_i": {"values": [1]}, "theta_r": {"values": [2]}, "BRDF": {"values": [3]}}})",
+       "it looks like a universal BRDF file (BiRD), which is not read: export columns"},
+      {R"({"head": {}, "data": {"theta_i": [1], "phi_i": [0], "theta_v": [2], "phi_v": [0], "data": [[1]]}})",
+       "it looks like a BRDF file of BiRD before version 1.0"},
+      {R"({"rows": [{"theta_in": 1, "theta_out": 2, "value": 3}]})",
+       "it looks like a table of samples of another program"}};
+  for (const auto& [text, expected] : cases) {
+    EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+    EXPECT_THAT(message_of([&] { read_material(Content{"file", text}); }), HasSubstr(expected)) << text;
+  }
+  EXPECT_THAT(message(R"({"a": 1})"), HasSubstr("is JSON, not a table of samples"));
+  EXPECT_THAT(message_of([] {
+                read_material(Content{"file", R"({"a": 1})"});
+              }),
+              HasSubstr("key \"format\" is missing"));
+}
+
+}  // namespace
+}  // namespace brdf::io

@@ -1,0 +1,452 @@
+// Every word of a quantity and every unit is converted, refused by its name, or asked about; nothing but the
+// words of f_r becomes f_r without a line that says so.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brdf/angle.h"
+#include "io/quantities.h"
+#include "io/text.h"
+#include "tests/io/reading.h"
+
+namespace brdf::io {
+namespace {
+
+using testing::AllOf;
+using testing::AnyOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// Light at 60 degrees, viewer at 45: cosines of 1/2 and sqrt(1/2).
+const double kCosLight = cos_degrees(60), kCosViewer = cos_degrees(45);
+constexpr double kTruth = 0.2;  // f_r
+
+std::string foreign(const std::string& name, double value) {
+  return "Incidence (deg),View angle (deg),Relative azimuth,\"" + name + "\"\n60,45,170," + to_text(value) +
+         "\n";
+}
+std::string plain(const std::string& name, double value) {
+  return "theta_i,phi_i,theta_o,phi_o,\"" + name + "\"\n60,0,45,170," + to_text(value) + "\n";
+}
+std::string all_notes(const SampleTable& table) {
+  std::string notes;
+  for (const std::string& warning : table.warnings) notes += warning + '\n';
+  return notes;
+}
+
+struct Word {
+  const char* name;
+  double value;  // that stands for kTruth
+};
+
+std::ostream& operator<<(std::ostream& out, const Word& word) {
+  return out << word.name;
+}
+
+const double kBrf = kPi * kTruth, kArs = kTruth * kCosViewer;
+
+const Word kOfFr[] = {{"f_r", kTruth},
+                      {"fr", kTruth},
+                      {"BRDF", kTruth},
+                      {"brdf (sr^-1)", kTruth},
+                      {"BRDF [sr⁻¹]", kTruth},
+                      {"BRDF_1/sr", kTruth},
+                      {"BSDF (1/sr)", kTruth},
+                      {"ρ (1/sr)", kTruth},
+                      {"rho [sr-1]", kTruth},
+                      {"Bidirectional reflectance distribution function", kTruth},
+                      {"radiance coefficient", kTruth},
+                      {"Radiance coefficient q (cd/m2/lx)", kTruth},
+                      {"luminance coefficient (cd m^-2 lx^-1)", kTruth},
+                      {"q (cd/(m²·lx))", kTruth},
+                      {"1/sr", kTruth},
+                      {"BRDF/sr", kTruth},
+                      {"fr /sr", kTruth},
+                      {"550nm (1/sr)", kTruth}};
+
+const Word kConverted[] = {
+    {"mcd/m2/lx", 1000 * kTruth},
+    {"luminance coefficient (mcd/m²/lx)", 1000 * kTruth},
+    {"BRDF x1000 (1/sr)", 1000 * kTruth},
+    {"BRDFx1000", 1000 * kTruth},
+    {"1000*BRDF", 1000 * kTruth},
+    {"BRDF × 10^4", 1e4 * kTruth},
+    {"BRDF (x100)", 100 * kTruth},
+    {"BRDF (10^-3 sr^-1)", 1000 * kTruth},
+    {"fr [10⁻³ sr⁻¹]", 1000 * kTruth},
+    {"BRDF (1e-3/sr)", 1000 * kTruth},
+    {"milli BRDF", 1000 * kTruth},
+    {"BRDF (milli 1/sr)", 1000 * kTruth},
+    {"mBRDF", 1000 * kTruth},
+    {"BRDF (%/sr)", 100 * kTruth},
+    {"BRF", kBrf},
+    {"brf_nadir", kBrf},
+    {"HDRF", kBrf},
+    {"HCRF", kBrf},
+    {"Reflectance factor", kBrf},
+    {"ReflectanceFactor", kBrf},
+    {"REFLECTANCE_FACTOR", kBrf},
+    {"bidirectional reflectance factor R", kBrf},
+    {"CIE radiance factor", kBrf},
+    {"luminance factor", kBrf},
+    {"REFF", kBrf},
+    {"reflectance factor (%)", 100 * kBrf},
+    {"BRF [percent]", 100 * kBrf},
+    {"Reflectance factor / %", 100 * kBrf},
+    {"RF", kBrf},
+    {"% BRF", 100 * kBrf},
+    {"Reflectance factor in percent", 100 * kBrf},
+    {"Reflectance factor [1]", kBrf},
+    {"Reflectance factor (-)", kBrf},
+    {"BRF1", kBrf},
+    {"BRF 550 nm", kBrf},
+    {"ARS", kArs},
+    {"ARS (1/sr)", kArs},
+    {"DSC", kArs},
+    {"angle-resolved scatter (1/sr)", kArs},
+    {"cosine-corrected BRDF", kArs},
+    {"cos corrected BRDF (1/sr)", kArs},
+    {"ccBRDF", kArs},
+    {"BRDF*cos", kArs},
+    {"BRDFcos", kArs},
+    {"cos-weighted BRDF", kArs},
+    {"BRDF cos(theta_o)", kArs},
+    {"f_r*cos_o", kArs},
+    {"fr·cosθr", kArs},
+    {"intensity", kArs},
+    {"ARS (ppm/sr)", 1e6 * kArs},
+    {"f_r*cos_i", kTruth* kCosLight},
+    {"BRDF cos(θ_i) (1/sr)", kTruth* kCosLight},
+    {"f_r*cos_i*cos_o", kTruth* kCosLight* kCosViewer},
+    {"I/F", kBrf* kCosLight},
+    {"RADF", kBrf* kCosLight},
+    {"reduced luminance coefficient", 1e4 * kTruth* std::pow(kCosLight, 3)},
+    {"reduced luminance coefficient x 10^4", 1e4 * kTruth* std::pow(kCosLight, 3)},
+    {"R_A (cd/lx/m2)", kTruth* kCosLight* kCosViewer},
+    {"R_A", kTruth* kCosLight* kCosViewer},
+    {"R' (cd/lx/m2)", kTruth* kCosLight* kCosViewer},
+    {"R_L (mcd/m²/lx)", 1000 * kTruth* kCosLight},
+    {"coefficient of retroreflection (mcd/lx/m²)", 1000 * kTruth* kCosLight* kCosViewer},
+    {"log10 BRDF", std::log10(kTruth)},
+    {"log10(BRDF) (1/sr)", std::log10(kTruth)},
+    {"log BRDF", std::log10(kTruth)},
+    {"lg(f_r)", std::log10(kTruth)},
+    {"log_10 BRF", std::log10(kBrf)},
+    {"ln(f_r)", std::log(kTruth)},
+    {"ln BRDF [1/sr]", std::log(kTruth)},
+    {"log_e BRDF", std::log(kTruth)},
+    {"BRDF (dB)", 10 * std::log10(kTruth)},
+    {"BRDF [dB sr^-1]", 10 * std::log10(kTruth)},
+    {"dB/sr", 10 * std::log10(kTruth)},
+    {"BRDF (dB re 1/sr)", 10 * std::log10(kTruth)},
+    {"BRF (dB)", 10 * std::log10(kBrf)},
+    {"10 log10(BRDF)", 10 * std::log10(kTruth)},
+    {"10*log BRDF", 10 * std::log10(kTruth)},
+    {"BRDF [ppm/sr]", 1e6 * kTruth}};
+
+class NameOfFr : public testing::TestWithParam<Word> {};
+class ConvertedName : public testing::TestWithParam<Word> {};
+
+TEST_P(NameOfFr, StaysAsItIsAndNeedsNoWord) {
+  for (const std::string& text :
+       {foreign(GetParam().name, GetParam().value), plain(GetParam().name, GetParam().value)}) {
+    const SampleTable table = read(text);
+    EXPECT_EQ(table.values[0][0], kTruth);
+    EXPECT_THAT(all_notes(table), Not(HasSubstr("taken for f_r")));
+  }
+}
+
+TEST_P(ConvertedName, BecomesFrAndIsAnnouncedByItsName) {
+  for (const std::string& text :
+       {foreign(GetParam().name, GetParam().value), plain(GetParam().name, GetParam().value)}) {
+    const SampleTable table = read(text);
+    EXPECT_NEAR(table.values[0][0], kTruth, 1e-12);
+    EXPECT_THAT(table.warnings,
+                Contains(AllOf(HasSubstr("column " + shown(GetParam().name) + " is "), HasSubstr(": "))));
+    // What is written is f_r and stays so.
+    expect_same(read(written(table)), table);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Quantities, NameOfFr, testing::ValuesIn(kOfFr));
+INSTANTIATE_TEST_SUITE_P(Quantities, ConvertedName, testing::ValuesIn(kConverted));
+
+struct RefusedName {
+  const char *name, *message;
+};
+
+const RefusedName kRefused[] = {
+    {"BTDF (1/sr)", "of transmitted light, not f_r: only reflected light is read"},
+    {"transmittance", "of transmitted light"},
+    {"BSDF transmission (1/sr)", "of transmitted light"},
+    {"ccBTDF", "of transmitted light"},
+    {"counts", "a detector's signal, not f_r: the signal of a white standard, or the irradiance, is missing"},
+    {"counts/s", "a detector's signal"},
+    {"signal (V)", "a detector's signal"},
+    {"signal (mV)", "a detector's signal"},
+    {"photocurrent (nA)", "a detector's signal"},
+    {"detector (W)", "a detector's signal"},
+    {"digital number", "a detector's signal"},
+    {"radiance (W/m2/sr)", "a radiance, not f_r: the irradiance of the sample is missing"},
+    {"radiance", "a radiance"},
+    {"L [W m^-2 sr^-1 nm^-1]", "a radiance"},
+    {"luminance (cd/m2)", "a luminance, not f_r: the illuminance of the sample is missing"},
+    {"luminance (cd/m²)", "a luminance"},
+    {"cd/m2", "a luminance"},
+    {"intensity (W/sr)", "an intensity that is not divided by the incident light"},
+    {"radiant intensity", "an intensity"},
+    {"intensity (counts)", "a detector's signal"},
+    {"L*", "a colour coordinate, not f_r: the geometry and the spectrum are missing"},
+    {"a*", "a colour coordinate"},
+    {"gloss (GU)", "a colour coordinate"},
+    {"R (dB)", "in decibels of a ratio"},
+    {"reflectance (dB)", "in decibels of a ratio"},
+    {"RCS (dBsm)", "a radar cross section, not f_r: the illuminated area is missing"},
+    {"RCS", "a radar cross section"},
+    {"phase", "a phase or an amplitude"},
+    {"albedo", "of a whole hemisphere"},
+    {"TIS", "of a whole hemisphere"},
+    {"d/8", "of a whole hemisphere"},
+    {"Qd (mcd/m2/lx)", "of a whole hemisphere"},
+    {"nBRDF", "without a scale"},
+    {"RCS (m2)", "a radar cross section"},
+    {"20 log10(BRDF)", "is a multiple of a logarithm"},
+    {"BRDF (a.u.)", "without a scale"},
+    {"relative BRDF", "without a scale"},
+    {"normalised BRDF (1/sr)", "without a scale"},
+    // Asked about: several quantities have the name.
+    {"reflectance (%)", "--quantity BRF"},
+    {"Reflectance", "--quantity BRF"},
+    {"reflectivity", "--quantity BRF"},
+    {"rho", "--quantity BRF"},
+    {"550nm (%)", "--quantity 'BRF %'"},
+    {"%", "--quantity 'BRF %'"},
+    {"scatter [ppm/sr]", "--quantity f_r or --quantity f_r*cos_o (ARS)"},
+    {"ppm/sr", "--quantity f_r or"},
+    {"scatter (1/sr)", "--quantity f_r or"},
+    // The unit and the word do not go together.
+    {"BRDF (%)", "has the unit '%', which its word cannot have"},
+    {"BRDF (V)", "has the unit 'V'"},
+    {"BRF (1/sr)", "has the unit '1/sr'"},
+    {"BRDF x10^-3", "is multiplied by a power of ten below 1"},
+    {"-log10 BRDF", "is a negative logarithm"},
+    {"log2 BRDF", "is a logarithm of another base"},
+    {"log10(550nm)", "states a scale, but not of which quantity"},
+    {"BRDF / cos", "is divided by a cosine"},
+    {"BRF*cos_o", "is multiplied by a cosine"}};
+
+class NameOfAnother : public testing::TestWithParam<RefusedName> {};
+
+TEST_P(NameOfAnother, IsRefusedByItsNameWithWhatIsMissing) {
+  const std::string name = GetParam().name;
+  const auto says = AllOf(HasSubstr("column " + shown(name)), HasSubstr(GetParam().message));
+  EXPECT_THAT(message(plain(name, 0.5)), says);
+  EXPECT_THAT(message(foreign(name, 0.5)), says);
+}
+
+INSTANTIATE_TEST_SUITE_P(Quantities, NameOfAnother, testing::ValuesIn(kRefused));
+
+TEST(Quantities, OfASetOfColumnsAreToldTogether) {
+  const std::string angles = "Incidence,View angle,Relative azimuth,";
+  EXPECT_THAT(message(angles + "X,Y,Z\n1,2,3,4,5,6\n"),
+              HasSubstr("column 'X' with X, Y and Z is a tristimulus value"));
+  const SampleTable stated = read("# quantity: f_r\n" + angles + "X,Y,Z\n1,2,3,4,5,6\n");
+  EXPECT_THAT(stated.channels, ElementsAre("X", "Y", "Z"));
+  // A column of another quantity beside one of f_r is none of its channels.
+  const SampleTable beside = read(angles + "counts,BRDF (1/sr),BTDF (1/sr),R (dB)\n1,2,3,4,5,6,7\n");
+  EXPECT_THAT(beside.channels, ElementsAre("BRDF"));
+  EXPECT_THAT(beside.warnings,
+              Contains("columns 'counts', 'BTDF (1/sr)', 'R (dB)' are set aside: no values of f_r"));
+  const SampleTable bands = read(angles + "BRF_450nm,BRF_550nm,sigma_BRF_550nm\n10,20,30,1,2,.3\n");
+  EXPECT_THAT(bands.channels, ElementsAre("450nm", "550nm"));
+  EXPECT_DOUBLE_EQ(bands.sigma[1][0], .3 / kPi);
+  EXPECT_THAT(
+      bands.warnings,
+      Contains("each of the columns 'BRF_450nm', 'BRF_550nm' is a reflectance factor: divided by pi"));
+}
+
+TEST(Quantities, OfNeutralNamesAreFrWithALineInAForeignHeader) {
+  for (const char* name : {"r", "550nm", "value", "red", "sample A", "f", "data"}) {
+    EXPECT_TRUE(read(plain(name, 1)).warnings.empty()) << name;
+    EXPECT_THAT(
+        read(foreign(name, 1)).warnings,
+        Contains("column " + shown(name) + " is taken for f_r in 1/sr: the column names no quantity"));
+  }
+  EXPECT_THAT(
+      read("Incidence,View angle,r,g,b\n10,20,1,2,3\n").warnings,
+      Contains("each of the columns 'r', 'g', 'b' is taken for f_r in 1/sr: the column names no quantity"));
+}
+
+// Standard deviations of what is converted are converted with it.
+TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
+  struct Deviation {
+    const char *name, *sigma_name;
+    double value, sigma, expected;
+  };
+  for (const Deviation& d : std::initializer_list<Deviation>{
+           {"BRF", "sigma_BRF", kBrf, .01 * kBrf, .01 * kTruth},
+           {"BRF (%)", "std", 100 * kBrf, kBrf, .01 * kTruth},
+           {"ARS (1/sr)", "ARS std", kArs, .02 * kArs, .02 * kTruth},
+           {"log10 BRDF", "sigma_log10 BRDF", std::log10(kTruth), .01, .01 * std::log(10) * kTruth},
+           {"ln(f_r)", "uncertainty", std::log(kTruth), .01, .01 * kTruth},
+           {"BRDF (dB)", "standard deviation", 10 * std::log10(kTruth), .1, .01 * std::log(10) * kTruth}}) {
+    const SampleTable t =
+        read("Incidence,View angle,Relative azimuth," + std::string(d.name) + "," + d.sigma_name +
+             "\n60,45,170," + to_text(d.value) + "," + to_text(d.sigma) + "\n");
+    ASSERT_TRUE(t.has_sigma(0)) << d.name;
+    EXPECT_NEAR(t.sigma[0][0], d.expected, 1e-12) << d.name;
+  }
+  // One whose value is named otherwise belongs to the only channel; of several none is known.
+  EXPECT_TRUE(read("Incidence,View angle,fr,u(BRDF)\n60,45,1,2\n").has_sigma(0));
+  EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
+              HasSubstr("'std dev' is set aside"));
+  EXPECT_THAT(message("Incidence,View angle,fr,sigma,std\n60,45,1,2,3\n"),
+              HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
+  EXPECT_THAT(message("Incidence,View angle,uncertainty\n60,45,1\n"),
+              HasSubstr("no value column beside the four angles; no values are in 'uncertainty'"));
+  // A relative one is none of them.
+  const SampleTable relative = read("Incidence,View angle,BRDF (1/sr),uncertainty (%)\n60,45,1,2\n");
+  EXPECT_FALSE(relative.has_sigma(0));
+  EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is set aside"));
+}
+
+TEST(StatedQuantity, CountsInAnySpelling) {
+  const std::string rows = "theta_i,phi_i,theta_o,phi_o,fr\n0,0,60,0,1\n";
+  for (const char* line :
+       {"# quantity: f_r*cos_o", "# Quantity: f_r*cos_o", "# QUANTITY : f_r * cos_o", "#quantity=f_r*cos_o",
+        "## quantity: ARS", "# quantity f_r*cos_o", "# # Quantity = f_r cos(theta_o)"})
+    EXPECT_NEAR(read(line + ("\n" + rows)).values[0][0], 2, 1e-12) << line;
+  for (const char* words : {"f_r", "BRDF", "BRDF [1/sr]", "bsdf values", "radiance coefficient"})
+    EXPECT_EQ(read("# quantity: " + std::string(words) + "\n" + rows).values[0][0], 1) << words;
+  for (const char* words : {"BRF", "reflectance factor", "Reflectance factor R", "HDRF"})
+    EXPECT_DOUBLE_EQ(read("# quantity: " + std::string(words) + "\n" + rows).values[0][0], 1 / kPi) << words;
+  for (const char* words : {"BRF %", "percent BRF", "reflectance factor (%)", "BRF in percent"})
+    EXPECT_DOUBLE_EQ(read("# quantity: " + std::string(words) + "\n" + rows).values[0][0], .01 / kPi)
+        << words;
+  EXPECT_DOUBLE_EQ(read("# quantity: log10 BRDF\n" + rows).values[0][0], 10);
+  EXPECT_DOUBLE_EQ(read("# quantity: r\n" + rows).values[0][0], 1e-4);
+}
+
+TEST(StatedQuantity, ThatContradictsAnotherIsRefusedWithBothLines) {
+  const std::string rows = "theta_i,phi_i,theta_o,phi_o,fr\n0,0,60,0,1\n";
+  EXPECT_EQ(message("# quantity: f_r\n# note: x\n# Quantity = f_r*cos_o\n" + rows),
+            "file, line 3: quantity 'f_r*cos_o' contradicts line 1, 'f_r'");
+  EXPECT_EQ(message("# quantity: f_r*cos_o\n# quantity: f_r\n" + rows),
+            "file, line 2: quantity 'f_r' contradicts line 1, 'f_r*cos_o'");
+  EXPECT_EQ(message("# quantity: BRDF\n# quantity: f_r\n" + rows), "accepted");
+  EXPECT_THAT(message("# quantity: transmittance\n" + rows),
+              HasSubstr("quantity 'transmittance' is of transmitted light"));
+}
+
+TEST(StatedQuantity, InACommentOutranksNames) {
+  const std::string brf = "Incidence,View angle,BRF\n60,45,1\n";
+  const SampleTable f_r = read("# quantity: f_r\n" + brf);
+  EXPECT_EQ(f_r.values[0][0], 1);
+  EXPECT_THAT(all_notes(f_r), HasSubstr("quantity 'f_r' is stated (line 1) and outranks the name 'BRF'"));
+  const SampleTable cos = read("# quantity: ARS\nIncidence,View angle,BRDF (1/sr)\n60,45,1\n");
+  EXPECT_DOUBLE_EQ(cos.values[0][0], 1 / kCosViewer);
+  EXPECT_THAT(all_notes(cos), HasSubstr("outranks the name 'BRDF (1/sr)'"));
+  // A scale that only the name states stays.
+  EXPECT_DOUBLE_EQ(read("# quantity: BRF\nIncidence,View angle,Reflectance (%)\n60,45,100\n").values[0][0],
+                   1 / kPi);
+  EXPECT_DOUBLE_EQ(read("# quantity: BRDF\nIncidence,View angle,log10\n60,45,2\n").values[0][0], 100);
+}
+
+TEST(StatedQuantity, ByTheCallerFillsWhatTheFileDoesNotSay) {
+  const auto with = [](const std::string& text, const std::string& quantity) {
+    return read_samples(Content{"file", text}, {quantity, MirrorSide::automatic});
+  };
+  const std::string neutral = "theta_i,phi_i,theta_o,phi_o,550nm\n60,0,45,180,1\n";
+  EXPECT_DOUBLE_EQ(with(neutral, "BRF").values[0][0], 1 / kPi);
+  EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "fr"), "BRF").values[0][0], 1 / kPi);
+  EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "Reflectance (%)"), "BRF").values[0][0], .01 / kPi);
+  EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "scatter [ppm/sr]"), "f_r*cos_o").values[0][0],
+                   1e-6 / kCosViewer);
+  EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "BRF"), "reflectance factor").values[0][0], 1 / kPi);
+  EXPECT_DOUBLE_EQ(with("# quantity: BRF\n" + neutral, "BRF").values[0][0], 1 / kPi);
+  EXPECT_DOUBLE_EQ(with(kAstm, "BRF").values[0][0], 1 / kPi);
+  const auto refusal = [&](const std::string& text, const std::string& quantity) {
+    return message_of([&] { with(text, quantity); });
+  };
+  EXPECT_EQ(refusal("# quantity: f_r\n" + neutral, "BRF"),
+            "file, line 1: quantity 'f_r' contradicts --quantity 'BRF'");
+  EXPECT_EQ(refusal(replaced(neutral, "550nm", "BRF"), "f_r"),
+            "file, line 1: column 'BRF' is a reflectance factor, but --quantity says 'f_r': if the name is "
+            "wrong, write "
+            "'# quantity: f_r' above the header row");
+  EXPECT_THAT(refusal(replaced(neutral, "550nm", "BTDF"), "f_r"), HasSubstr("but --quantity says 'f_r'"));
+  EXPECT_EQ(refusal(kLens, "BRF"), "file: --quantity BRF: the format states f_r");
+  EXPECT_EQ(refusal(neutral, "BTDF"),
+            "--quantity 'BTDF' is of transmitted light, not f_r: only reflected light is read: export the "
+            "reflection");
+  EXPECT_THAT(refusal(neutral, "what"),
+              HasSubstr("--quantity 'what' is unknown (known: f_r, BRF, f_r*cos_o, "));
+}
+
+// Names of our own tables stay, whatever they are; what is written in any format is read back as it was.
+TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
+  const SampleTable table = read(
+      "# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,BRF,reflectance (%),temperature "
+      "(°C),x,sigma_BRF\n1,2,3,4,5,6,7,8,9\n");
+  EXPECT_THAT(table.channels, ElementsAre("BRF", "reflectance (%)", "temperature (°C)", "x"));
+  EXPECT_EQ(table.values[0][0], 5);
+  EXPECT_THAT(all_notes(table), HasSubstr("outranks the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
+  expect_same(read(written(table)), table);
+}
+
+TEST(StatedQuantity, MayBeInATitle) {
+  const std::string rows = "src_z src_a view_z view_a 450nm\n60 0 45 180 1\n";
+  const SampleTable titled = read("BRF Values\nTile 7, polished\nOperator: N. N.\n" + rows);
+  EXPECT_DOUBLE_EQ(titled.values[0][0], 1 / kPi);
+  EXPECT_THAT(all_notes(titled), AllOf(HasSubstr("column '450nm' is a reflectance factor: divided by pi"),
+                                       HasSubstr("3 lines above the header row: taken for titles")));
+  EXPECT_EQ(titled.find_metadata("Operator"), "N. N.");
+  EXPECT_EQ(read("A table of BRDF values\n" + rows).values[0][0], 1);
+  EXPECT_DOUBLE_EQ(read("Instrument 5\nMeasured reflectance factors (%)\n" + rows).values[0][0], .01 / kPi);
+  EXPECT_THAT(message("BTDF\n" + rows), HasSubstr("line 1: the title 'BTDF' is of transmitted light"));
+  EXPECT_THAT(message("Reflectance of paint\n" + rows),
+              HasSubstr("the title 'Reflectance of paint' is a reflectance"));
+  EXPECT_EQ(read("Reflectance of paint\n" + replaced(rows, "450nm", "BRDF")).values[0][0], 1);
+  EXPECT_EQ(read("Measured with a laser of high intensity\n" + rows).values[0][0], 1);
+  EXPECT_THAT(message("# quantity: f_r\nBRF values\n" + rows),
+              HasSubstr("line 2: the title 'BRF values' contradicts line 1, 'f_r'"));
+  EXPECT_THAT(message("BRF values\n" + replaced(rows, "450nm", "ARS")),
+              HasSubstr("but the title in line 1 says 'BRF values'"));
+  EXPECT_EQ(read("quantity: f_r\n" + rows).values[0][0], 1);
+}
+
+// A comment that is free text states nothing; that it names another quantity is said.
+TEST(StatedQuantity, OfFreeTextIsAHint) {
+  const std::string rows = "theta_i,phi_i,theta_o,phi_o,450nm\n60,0,45,180,1\n";
+  const SampleTable t = read("# BRF values\n" + rows);
+  EXPECT_EQ(t.values[0][0], 1);
+  EXPECT_THAT(
+      t.warnings,
+      ElementsAre("the comment in line 1 names a reflectance factor, but states nothing: if the values "
+                  "are no f_r, write '# quantity: ...'"));
+  EXPECT_TRUE(read("# BRF values\n# quantity: f_r\n" + rows).warnings.empty());
+  EXPECT_TRUE(read("# BRDF values\n# sample: BRF tile\n" + rows).warnings.empty());
+}
+
+TEST(Quantities, OfAstmAndOpenExrColumnsAreReadAlike) {
+  const SampleTable astm = read("VARS theta_i,phi_i,theta_s,phi_s,BRF\n30,180,60,5,1\n");
+  EXPECT_DOUBLE_EQ(astm.values[0][0], 1 / kPi);
+  EXPECT_THAT(all_notes(astm), HasSubstr("column 'BRF' is a reflectance factor"));
+  EXPECT_THAT(message("VARS theta_i,phi_i,theta_s,phi_s,BTDF\n30,180,60,5,1\n"),
+              HasSubstr("of transmitted light"));
+  EXPECT_EQ(read("QUANTITY f_r\nVARS theta_i,phi_i,theta_s,phi_s,BRF\n30,180,60,5,1\n").values[0][0], 1);
+}
+
+// The documentation's table is this one.
+TEST(Quantities, OfTheDocumentationAreThese) {
+  const std::string document = read_content(BRDF_SOURCE_DIR "/docs/formats.md").bytes;
+  for (const QuantityKind& kind : quantity_kinds())
+    EXPECT_NE(document.find(documented(kind)), std::string::npos) << "docs/formats.md lacks the row\n"
+                                                                  << documented(kind);
+}
+
+}  // namespace
+}  // namespace brdf::io
