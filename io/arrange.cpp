@@ -1,5 +1,6 @@
 #include "io/arrange.h"
 
+#include "io/repetition.h"
 #include "io/table_rules.h"
 
 namespace brdf::io {
@@ -7,7 +8,9 @@ namespace brdf::io {
 void arrange(SampleTable& table, const Arrangement& asked) {
   if (asked.polarisation != Polarisation::keep) choose_polarisation(table, asked.polarisation);
   if (asked.repeats == Repeats::average) average_repeats(table);
-  if (asked != Arrangement()) check_table(table);
+  if (asked == Arrangement()) return;
+  leave_out_repetitions(table);  // rows may have become equal
+  check_table(table);
 }
 
 }  // namespace brdf::io

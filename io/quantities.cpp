@@ -80,7 +80,9 @@ constexpr std::array kKinds{
                  "W/sr; cd"},
     QuantityKind{
         "signal", "a detector's signal", 1, 0, 0, Use::refused,
-        "the signal of a white standard, or the irradiance, is missing: divide by it",
+        "the signal of a white standard, or the irradiance, is missing: divide by it; values in proportion "
+        "to f_r are read "
+        "with '# quantity: f_r' above the header row and fitted with --free-scale",
         "counts; signal; voltage; current; power; irradiance; digital number",
         "signals; count; cts; adu; dn; photocurrent; illuminance; flux; digital numbers; raw signal; grey "
         "level; gray level; pixel value",

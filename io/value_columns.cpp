@@ -78,7 +78,7 @@ std::optional<std::string> deviation_of(const std::string& name) {
     if (lower.starts_with(word) && (lower[size] == ' ' || lower[size] == '(')) {
       std::string rest(trimmed(std::string_view(name).substr(size + 1)));
       if (lower[size] == '(' && rest.ends_with(')')) rest.pop_back();
-      return rest;
+      return lower.ends_with("(k=1)") ? "" : rest;
     }
     if (lower.ends_with(word) && lower[lower.size() - size - 1] == ' ')
       return std::string(trimmed(std::string_view(name).substr(0, name.size() - size - 1)));
@@ -217,6 +217,9 @@ class Values {
                                     quantity_of_column(*of).says == Says::quantity);
       is_deviation.push_back(is_of_one && !is_literal);
     }
+    // A deviation of something unknown is no channel beside others.
+    for (Candidate& c : candidates_)
+      if (c.rank == Rank::neutral && deviation_of(c.column->name)) c.is_perhaps = true;
     std::vector<Candidate> values;
     for (std::size_t k = 0; k < candidates_.size(); ++k)
       (is_deviation[k] ? deviations_ : values).push_back(std::move(candidates_[k]));
@@ -224,22 +227,26 @@ class Values {
     note_names();
   }
 
-  // By which names a candidate is known: with its unit and without, with the words of its quantity and
-  // without.
+  // By which names a candidate is known: as written; then with its unit and without, with the words of its
+  // quantity and without, unless names mean nothing.
   void note_names() {
     by_name_.clear();
     for (std::size_t k = 0; k < candidates_.size(); ++k)
-      for (const std::string* name :
-           {&candidates_[k].column->name, &candidates_[k].named.bare, &candidates_[k].named.name})
+      by_name_.emplace(with_band_unit(candidates_[k].column->name), k);
+    if (facts_.keeps_names) return;
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
+      for (const std::string* name : {&candidates_[k].named.bare, &candidates_[k].named.name})
         by_name_.emplace(with_band_unit(*name), k);
   }
 
   // The candidate that a deviation's name means.
   Candidate* find(const std::string& text) {
-    for (const std::string& name : {text, quantity_of_column(text).bare})
-      if (const auto at = by_name_.find(with_band_unit(name)); at != by_name_.end())
-        return &candidates_[at->second];
-    return nullptr;
+    const auto known_by = [&](const std::string& name) -> Candidate* {
+      const auto at = by_name_.find(with_band_unit(name));
+      return at == by_name_.end() ? nullptr : &candidates_[at->second];
+    };
+    Candidate* const found = known_by(text);
+    return found || facts_.keeps_names ? found : known_by(quantity_of_column(text).bare);
   }
 
   // Each candidate becomes a channel, is set aside, or refuses the table.
@@ -339,7 +346,7 @@ class Values {
   void place_deviation(Candidate& deviation) {
     Column& column = *deviation.column;
     const std::string of = *deviation_of(column.name);
-    const bool is_relative = unit_of_deviation_is_percent(deviation);
+    const bool is_relative = !facts_.keeps_names && unit_of_deviation_is_percent(deviation);
     const bool is_literal = column.name.starts_with(kSigmaPrefix);
     const Candidate* value = of.empty() ? nullptr : find_kept(of);
     if (!value && !is_literal && kept_.size() == 1) value = kept_[0];

@@ -36,6 +36,7 @@ HOMONYMS = {
     ("io/units.cpp", "sigma"): "a letter",
     ("io/units.cpp", "gamma"): "a letter",
     ("io/quantity_words.cpp", "rho"): "a letter",
+    ("io/quantity_words.cpp", "n"): "a letter",
     ("python/samples.cpp", "sigma"): "standard deviations",
     ("python/materials.cpp", "albedo"): "the method",
     ("validate/", "albedo"): "a check",

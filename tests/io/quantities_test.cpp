@@ -303,6 +303,9 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
   EXPECT_TRUE(read("Incidence,View angle,fr,u(BRDF)\n60,45,1,2\n").has_sigma(0));
   EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
               HasSubstr("'std dev' is set aside"));
+  EXPECT_TRUE(read("Incidence,View angle,fr,uncertainty (k=1)\n60,45,1,2\n").has_sigma(0));
+  EXPECT_THAT(all_notes(read("Incidence,View angle,fr,uncertainty (k=2)\n60,45,1,2\n")),
+              HasSubstr("'uncertainty (k=2)' is set aside"));
   EXPECT_THAT(message("Incidence,View angle,fr,sigma,std\n60,45,1,2,3\n"),
               HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
   EXPECT_THAT(message("Incidence,View angle,uncertainty\n60,45,1\n"),
@@ -395,6 +398,12 @@ TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
   EXPECT_EQ(table.values[0][0], 5);
   EXPECT_THAT(all_notes(table), HasSubstr("outranks the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
   expect_same(read(written(table)), table);
+  // A deviation is of the channel of exactly that name.
+  const SampleTable alike =
+      read("SZA,VZA,RAA,ln BRDF (1/sr),BRF (%),f_r cos_o,sigma_BRF\n20,50,0,0,30,.1,3\n");
+  EXPECT_THAT(alike.channels, ElementsAre("ln BRDF (1/sr)", "BRF (%)", "f_r cos_o"));
+  ASSERT_TRUE(alike.has_sigma(1));
+  expect_same(read(written(alike)), alike);
 }
 
 TEST(StatedQuantity, MayBeInATitle) {
