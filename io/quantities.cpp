@@ -87,7 +87,7 @@ constexpr std::array kKinds{
         "signals; count; cts; adu; dn; photocurrent; illuminance; flux; digital numbers; raw signal; grey "
         "level; gray level; pixel value",
         "V; A; W; W/m2; lx"},
-    QuantityKind{"colour", "a colour coordinate", 1, 0, 0, Use::refused,
+    QuantityKind{"colour", "a colour coordinate or a gloss", 1, 0, 0, Use::refused,
                  "the geometry and the spectrum are missing: export reflectance factors for each wavelength",
                  "CIELAB; chroma; hue; gloss; tristimulus",
                  "gloss units; gu; l star; a star; b star; lightness; delta e", "L*; a*; b*"},

@@ -389,7 +389,8 @@ class Combination {
     }
   }
 
-  // f_r, but for the coefficients of retroreflection, whose symbols mean much else: R_A and R' (cd/lx/m2), R_L (mcd/m2/lx).
+  // f_r, but for the coefficients of retroreflection, whose symbols mean much else: R_A and R' (cd/lx/m2),
+  // R_L (mcd/m2/lx).
   Kind of_symbol() const {
     const std::string symbol = plain_spelling(out_.bare);
     const bool is_of_lux = text_.find("lx") != text_.npos || text_.find("lux") != text_.npos;

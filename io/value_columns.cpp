@@ -11,6 +11,7 @@
 #include "io/polarisation.h"
 #include "io/table_rules.h"
 #include "io/text.h"
+#include "io/value_names.h"
 #include "io/wavelengths.h"
 
 namespace brdf::io {
@@ -49,42 +50,6 @@ struct Candidate {
 };
 
 using Rank = Candidate::Rank;
-
-// The name that stands beside a word for standard deviations; empty if the word is all. std::nullopt without
-// such a word.
-std::optional<std::string> deviation_of(const std::string& name) {
-  if (name.starts_with(kSigmaPrefix)) return name.substr(kSigmaPrefix.size());
-  constexpr std::string_view kWords[] = {"standard deviation",
-                                         "standard uncertainty",
-                                         "standard error",
-                                         "uncertainty",
-                                         "sigma",
-                                         "stdev",
-                                         "stddev",
-                                         "std dev",
-                                         "std",
-                                         "sd",
-                                         "unc",
-                                         "error",
-                                         "err",
-                                         "u"};
-  std::string lower = lower_case(name);
-  std::replace_if(
-      lower.begin(), lower.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
-  for (const std::string_view word : kWords) {
-    const std::size_t size = word.size();
-    if (lower == word && size > 1) return "";
-    if (lower.size() <= size + 1) continue;
-    if (lower.starts_with(word) && (lower[size] == ' ' || lower[size] == '(')) {
-      std::string rest(trimmed(std::string_view(name).substr(size + 1)));
-      if (lower[size] == '(' && rest.ends_with(')')) rest.pop_back();
-      return lower.ends_with("(k=1)") ? "" : rest;
-    }
-    if (lower.ends_with(word) && lower[lower.size() - size - 1] == ' ')
-      return std::string(trimmed(std::string_view(name).substr(0, name.size() - size - 1)));
-  }
-  return std::nullopt;
-}
 
 class Values {
  public:
@@ -191,18 +156,6 @@ class Values {
     if (!first) return;
     header_.assume(std::to_string(elements.size()) + " elements of a Mueller matrix: " +
                    shown(first->column->name) + ", f_r of unpolarised light, is read");
-  }
-
-  // "11" to "44" of m12, M12, fr12, f_r12/f_r11.
-  static std::string mueller_element(const std::string& name) {
-    std::string key = plain_spelling(name.substr(0, name.find('/')));
-    for (const char* prefix : {"mueller", "fr", "f", "m"})
-      if (key.starts_with(prefix)) {
-        key.erase(0, std::string_view(prefix).size());
-        const bool is_place = key.size() == 2 && key.find_first_not_of("1234") == key.npos;
-        return is_place ? key : "";
-      }
-    return "";
   }
 
   // Takes the columns of standard deviations out of the candidates.

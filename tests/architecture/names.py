@@ -31,7 +31,7 @@ HOMONYMS = {
     ("io/rgl_writer.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verb_albedo.cpp", "albedo"): "the verb",
-    ("io/value_columns.cpp", "sigma"): "standard deviations",
+    ("io/value_names.cpp", "sigma"): "standard deviations",
     ("io/units.cpp", "rho"): "a letter",
     ("io/units.cpp", "sigma"): "a letter",
     ("io/units.cpp", "gamma"): "a letter",
