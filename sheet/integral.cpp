@@ -56,8 +56,14 @@ Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double 
   return out;
 }
 
-std::vector<Sample> samples_of(const View& view, const Scan& scan) {
-  std::vector<Sample> samples;
+struct Samples {
+  std::vector<Sample> all;
+  bool are_mirrored = false;  // one side of the plane of incidence was measured, and is put to the other, too
+};
+
+Samples samples_of(const View& view, const Scan& scan) {
+  Samples out;
+  std::vector<Sample>& samples = out.all;
   double low = 360, high = -360;
   // Of very many some, spread by the golden ratio: grids have periods.
   constexpr double kMost = 8000, kGolden = 0.6180339887498949;
@@ -73,13 +79,14 @@ std::vector<Sample> samples_of(const View& view, const Scan& scan) {
     samples.push_back({direction(degrees(theta), degrees(phi)), k});
   }
   // Measured on one side of the plane of incidence only: the other side is its mirror image.
-  if (low >= 0 || high <= 0) {
+  out.are_mirrored = low >= 0 || high <= 0;
+  if (out.are_mirrored) {
     const std::size_t n = samples.size();
     for (std::size_t j = 0; j < n; ++j)
       if (samples[j].d.y != 0)
         samples.push_back({{samples[j].d.x, -samples[j].d.y, samples[j].d.z}, samples[j].row});
   }
-  return samples;
+  return out;
 }
 
 // The distance between neighbouring samples as the grid has it, squared: nine of ten have a neighbour within it.
@@ -107,15 +114,16 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
   const io::SampleTable& t = view.table();
   const double near = 2 - 2 * std::cos(degrees(8).radians()),
                widest = 2 - 2 * std::cos(degrees(25).radians());
-  const std::vector<Sample> samples = samples_of(view, scan);
+  const auto [samples, are_mirrored] = samples_of(view, scan);
+  const int sectors = are_mirrored ? kSectors / 2 : kSectors;
   // Four steps of the grid reach its own diagonal twice over; a coarse grid is no hemisphere.
   const double reach = std::min(std::max(near, 9 * squared_step(view, scan)), widest);
   const std::size_t channels = t.channels.size();
   const std::vector<double> zero(channels);
   MeasuredAlbedo m{scan.theta_i, 0, 0, zero, zero, zero, {}};
-  const double weight = kPi / (kRings * kSectors);
+  const double weight = kPi / (kRings * sectors);
   for (int ring = 0; ring < kRings; ++ring)
-    for (int sector = 0; sector < kSectors; ++sector) {
+    for (int sector = 0; sector < sectors; ++sector) {
       const double s = std::sqrt((ring + 0.5) / kRings), phi = 2 * kPi * (sector + 0.5) / kSectors;
       const Vec3<double> d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
       // Farther than the corner of an equal share of the disc that the hemisphere is seen as.
@@ -124,7 +132,7 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
       const bool covered = found.nearest < near && found.is_between_sides();
       const bool enclosed = covered && found.is_enclosed();
       if (!covered) found = around(samples, d, HUGE_VAL, 0);
-      m.coverage += covered ? 1.0 / (kRings * kSectors) : 0;
+      m.coverage += covered ? 1.0 / (kRings * sectors) : 0;
       for (std::size_t c = 0; c < channels; ++c) {
         double sum = 0, weights = 0, low = HUGE_VAL, high = -HUGE_VAL;
         for (const Neighbour& n : found.quadrants) {

@@ -68,7 +68,9 @@ void add_agreement(const View& view, std::string_view name, const Rows& rows, bo
       if (v[a] > 0 && v[b] > 0)
         if (const double d = std::abs(std::log(v[a] / v[b])); d > kCopies) differences.push_back(d);
   const std::size_t values = rows.size() * view.table().channels.size();
-  if (differences.size() < kFewestPairsOfRows || 2 * differences.size() < values) return;
+  if (rows.size() < kFewestPairsOfRows || differences.size() < kFewestPairsOfRows ||
+      2 * differences.size() < values)
+    return;
   const std::size_t count = rows.size();
   s.agreements.push_back(
       {name, 1.4826 * io::median(std::move(differences)) / std::sqrt(2.0), count, needs_isotropy});
