@@ -304,7 +304,7 @@ Finding energy_of(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& a
     f.statement = "the sample reflects at most " + size;
   } else {
     f.outcome = Outcome::undecided;
-    f.is_suspicion = f.value - 0.25 * bound > 1;
+    f.is_suspicion = f.value - 0.5 * bound > 1;
     f.statement =
         "the sample reflects " + size +
         (f.is_suspicion ? ", probably more than falls on it" : ", which does not say that it stays below 1");

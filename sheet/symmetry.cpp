@@ -143,10 +143,12 @@ Finding noise_floor(const Evidence& e) {
                                     : std::string("about their neighbours not known")) +
                 beside + ")";
   constexpr double kTooSmooth = 4;
-  if (largest && s.neighbours.value && largest->value > kTooSmooth * *s.neighbours.value)
+  if (largest && s.neighbours.value && largest->value > kTooSmooth * *s.neighbours.value) {
+    if (f.outcome == Outcome::pass) f.outcome = Outcome::undecided;
     f.statement +=
         "; neighbours agree too well for a measurement's noise: errors vary slowly, or the values were "
         "smoothed";
+  }
   for (std::size_t c = 0; c < t.channels.size(); ++c)
     f.channels.emplace_back(t.channels[c], s.neighbours.channels[c].value_or(NAN));
   return f;

@@ -192,8 +192,13 @@ Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo)
                   io::short_number(r.least, 3);
     return f;
   }
-  f.statement = "as f_r the values reflect up to " + io::short_number(r.likely, 3) +
-                " of the light, as a surface can; a smaller unit of a darker sample would look alike";
+  const std::string reflected =
+      "as f_r the values reflect up to " + io::short_number(r.likely, 3) + " of the light";
+  f.statement =
+      r.likely > 1
+          ? reflected +
+                ", nearer to the scale of f_r than to any other; whether a surface can is a matter of energy"
+          : reflected + ", as a surface can; a smaller unit of a darker sample would look alike";
   return f;
 }
 
