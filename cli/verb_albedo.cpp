@@ -9,6 +9,7 @@
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "fit/assess/albedo.h"
+#include "fit/assess/reported.h"
 #include "io/json.h"
 #include "io/numbers.h"
 
@@ -27,9 +28,7 @@ void print(std::ostream& out, const fit::AlbedoRow& row) {
       << std::left << std::setw(9) << row.result.error_bound << std::right << std::setw(9)
       << row.result.evaluations << "  " << name_of(row.result.rule)
       << (row.result.converged ? "" : "  NOT CONVERGED");
-  if (row.interval)
-    out << "  " << io::short_number(row.interval->low, 5) << " to "
-        << io::short_number(row.interval->high, 5);
+  if (row.interval) out << "  " << fit::extent_text(*row.interval, 5);
   out << std::setprecision(6) << '\n';
 }
 

@@ -10,7 +10,7 @@
 #include "fit/assess/left_out.h"
 #include "fit/assess/refits.h"
 #include "fit/assess/select.h"
-#include "fit/solved.h"
+#include "fit/candidates.h"
 #include "fit/stepwise.h"
 #include "io/error.h"
 #include "io/parallel.h"
@@ -109,10 +109,12 @@ FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflec
   return fit_prepared(prepared(table, options), table, models, progress, known);
 }
 
-FitResult fit(const Prepared& p, const std::vector<std::vector<Reflectance>>& models,
-              const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
+Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Reflectance>>& models,
+                            const FitOptions& options, const Progress& progress,
+                            const RefitSolutions* known) {
   const FitData& data = p.data;
-  FitResult result;
+  Candidates out;
+  FitResult& result = out.about;
   result.noise_floor = p.scatter();
   result.channel_noise = p.noise.channels;
   result.metric = p.metric;
@@ -121,11 +123,43 @@ FitResult fit(const Prepared& p, const std::vector<std::vector<Reflectance>>& mo
   result.outside_domain = data.outside_domain;
   result.channels = data.channels;
   result.groups = data.groups;
-  std::vector<Solved> all = fit_models(data, models, options, result.noise_floor, progress);
-  refit_all(data, options, known, all, result);
-  for (Solved& s : all) result.ranking.push_back(std::move(s.fit));
+  out.all = fit_models(data, models, options, result.noise_floor, progress);
+  refit_all(data, options, known, out.all, result);
   result.interrupted = options.stop();
-  rank(result);
+  return out;
+}
+
+namespace {
+
+// Profiles take longer than many fits: those have them that are reported in full, which are ranked by what they say.
+void rank_and_profile(const FitData& data, const FitOptions& options, const Progress& progress,
+                      Candidates& candidates, FitResult& result) {
+  std::vector<std::size_t> number = rank(result);  // of each of the ranking, among the candidates
+  for (bool found = true; found;) {
+    found = false;
+    for (const std::size_t k : {std::size_t(0), result.recommended}) {
+      Solved& s = candidates.all[number[k]];
+      std::swap(s.fit, result.ranking[k]);
+      const bool profiled = profile_intervals(data, options, progress, s);
+      std::swap(s.fit, result.ranking[k]);
+      found = found || profiled;
+    }
+    if (!found) break;
+    std::vector<std::size_t> moved = rank(result);
+    for (std::size_t& place : moved) place = number[place];
+    number = std::move(moved);
+  }
+}
+
+}  // namespace
+
+FitResult fit(const Prepared& p, const std::vector<std::vector<Reflectance>>& models,
+              const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
+  Candidates candidates = solve_candidates(p, models, options, progress, known);
+  FitResult result = std::move(candidates.about);
+  for (Solved& s : candidates.all) result.ranking.push_back(std::move(s.fit));
+  rank_and_profile(p.data, options, progress, candidates, result);
+  result.interrupted = options.stop();
   return result;
 }
 

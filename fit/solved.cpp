@@ -7,6 +7,8 @@
 #include "fit/assess/assess.h"
 #include "fit/assess/errors.h"
 #include "fit/assess/lack_of_fit.h"
+#include "fit/assess/propagation.h"
+#include "fit/assess/reported.h"
 #include "fit/assess/verdict.h"
 #include "fit/model/constraints.h"
 #include "fit/solve/minima.h"
@@ -33,9 +35,43 @@ double information_criterion(const SampleStream& stream, const Minimum& m) {
   return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
 }
 
+// Two unknowns of one weight may each be as large as the weight may be.
+void keep_in_range(Material& m) {
+  for (Term& term : m.terms)
+    for (std::vector<double>& weights : term.weights)
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        const ParameterInfo& p = info(term.form).weights[k];
+        weights[k] = std::clamp(weights[k], p.min, p.max);
+      }
+}
+
+// What the uncertainty of a solution says of its form.
+void conclude(const Uncertainty& u, Solved& s) {
+  FormFit& out = s.fit;
+  if (out.verdict != Verdict::interrupted) out.verdict = verdict_of(s.minimum, u, s.misfit);
+  out.findings = s.before;
+  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + s.minimum.message);
+  if (s.misfit.misfit) out.findings.push_back(s.misfit.finding);
+  out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
+  out.findings.insert(out.findings.end(), s.after.begin(), s.after.end());
+  out.estimates = u.estimates;
+  out.smooth = u.smooth;
+  out.correlations = u.correlations;
+  out.covariance = u.covariance;
+  out.prediction_error = u.prediction_error;
+  out.condition = u.condition;
+  out.intervals = u.profiled ? IntervalsBy::profile : IntervalsBy::curvature;
+  out.ends.clear();
+  for (const EndOfInterval& end : u.ends) {
+    out.ends.push_back({s.model.material(end.p), end.open});
+    keep_in_range(out.ends.back().material);
+  }
+}
+
 Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
                  std::optional<double> noise) {
-  Solved solved{{}, Model(forms, data.channels, options), chosen_residual(data, options), {}};
+  Solved solved{{}, Model(forms, data.channels, options), chosen_residual(data, options), {}, {}, {}, {}, {},
+                {}};
   const Model& model = solved.model;
   Residual& residual = solved.residual;
   SearchResult search = find_minima(data, model, residual, options);
@@ -55,37 +91,44 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   const SampleStream stream(data, model, residual, options.aperture);
   Minimum& best = search.minima[0];
   drop_negligible_lobes(stream, best);
+  solved.p = best.p;
+  solved.minimum = best;
   const std::vector<std::vector<double>> values = stream.values(best.p);
   out.metrics = measure(data, values);
   out.errors = relative_errors(data, values, {0, data.rows()});
   out.median_relative_error = out.errors.median;
-  const Uncertainty u = uncertainty(stream, best);
-  const Misfit misfit = judge(data, values, noise);
-  out.verdict = search.interrupted ? Verdict::interrupted : verdict_of(best, u, misfit);
+  solved.misfit = judge(data, values, noise);
   out.lack_of_fit = lack_of_fit(stream, values, noise);
   out.solver_message = best.message;
-  if (out.verdict == Verdict::interrupted) out.findings.push_back("interrupted: the best parameters so far");
-  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + best.message);
-  if (misfit.misfit) out.findings.push_back(misfit.finding);
-  out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
+  if (search.interrupted) {
+    out.verdict = Verdict::interrupted;
+    solved.before.push_back("interrupted: the best parameters so far");
+  }
   if (search.minima.size() > 1 && search.minima[1].cost <= (1 + kSameCost) * search.minima[0].cost)
-    out.findings.push_back("another minimum has the same cost: " +
+    solved.after.push_back("another minimum has the same cost: " +
                            shape_text(model.material(search.minima[1].p)));
   out.material = model.material(best.p);
-  out.estimates = u.estimates;
-  out.smooth = u.smooth;
-  out.correlations = u.correlations;
-  out.covariance = u.covariance;
-  out.prediction_error = u.prediction_error;
   out.largest_albedo = largest_albedo(out.material);
   if (out.largest_albedo->breaks_energy() && !options.free_scale)
-    out.findings.push_back(energy_text(*out.largest_albedo, options));
-  out.condition = u.condition;
+    solved.after.push_back(energy_text(*out.largest_albedo, options));
   out.bic = information_criterion(stream, best);
-  for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k)
+  for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k) {
     out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
-  solved.p = best.p;
+    if (k > 0) solved.other_minima.push_back(search.minima[k].p);
+  }
+  conclude(uncertainty(stream, best), solved);
   return solved;
+}
+
+// What refits and other metrics say of a parameter stays when its interval changes, and stays no narrower than that.
+void keep_movement(const Estimate& from, Estimate& to) {
+  to.left_out = from.left_out;
+  to.other_metrics = from.other_metrics;
+  to.bootstrap = from.bootstrap;
+  to.bootstrap_error = from.bootstrap_error;
+  to.with_lack_of_fit = {std::min(from.with_lack_of_fit.low, to.low),
+                         std::max(from.with_lack_of_fit.high, to.high)};
+  if (std::isnan(from.with_lack_of_fit.low)) to.with_lack_of_fit = {};
 }
 
 // The weights of a dielectric where the samples do not speak against them, else those whose sum is bounded.
@@ -105,15 +148,30 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
   const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic - kStrongEvidence);
   const std::string of_others = io::short_number(bounded.fit.bic), own = io::short_number(dielectric.fit.bic);
   Solved chosen = std::move(keeps ? dielectric : bounded);
-  chosen.fit.findings.push_back(
-      keeps ? "--physical: taken for a dielectric, whose specular weight is 1 (BIC " + own +
-                  "); with weights that add up to at most 1 instead BIC is " + of_others
-            : "--physical: no dielectric, whose specular weight would be 1: BIC would be " + own +
-                  " in place of " + of_others);
+  chosen.after.push_back(keeps
+                             ? "--physical: taken for a dielectric, whose specular weight is 1 (BIC " + own +
+                                   "); with weights that add up to at most 1 instead BIC is " + of_others
+                             : "--physical: no dielectric, whose specular weight would be 1: BIC would be " +
+                                   own + " in place of " + of_others);
+  chosen.fit.findings.push_back(chosen.after.back());
   return chosen;
 }
 
 }  // namespace
+
+bool profile_intervals(const FitData& data, const FitOptions& options, const Progress& progress, Solved& s) {
+  if (!s.fit.solved() || s.fit.verdict == Verdict::interrupted || options.stop()) return false;
+  if (s.fit.intervals == IntervalsBy::profile || data.rows() > kManyRows) return false;
+  if (progress) progress("intervals of " + s.fit.form);
+  const SampleStream stream(data, s.model, s.residual, options.aperture);
+  const ProfileOptions profiles{s.other_minima, options.threads, options.interrupted};
+  const Uncertainty u = uncertainty(stream, s.minimum, Detail::profiles, nullptr, profiles);
+  if (!u.profiled) return false;
+  const std::vector<Estimate> before = std::move(s.fit.estimates);
+  conclude(u, s);
+  for (std::size_t k = 0; k < before.size(); ++k) keep_movement(before[k], s.fit.estimates[k]);
+  return true;
+}
 
 std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vector<Reflectance>>& models,
                                const FitOptions& options, std::optional<double> noise,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fit/assess/paired.h"
 #include "fit/assess/select.h"
+#include "fit/candidates.h"
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
 #include "fit/model/model.h"
@@ -138,20 +140,20 @@ class Stepwise {
     // Together: a robust loss is then judged by one scale, which the sums are given.
     Stage first = one_lobe();
     first.candidates.push_back({diffuse.front()});
-    std::vector<FormFit> tried = try_all(first);
+    std::vector<Solved> tried = try_all(first);
     if (tried.size() < first.candidates.size()) return finished(std::move(tried));
     model_ = std::move(first.candidates.back());
-    chosen_ = std::move(tried.back());
+    solved_.emplace(std::move(tried.back()));
     first.candidates.pop_back();
     tried.pop_back();
-    if (!comparable(chosen_))
+    if (!comparable(chosen()))
       throw InputError("--form auto decides by rows left out: it needs samples of several directions");
-    result_.steps.push_back({"a diffuse term", chosen_.form, chosen_.left_out->value, 0, 0, 1, 1, true});
+    result_.steps.push_back({"a diffuse term", chosen().form, chosen().left_out->value, 0, 0, 1, 1, true});
     decide(first, std::move(tried));
     step(better_diffuse_term(model_));
     if (!has_lobe(info(model_.back()))) return finished({});
     Stage second = second_lobe(model_);
-    second.start = starts_at(chosen_, model_, options_);
+    second.start = starts_at(chosen(), model_, options_);
     step(second);
     return finished({});
   }
@@ -159,23 +161,19 @@ class Stepwise {
  private:
   const std::vector<RowGroup>& groups() const { return result_.groups.groups; }
 
+  const FormFit& chosen() const { return solved_->fit; }
+
   // In the candidates' order; fewer where the run was interrupted.
-  std::vector<FormFit> try_all(const Stage& stage) {
+  std::vector<Solved> try_all(const Stage& stage) {
     if (progress_) progress_("trying " + std::string(stage.adds));
     FitOptions options = options_for(stage, result_.channels.size(), options_);
     if (options.loss != Loss::none && options.loss_scale == 0) options.loss_scale = loss_scale_;
-    FitResult found = fit(prepared_, stage.candidates, options);
-    std::vector<FormFit> out;
-    for (const Forms& model : stage.candidates)
-      for (FormFit& f : found.ranking)
-        if (f.form == name_of_sum(model)) {
-          if (f.solved() && (loss_scale_ == 0 || f.loss_scale < loss_scale_)) loss_scale_ = f.loss_scale;
-          out.push_back(std::move(f));
-          break;
-        }
-    found.ranking.clear();
-    if (result_.channels.empty()) result_ = std::move(found);
-    return out;
+    Candidates found = solve_candidates(prepared_, stage.candidates, options);
+    for (const Solved& s : found.all)
+      if (s.fit.solved() && (loss_scale_ == 0 || s.fit.loss_scale < loss_scale_))
+        loss_scale_ = s.fit.loss_scale;
+    if (result_.channels.empty()) result_ = std::move(found.about);
+    return std::move(found.all);
   }
 
   bool comparable(const FormFit& f) const {
@@ -190,16 +188,17 @@ class Stepwise {
   }
 
   // The one with the fewest parameters that is as good as the best; null where none was solved.
-  FormFit* simplest_of(std::vector<FormFit>& tried) const {
-    FormFit *best = nullptr, *simplest = nullptr;
-    for (FormFit& f : tried)
-      if (comparable(f) && (!best || value(f) < value(*best))) best = &f;
-    for (FormFit& f : tried) {
-      if (!comparable(f) || value(f) > kAsGood * value(*best)) continue;
-      if (&f != best && chance(f, *best) < kSignificant) continue;
-      if (!simplest || f.parameters < simplest->parameters ||
-          (f.parameters == simplest->parameters && value(f) < value(*simplest)))
-        simplest = &f;
+  Solved* simplest_of(std::vector<Solved>& tried) const {
+    Solved *best = nullptr, *simplest = nullptr;
+    for (Solved& s : tried)
+      if (comparable(s.fit) && (!best || value(s.fit) < value(best->fit))) best = &s;
+    for (Solved& s : tried) {
+      const FormFit& f = s.fit;
+      if (!comparable(f) || value(f) > kAsGood * value(best->fit)) continue;
+      if (&s != best && chance(f, best->fit) < kSignificant) continue;
+      if (!simplest || f.parameters < simplest->fit.parameters ||
+          (f.parameters == simplest->fit.parameters && value(f) < value(simplest->fit)))
+        simplest = &s;
     }
     return simplest;
   }
@@ -208,30 +207,34 @@ class Stepwise {
     if (!options_.stop() && !stage.candidates.empty()) decide(stage, try_all(stage));
   }
 
-  void decide(const Stage& stage, std::vector<FormFit> tried) {
-    if (FormFit* next = simplest_of(tried)) {
-      const double p = std::min(1.0, chance(chosen_, *next) * double(tried.size()));
+  void decide(const Stage& stage, std::vector<Solved> tried) {
+    if (Solved* simplest = simplest_of(tried)) {
+      const FormFit& next = simplest->fit;
+      const double p = std::min(1.0, chance(chosen(), next) * double(tried.size()));
       const double error =
-          paired_test(groups(), chosen_.left_out->by_group, next->left_out->by_group).standard_error;
-      const bool kept = value(*next) < value(chosen_) && p < kSignificant;
-      result_.steps.push_back({stage.adds, next->form, next->left_out->value,
-                               chosen_.left_out->value - next->left_out->value, error, p, tried.size(),
+          paired_test(groups(), chosen().left_out->by_group, next.left_out->by_group).standard_error;
+      const bool kept = value(next) < value(chosen()) && p < kSignificant;
+      result_.steps.push_back({stage.adds, next.form, next.left_out->value,
+                               chosen().left_out->value - next.left_out->value, error, p, tried.size(),
                                kept});
       if (kept) {
-        model_ = stage.candidates[std::size_t(next - tried.data())];
-        std::swap(chosen_, *next);
+        model_ = stage.candidates[std::size_t(simplest - tried.data())];
+        std::swap(*solved_, *simplest);
       }
     }
-    for (FormFit& f : tried) others_.push_back(std::move(f));
+    for (Solved& s : tried) others_.push_back(std::move(s.fit));
   }
 
   // The chosen model first, then the others by their left-out values.
-  FitResult finished(std::vector<FormFit> more) {
-    for (FormFit& f : more) others_.push_back(std::move(f));
+  FitResult finished(std::vector<Solved> more) {
+    for (Solved& s : more) others_.push_back(std::move(s.fit));
     std::ranges::stable_sort(others_, {}, [&](const FormFit& f) {
       return comparable(f) ? f.left_out->value : std::numeric_limits<double>::infinity();
     });
-    if (!model_.empty()) result_.ranking.push_back(std::move(chosen_));
+    if (solved_) {
+      profile_intervals(prepared_.data, options_, progress_, *solved_);
+      result_.ranking.push_back(std::move(solved_->fit));
+    }
     for (FormFit& f : others_) result_.ranking.push_back(std::move(f));
     result_.recommended = 0;
     result_.interrupted = options_.stop();
@@ -244,7 +247,7 @@ class Stepwise {
   FitResult result_;
   double loss_scale_ = 0;
   Forms model_;
-  FormFit chosen_;
+  std::optional<Solved> solved_;  // the model so far
   std::vector<FormFit> others_;
 };
 

@@ -1,12 +1,11 @@
 #include "fit/algebra/box_quadratic.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-namespace brdf::fit {
+#include "fit/algebra/eigen_view.h"
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+namespace brdf::fit {
 
 std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
                                   std::span<const double> low, std::span<const double> high) {

@@ -14,6 +14,11 @@ namespace {
 
 constexpr double kDifferenceTolerance = 1e-8;  // of integrals whose differences are taken
 
+// An open end is null.
+io::Json end_json(double x) {
+  return std::isfinite(x) ? io::Json(x) : io::Json(nullptr);
+}
+
 io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
   io::Json json;
   json["theta"] = row.theta;
@@ -26,19 +31,19 @@ io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
   json["converged"] = row.result.converged;
   json["rule"] = name_of(row.result.rule);
   if (row.interval) {
-    json["low"] = row.interval->low;
-    json["high"] = row.interval->high;
+    json["low"] = end_json(row.interval->low);
+    json["high"] = end_json(row.interval->high);
   }
   return json;
 }
 
-// 95 % intervals of the albedo from the fit that the material came from: the delta method on its parameters.
+// 95 % intervals of the albedo from the fit that the material came from.
 std::vector<std::optional<Extent>> fitted_intervals(const io::MaterialFile& file, double theta, double phi,
                                                     AlbedoOptions options,
                                                     const std::vector<AlbedoResult>& results) {
   std::vector<std::optional<Extent>> out(results.size());
-  const auto covariance = covariance_of(file.fit);
-  if (!covariance) return out;
+  const Knowledge known = knowledge_of(file.fit);
+  if (!known.any()) return out;
   options.tolerance = std::min(options.tolerance, kDifferenceTolerance);
   std::vector<double> values;
   for (const AlbedoResult& r : results) values.push_back(r.value);
@@ -48,7 +53,7 @@ std::vector<std::optional<Extent>> fitted_intervals(const io::MaterialFile& file
       all.push_back(r.value);
     return all;
   };
-  if (const auto found = intervals(file.material, *covariance, values, albedo))
+  if (const auto found = intervals(file.material, known, values, albedo))
     std::copy(found->begin(), found->end(), out.begin());
   return out;
 }

@@ -22,7 +22,7 @@ struct AlbedoRow {
   double theta;  // degrees
   std::string channel;
   AlbedoResult result;
-  std::optional<Extent> interval;  // 95 %, of the fit that the material came from
+  std::optional<Extent> interval;  // 95 %, of the fit that the material came from; an open end is infinite
 };
 
 // The integrals' options. Throws InputError on an angle, a tolerance or a word that is none.

@@ -16,6 +16,12 @@ Metrics measure(const FitData& data, const std::vector<std::vector<double>>& mod
 // Relative standard error up to which what a model gives counts as determined, whatever its parameters are.
 inline constexpr double kDetermined = 0.05;
 
+// The solver's parameters at an end of an interval.
+struct EndOfInterval {
+  std::vector<double> p;
+  bool open = false;
+};
+
 struct Uncertainty {
   std::vector<Estimate> estimates;
   Correlations correlations;
@@ -30,23 +36,35 @@ struct Uncertainty {
   std::optional<double> prediction_error;
   bool predictable = false;           // it is known, and at most kDetermined
   std::vector<std::string> findings;  // about bounds and identifiability
+  bool profiled = false;              // the intervals are those of profiles
+  std::vector<EndOfInterval> ends;    // of profiles, in the parameters' order, the lower before the upper
 
   // What the model gives is known, and only how weights share it is not.
   bool determined() const { return split_only && predictable; }
 };
 
-// `estimates`: what a verdict and standard errors need, without intervals, correlations, the parameters' covariance, and
-// sentences.
-enum class Detail { everything, estimates };
+// `estimates`: what a verdict and standard errors need, without correlations, the parameters' covariance, and sentences.
+// `profiles`: intervals are those of the cost's profile within the bounds (fit/assess/profile_search.h), not of its curvature.
+enum class Detail { everything, estimates, profiles };
+
+// What profiles need besides the minimum.
+struct ProfileOptions {
+  std::vector<std::vector<double>> other_minima;  // the solver's parameters
+  unsigned threads = 1;                           // no result depends on it
+  const std::atomic<bool>* interrupted = nullptr;
+};
 
 // Of a stream at a solution, where they are known already.
 struct KnownMatrices {
   const Matrix &bread, &expected_meat;
 };
 
-// Heteroscedasticity-consistent covariance at a solution, rows independent, channels of a row not.
+// What the curvature at a solution says (fit/assess/curvature.h). The variance of a parameter is the larger of the
+// heteroscedasticity-consistent one and of the working noise's; estimates alone have the former. `low` and `high` are those of
+// the curvature, within the range: fit/assess/profiles.h has better ones.
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution,
-                        Detail detail = Detail::everything, const KnownMatrices* known = nullptr);
+                        Detail detail = Detail::everything, const KnownMatrices* known = nullptr,
+                        const ProfileOptions& profiles = {});
 
 // Whether some configuration (both polar angles and the azimuth between them) was measured at two azimuths of the
 // sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.

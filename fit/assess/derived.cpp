@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/assess/student.h"
 #include "fit/model/constraints.h"
+#include "io/material_json.h"
 
 namespace brdf::fit {
 namespace {
@@ -12,9 +14,15 @@ namespace {
 // Share of a parameter by which it is moved: the error of a central difference is its square.
 constexpr double kStep = 1e-3;
 
+// A value of a material, and the range of its parameter.
+struct Place {
+  double* value;
+  double min, max;
+};
+
 // Where the values stand that one parameter of the fit sets.
-std::vector<double*> places_of(Material& m, const std::string& name) {
-  std::vector<double*> out;
+std::vector<Place> places_of(Material& m, const std::string& name) {
+  std::vector<Place> out;
   for (std::size_t t = 0; t < m.terms.size(); ++t) {
     Term& term = m.terms[t];
     const ReflectanceInfo& about = info(term.form);
@@ -23,27 +31,32 @@ std::vector<double*> places_of(Material& m, const std::string& name) {
       const std::string plain = name_in_sum(m.terms.size(), t, parameter);
       return name == plain || name == plain + "[" + m.channels[channel] + "]";
     };
+    const auto add = [&](double& value, const ParameterInfo& p) { out.push_back({&value, p.min, p.max}); };
     for (std::size_t g = 0; g < term.shape.size(); ++g)
       for (std::size_t k = 0; k < about.shape.size(); ++k)
         if (named(about.shape[k].name, g) ||
             ((int(k) == along || int(k) == across) && named(about.tied_name(), g)))
-          out.push_back(&term.shape[g][k]);
+          add(term.shape[g][k], about.shape[k]);
     for (std::size_t c = 0; c < m.channels.size(); ++c)
       for (std::size_t k = 0; k < about.weights.size(); ++k)
-        if (named(about.weights[k].name, c)) out.push_back(&term.weights[c][k]);
+        if (named(about.weights[k].name, c)) add(term.weights[c][k], about.weights[k]);
   }
   return out;
 }
 
-// Moves a parameter by a step; tangent_phi, which turns every term, in degrees.
-bool move(Material& m, const std::string& name, double step) {
+// Moves a parameter by a step, or as far as its range goes; tangent_phi, which turns every term, in degrees. Returns by how
+// much; none where the material has no such parameter.
+std::optional<double> move(Material& m, const std::string& name, double step) {
   if (name == kTangentInfo.name) {
     for (Term& term : m.terms) term.tangent_phi = term.tangent_phi + degrees(step);
-    return true;
+    return step;
   }
-  const std::vector<double*> places = places_of(m, name);
-  for (double* value : places) *value += step;
-  return !places.empty();
+  const std::vector<Place> places = places_of(m, name);
+  if (places.empty()) return std::nullopt;
+  const double before = *places[0].value,
+               moved = std::clamp(before + step, places[0].min, places[0].max) - before;
+  for (const Place& place : places) *place.value += moved;
+  return moved;
 }
 
 double standard_error(const ParameterCovariance& c, std::size_t parameter) {
@@ -54,8 +67,8 @@ double standard_error(const ParameterCovariance& c, std::size_t parameter) {
 
 double step_of(Material m, const std::string& name, double error) {
   if (name == kTangentInfo.name) return std::min(0.1 * error, 0.1);
-  const std::vector<double*> places = places_of(m, name);
-  const double value = places.empty() ? 0 : std::abs(*places[0]);
+  const std::vector<Place> places = places_of(m, name);
+  const double value = places.empty() ? 0 : std::abs(*places[0].value);
   return std::min(0.1 * error, kStep * std::max(value, kStep));
 }
 
@@ -67,10 +80,14 @@ std::optional<std::vector<Extent>> intervals(const Material& material, const Par
   for (std::size_t k = 0; k < c.names.size(); ++k) {
     const double step = step_of(material, c.names[k], standard_error(c, k));
     Material up = material, down = material;
-    if (!(step > 0) || !move(up, c.names[k], step) || !move(down, c.names[k], -step)) return std::nullopt;
+    if (!(step > 0)) return std::nullopt;
+    const std::optional<double> upwards = move(up, c.names[k], step),
+                                downwards = move(down, c.names[k], -step);
+    if (!upwards || !downwards || !(*upwards > *downwards)) return std::nullopt;
     std::vector<double> above = f(up);
     const std::vector<double> below = f(down);
-    for (std::size_t j = 0; j < values.size(); ++j) above[j] = (above[j] - below[j]) / (2 * step);
+    for (std::size_t j = 0; j < values.size(); ++j)
+      above[j] = (above[j] - below[j]) / (*upwards - *downwards);
     slope.push_back(std::move(above));
   }
   std::vector<Extent> out;
@@ -85,6 +102,51 @@ std::optional<std::vector<Extent>> intervals(const Material& material, const Par
     const double reach = variance > 0 ? std::sqrt(variance) * t_quantile(square(variance / uncertain)) : 0;
     out.push_back({std::max(values[j] - reach, 0.0), values[j] + reach});
   }
+  return out;
+}
+
+Knowledge knowledge_of(const FormFit& fit) {
+  return {fit.covariance, fit.ends};
+}
+
+Knowledge knowledge_of(const io::Json& fit) {
+  Knowledge out{covariance_of(fit), {}};
+  if (!fit.is_object() || !fit.contains("ends")) return out;
+  try {
+    for (const io::Json& end : fit.at("ends"))
+      out.ends.push_back({io::material_from_json(io::JsonPlace(end.at("material"), "fit")).material,
+                          end.at("open").get<bool>()});
+  } catch (const std::exception&) {
+    out.ends.clear();  // a `fit` block may hold anything
+  }
+  return out;
+}
+
+std::optional<std::vector<Extent>> intervals(const Material& material, const Knowledge& known,
+                                             std::span<const double> values, const Derived& f) {
+  std::optional<std::vector<Extent>> out;
+  if (known.covariance) out = intervals(material, *known.covariance, values, f);
+  if (known.ends.empty()) return out;
+  if (!out) {
+    out.emplace();
+    for (const double value : values) out->push_back({value, value});
+  }
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  for (const MaterialAtEnd& end : known.ends) {
+    const std::vector<double> there = f(end.material);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      Extent& e = (*out)[k];
+      if (there[k] < e.low) e.low = end.open ? -kOpen : there[k];
+      if (there[k] > e.high) e.high = end.open ? kOpen : there[k];
+    }
+  }
+  return out;
+}
+
+io::Json to_json(std::span<const MaterialAtEnd> ends) {
+  io::Json out = io::Json::array();
+  for (const MaterialAtEnd& end : ends)
+    out.push_back({{"open", end.open}, {"material", io::to_json(end.material)}});
   return out;
 }
 

@@ -178,7 +178,7 @@ void add_movement(const Model& model, std::span<const double> solution,
   const auto by_fold = values(folds), by_metric = values(metrics);
   for (std::size_t k = 0; k < all.size(); ++k) {
     Estimate& e = estimates[k];
-    if (e.status != Status::free) continue;
+    if (e.status == Status::fixed) continue;
     if (!metrics.empty()) e.other_metrics = range_of(by_metric[k]);
     if (folds.size() < 2) continue;
     e.left_out = range_of(by_fold[k]);

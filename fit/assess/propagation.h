@@ -1,17 +1,15 @@
 // From the covariance of the solver's parameters to that of what is made of them.
 #pragma once
 
-#include <Eigen/Dense>
 #include <span>
 #include <vector>
 
+#include "fit/algebra/eigen_view.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/result.h"
 #include "fit/solve/sample_stream.h"
 
 namespace brdf::fit {
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Above this many rows no value has a leverage worth a second pass.
 inline constexpr std::size_t kManyRows = 100000;

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 #include "io/numbers.h"
 
 namespace brdf::fit {
 namespace {
+
+constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
+constexpr double kTangentError = 22.5;
 
 // The slot that sets one shape parameter of a term in a group.
 std::size_t shape_slot(const Model& model, std::size_t term, std::size_t parameter, std::size_t group) {
@@ -113,6 +117,29 @@ std::vector<Reported> reported_parameters(const Model& model, std::span<const do
   return out;
 }
 
+Reported product_of(const std::vector<Reported>& all, std::size_t a, std::size_t b) {
+  Reported out = all[a];
+  const Reported& other = all[b];
+  out.estimate = {};
+  out.estimate.name = all[a].estimate.name + " " + other.estimate.name;
+  out.estimate.channel = all[a].estimate.channel;
+  out.estimate.value = all[a].estimate.value * other.estimate.value;
+  for (auto& [slot, slope] : out.gradient) slope *= other.estimate.value;
+  for (const auto& [slot, slope] : other.gradient) {
+    const auto has = [&](const auto& g) { return g.first == slot; };
+    const auto found = std::ranges::find_if(out.gradient, has);
+    if (found == out.gradient.end())
+      out.gradient.emplace_back(slot, slope * all[a].estimate.value);
+    else
+      found->second += slope * all[a].estimate.value;
+  }
+  out.min = all[a].min * other.min;
+  out.max = all[a].max * other.max;
+  out.divided = nullptr;
+  out.times = b;
+  return out;
+}
+
 Extent extent_of(const Reported& r, const Model& model, std::span<const double> p, double half_width) {
   if (r.scale != kNoSlot) {
     const Slot& slot = model.slots()[r.scale];
@@ -120,6 +147,43 @@ Extent extent_of(const Reported& r, const Model& model, std::span<const double> 
     return {slot.to_natural(u - half_width), slot.to_natural(u + half_width)};
   }
   return {std::max(r.estimate.value - half_width, r.min), std::min(r.estimate.value + half_width, r.max)};
+}
+
+bool says_nothing(const Reported& r, const Model& model, double error) {
+  if (r.divided) return error > kFresnelError;
+  if (r.weight) return error > kWeightError * std::max(std::abs(r.estimate.value), r.weight_scale);
+  if (r.info == &kTangentInfo) return error > kTangentError;
+  if (r.scale == kNoSlot) return error > kRangeError * (r.max - r.min);
+  const Slot& slot = model.slots()[r.scale];
+  if (slot.scale == Scale::log || slot.scale == Scale::log1p) return error > kLogError;
+  const double u = slot.to_solver(r.estimate.value);
+  return slot.to_natural(u + error) - slot.to_natural(u - error) > 2 * kRangeError * (r.max - r.min);
+}
+
+namespace {
+
+constexpr double kOpenEnd = std::numeric_limits<double>::infinity();
+
+Extent opened(Extent extent, const Estimate& e) {
+  return {e.low_open ? -kOpenEnd : extent.low, e.high_open ? kOpenEnd : extent.high};
+}
+
+}  // namespace
+
+Extent interval_of(const Estimate& e) {
+  return opened({e.low, e.high}, e);
+}
+
+Extent interval_with_lack_of_fit(const Estimate& e) {
+  return std::isnan(e.with_lack_of_fit.low) ? e.with_lack_of_fit : opened(e.with_lack_of_fit, e);
+}
+
+std::string extent_text(Extent e, int digits) {
+  if (std::isnan(e.low) || std::isnan(e.high)) return "-";
+  if (std::isinf(e.low) && std::isinf(e.high)) return "any value";
+  if (std::isinf(e.low)) return "at most " + io::short_number(e.high, digits);
+  if (std::isinf(e.high)) return "at least " + io::short_number(e.low, digits);
+  return io::short_number(e.low, digits) + " to " + io::short_number(e.high, digits);
 }
 
 std::string label(const std::string& name, const std::string& channel) {

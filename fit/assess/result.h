@@ -18,6 +18,9 @@
 namespace brdf::fit {
 
 enum class Verdict { converged, at_bound, determined, not_identifiable, misfit, diverged, interrupted };
+// Where intervals come from: the curvature of the cost at its minimum, clipped to the ranges, which is approximate, or the
+// cost's profile within the bounds.
+enum class IntervalsBy { curvature, profile };
 enum class Status { free, fixed, at_bound, unidentified };  // of one parameter
 
 }  // namespace brdf::fit
@@ -27,6 +30,8 @@ namespace brdf {
 template <>
 inline constexpr std::array<std::string_view, 7> kNames<fit::Verdict>{
     "converged", "at_bound", "determined", "not_identifiable", "misfit", "diverged", "interrupted"};
+template <>
+inline constexpr std::array<std::string_view, 2> kNames<fit::IntervalsBy>{"curvature", "profile"};
 template <>
 inline constexpr std::array<std::string_view, 4> kNames<fit::Status>{"free", "fixed", "at_bound",
                                                                      "unidentified"};
@@ -54,8 +59,13 @@ struct Estimate {
   std::string channel;  // empty: shared by all channels
   double value = 0;     // tangent_phi in degrees
   double standard_error = 0;
-  double freedom = 0;        // degrees of freedom of its variance: of a parameter that few values decide, few
-  double low = 0, high = 0;  // 95 %: of the values' scatter, the model taken as right
+  double freedom = 0;  // degrees of freedom of its variance
+  double deciding =
+      kUnknown;  // how many values decide it: 1 over the sum of their squared shares of its variance
+  double low = kUnknown, high = kUnknown;  // 95 %: of the values' scatter, the model taken as right
+  // An end where only the range of the parameter stops the interval, or where the samples never speak against what lies
+  // beyond: low and high are the range's limits then.
+  bool low_open = true, high_open = true;
   // The others are of free parameters. 95 %, whatever the model's lack of fit: from how far the parameter moves
   // as folds of incidences are left out; never inside the first.
   Extent with_lack_of_fit;
@@ -138,6 +148,13 @@ struct LargestAlbedo {
   bool breaks_energy() const { return value > 1 + 2e-3; }
 };
 
+// The material at an end of a parameter's interval: as good a description of the samples as the interval says. Where the
+// end is open, so are materials beyond.
+struct MaterialAtEnd {
+  Material material;
+  bool open = false;
+};
+
 struct FormFit {
   std::string form;  // "ward", "oren_nayar+ward"
   Verdict verdict = Verdict::diverged;
@@ -152,6 +169,8 @@ struct FormFit {
   double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
+  IntervalsBy intervals = IntervalsBy::curvature;
+  std::vector<MaterialAtEnd> ends;  // of profiles
   std::vector<SmoothCurve> smooth;  // of --shape smooth
   Correlations correlations;
   std::optional<ParameterCovariance> covariance;  // none where some direction has no effect at all

@@ -48,15 +48,22 @@ bool as_good(const FitResult& result, const Value& value, const FormFit& f, cons
 
 }  // namespace
 
-void rank(FitResult& result) {
+std::vector<std::size_t> rank(FitResult& result) {
   const Value value(result);
-  std::stable_sort(result.ranking.begin(), result.ranking.end(), [&](const FormFit& a, const FormFit& b) {
+  const std::vector<FormFit>& fits = result.ranking;
+  std::vector<std::size_t> order(fits.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    const FormFit &a = fits[i], &b = fits[j];
     if (a.solved() != b.solved()) return a.solved();
     const double x = rounded(value(a)), y = rounded(value(b));
     if (x != y) return x < y;
     if (usable(a.verdict) != usable(b.verdict)) return usable(a.verdict);
     return a.parameters < b.parameters;
   });
+  std::vector<FormFit> ranked;
+  for (const std::size_t k : order) ranked.push_back(std::move(result.ranking[k]));
+  result.ranking = std::move(ranked);
   result.recommended = 0;
   for (std::size_t k = 1; k < result.ranking.size(); ++k) {
     const FormFit &f = result.ranking[k], &chosen = result.ranking[result.recommended];
@@ -64,6 +71,7 @@ void rank(FitResult& result) {
     if (usable(f.verdict) && simpler && as_good(result, value, f, result.ranking.front()))
       result.recommended = k;
   }
+  return order;
 }
 
 }  // namespace brdf::fit

@@ -133,7 +133,7 @@ std::vector<TableWeight> Model::table_weights(std::span<const double> p, std::si
                                               std::size_t channel) const {
   const TermModel& term = terms_[t];
   std::vector<TableWeight> out;
-  for (const ParameterInfo& w : term.info->weights) out.push_back({0, w.min, w.max, {}});
+  for (const Constraint& c : constraints_.terms[t].weights) out.push_back({0, c.low, c.high, {}});
   if (natural_) {
     for (std::size_t k = 0; k < out.size(); ++k) {
       const Product& weight = natural_->weight(t, channel, k);

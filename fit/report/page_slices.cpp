@@ -81,6 +81,8 @@ struct Curve {
   std::vector<std::vector<Extent>> bands;   // the same; empty: not known
 };
 
+constexpr double kOpenBand = 1e3;  // times a value
+
 // The material in these channels alone, behind the first, by whose weights some forms mix channels.
 Material in_channels(const Material& material, const std::vector<std::size_t>& channels) {
   Material out;
@@ -98,7 +100,7 @@ Material in_channels(const Material& material, const std::vector<std::size_t>& c
   return out;
 }
 
-// Of these channels, with the 95 % band from the parameters' covariance.
+// Of these channels, with the 95 % band.
 Curve curve_of(const FormFit& fit, const Slice& slice, const std::vector<std::size_t>& channels,
                double aperture) {
   Curve curve{angles_of(slice), {}, {}};
@@ -115,13 +117,14 @@ Curve curve_of(const FormFit& fit, const Slice& slice, const std::vector<std::si
     return values;
   };
   curve.values = shown_values(fit.material);
-  if (!fit.covariance) return curve;
+  const Knowledge known = knowledge_of(fit);
+  if (!known.any()) return curve;
   const auto in_one_row = [](const std::vector<std::vector<double>>& values) {
     std::vector<double> row;
     for (const auto& channel : values) row.insert(row.end(), channel.begin(), channel.end());
     return row;
   };
-  const auto bands = intervals(fit.material, *fit.covariance, in_one_row(curve.values),
+  const auto bands = intervals(fit.material, known, in_one_row(curve.values),
                                [&](const Material& m) { return in_one_row(shown_values(m)); });
   for (std::size_t c = 0; bands && c < curve.values.size(); ++c)
     curve.bands.emplace_back(bands->begin() + std::ptrdiff_t(c * count),
@@ -158,8 +161,10 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
     line.colour = int(s);
     if (!curves[s].bands.empty())
       for (const Extent& band : curves[s].bands[shown]) {
-        line.low.push_back(band.low);
-        line.high.push_back(band.high);
+        // An open band leaves the plot.
+        const double value = line.y[line.low.size()];
+        line.low.push_back(std::max(band.low, value / kOpenBand));
+        line.high.push_back(std::min(band.high, value * kOpenBand));
       }
     plot.series.push_back(std::move(points));
     plot.series.push_back(std::move(line));

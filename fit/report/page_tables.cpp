@@ -18,10 +18,6 @@ Mark mark_of_verdict(Verdict v) {
   return v == Verdict::converged ? Mark::good : usable(v) ? Mark::warn : Mark::bad;
 }
 
-std::string extent_text(const Extent& e) {
-  return std::isfinite(e.low) ? io::short_number(e.low) + " to " + io::short_number(e.high) : "-";
-}
-
 // The value with its interval, which is the wider one where the form lacks something.
 Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::string>& weak) {
   switch (e.status) {
@@ -30,11 +26,13 @@ Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::st
     case Status::fixed:
       return {.text = io::short_number(e.value), .note = "fixed"};
     case Status::at_bound:
-      return {.text = io::short_number(e.value), .mark = Mark::warn, .note = "at the end of its range"};
+      return {.text = io::short_number(e.value),
+              .mark = Mark::warn,
+              .note = extent_text(interval_of(e)) + ", at the end of its range"};
     default:
       break;
   }
-  const bool wrong = fit.lack_of_fit.beyond_scatter && std::isfinite(e.with_lack_of_fit.low);
+  const bool wrong = fit.lack_of_fit.beyond_scatter && !std::isnan(e.with_lack_of_fit.low);
   const NamedParameter parameter = named(fit, e);
   const bool is_weak = std::any_of(weak.begin(), weak.end(), [&](const std::string& w) {
     const std::size_t bracket = w.find(" (");
@@ -45,7 +43,7 @@ Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::st
   });
   return {.text = io::short_number(e.value),
           .mark = is_weak ? Mark::warn : Mark::none,
-          .note = extent_text(wrong ? e.with_lack_of_fit : Extent{e.low, e.high})};
+          .note = extent_text(wrong ? interval_with_lack_of_fit(e) : interval_of(e))};
 }
 
 void add_intervals(io::HtmlReport& report, const FormFit& f) {
@@ -63,8 +61,8 @@ void add_intervals(io::HtmlReport& report, const FormFit& f) {
     const auto if_free = [&](const std::string& text) { return Cell{free ? text : "-"}; };
     rows.push_back({{name, Mark::none, true},
                     {e.status == Status::unidentified ? "-" : io::short_number(e.value)},
-                    if_free(extent_text({e.low, e.high})),
-                    if_free(extent_text(e.with_lack_of_fit)),
+                    {e.status == Status::fixed ? "-" : extent_text(interval_of(e))},
+                    if_free(extent_text(interval_with_lack_of_fit(e))),
                     if_free(extent_text(e.left_out)),
                     if_free(extent_text(e.other_metrics)),
                     if_free(io::short_number(e.standard_error, 2)),

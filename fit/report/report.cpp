@@ -20,29 +20,25 @@ std::string error_text(double error) {
   return error < 10 ? io::percent(error) : std::to_string(std::llround(100 * error)) + " %";
 }
 
-std::string extent_text(double low, double high) {
-  return io::short_number(low) + " to " + io::short_number(high);
-}
-
 // The value with its interval; where the model is wrong, also with what that adds.
 std::string estimate_text(const Estimate& e, const std::string& name, bool wrong) {
   switch (e.status) {
     case Status::unidentified:
-      return name + " not identified";
+      return name + " not identified" +
+             (e.low_open && e.high_open ? "" : " (" + extent_text(interval_of(e)) + ")");
     case Status::fixed:
       return name + " " + io::short_number(e.value) + " (fixed)";
     case Status::at_bound:
-      return name + " " + io::short_number(e.value) + " (at its bound)";
+      return name + " " + io::short_number(e.value) + "  (" + extent_text(interval_of(e)) + ", at its bound)";
     default:
       break;
   }
-  std::string text = name + " " + io::short_number(e.value) + "  (" + extent_text(e.low, e.high);
+  std::string text = name + " " + io::short_number(e.value) + "  (" + extent_text(interval_of(e));
   if (wrong && std::isfinite(e.with_lack_of_fit.low))
-    text +=
-        " statistical, " + extent_text(e.with_lack_of_fit.low, e.with_lack_of_fit.high) + " with lack of fit";
+    text += " statistical, " + extent_text(interval_with_lack_of_fit(e)) + " with lack of fit";
   if (wrong && std::isfinite(e.other_metrics.low))
-    text += "; by other metrics " + extent_text(e.other_metrics.low, e.other_metrics.high);
-  if (std::isfinite(e.bootstrap.low)) text += "; bootstrap " + extent_text(e.bootstrap.low, e.bootstrap.high);
+    text += "; by other metrics " + extent_text(e.other_metrics);
+  if (std::isfinite(e.bootstrap.low)) text += "; bootstrap " + extent_text(e.bootstrap);
   return text + ")";
 }
 

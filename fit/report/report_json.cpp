@@ -25,11 +25,11 @@ Json estimate_json(const Estimate& e) {
   Json j{{"status", name_of(e.status)}};
   // An unidentified value is no value: the material needs one, a reader must not.
   j["value"] = e.status == Status::unidentified ? Json(nullptr) : number(e.value);
+  // An end that is open is null.
+  if (e.status != Status::fixed) j.update(extent_json(interval_of(e)));
   if (e.status == Status::free)
-    j.update(Json{{"low", number(e.low)},
-                  {"high", number(e.high)},
-                  {"standard_error", number(e.standard_error)},
-                  {"with_lack_of_fit", extent_json(e.with_lack_of_fit)},
+    j.update(Json{{"standard_error", number(e.standard_error)},
+                  {"with_lack_of_fit", extent_json(interval_with_lack_of_fit(e))},
                   {"left_out", extent_json(e.left_out)},
                   {"other_metrics", extent_json(e.other_metrics)}});
   if (std::isfinite(e.bootstrap_error))
@@ -132,6 +132,8 @@ Json statistics_json(const FormFit& fit) {
   j["bic"] = number(fit.bic);
   j["parameters"] = fit.parameters;
   j["metrics"] = metrics_json(fit.metrics);
+  j["intervals_by"] = name_of(fit.intervals);
+  j["approximate"] = fit.intervals == IntervalsBy::curvature;
   j["intervals"] = intervals_json(fit);
   if (!fit.smooth.empty()) j["smooth"] = smooth_json(fit.smooth);
   return j;
@@ -226,9 +228,10 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
   j["metric_choice"] = choice_json(result.metric);
   j["samples"] = samples_json(result, table, options);
   j.update(statistics_json(fit));
-  constexpr std::size_t kMostParameters = 100;  // in a file that people read
+  constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // in a file that people read
   if (fit.covariance && fit.covariance->names.size() <= kMostParameters)
     j["covariance"] = to_json(*fit.covariance);
+  if (!fit.ends.empty() && fit.ends.size() <= kMostEnds) j["ends"] = to_json(fit.ends);
   return j;
 }
 

@@ -1,34 +1,21 @@
 #include "fit/solve/profile.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "fit/algebra/eigen_view.h"
 
 namespace brdf::fit {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using View = Eigen::Map<const RowMajor>;
-
 constexpr double kWithoutEffect =
     1e-12;  // an eigenvalue of the scaled matrix below this share of the largest
 
-View view_of(const Matrix& m) {
-  return {m.a.data(), Eigen::Index(m.rows), Eigen::Index(m.cols)};
-}
-
-Matrix matrix_of(const RowMajor& m) {
-  Matrix out(std::size_t(m.rows()), std::size_t(m.cols()));
-  std::copy(m.data(), m.data() + m.size(), out.a.begin());
-  return out;
-}
-
-// Of a symmetric matrix on axes scaled to a diagonal of 1, without the directions that have no effect.
-RowMajor pseudo_inverse(const RowMajor& m) {
+RowMatrix pseudo_inverse(const RowMatrix& m) {
   Eigen::VectorXd scale(m.rows());
   for (Eigen::Index k = 0; k < m.rows(); ++k) scale(k) = m(k, k) > 0 ? 1 / std::sqrt(m(k, k)) : 0;
-  const Eigen::SelfAdjointEigenSolver<RowMajor> eigen(scale.asDiagonal() * m * scale.asDiagonal());
-  RowMajor out = RowMajor::Zero(m.rows(), m.rows());
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(scale.asDiagonal() * m * scale.asDiagonal());
+  RowMatrix out = RowMatrix::Zero(m.rows(), m.rows());
   for (Eigen::Index k = 0; k < m.rows(); ++k) {
     const double value = eigen.eigenvalues()(k);
     if (value <= kWithoutEffect * eigen.eigenvalues()(m.rows() - 1)) continue;
@@ -46,13 +33,13 @@ Profile profile(const NormalEquations& n, std::span<const std::size_t> kept, std
   for (std::size_t k = 0; k < size; ++k)
     if (at_bound[k] == 0 && std::ranges::find(kept, k) == kept.end()) others.push_back(k);
   const Eigen::Index f = Eigen::Index(others.size());
-  RowMajor own(f, f);
+  RowMatrix own(f, f);
   for (std::size_t i = 0; i < others.size(); ++i)
     for (std::size_t j = 0; j < others.size(); ++j)
       own(Eigen::Index(i), Eigen::Index(j)) = n.hessian(others[i], others[j]);
   Profile out{{}, std::vector<double>(kept.size(), 0), Matrix(size, kept.size()), Matrix(size, size)};
   if (f > 0) {
-    const RowMajor inverse = pseudo_inverse(own);
+    const RowMatrix inverse = pseudo_inverse(own);
     for (std::size_t i = 0; i < others.size(); ++i)
       for (std::size_t j = 0; j < others.size(); ++j)
         out.inverse(others[i], others[j]) = inverse(Eigen::Index(i), Eigen::Index(j));
@@ -67,8 +54,12 @@ Profile profile(const NormalEquations& n, std::span<const std::size_t> kept, std
   return out;
 }
 
+Matrix pseudo_inverse(const Matrix& m) {
+  return matrix_of(pseudo_inverse(RowMatrix(view_of(m))));
+}
+
 Matrix sandwich(const Matrix& hessian, const Matrix& meat) {
-  const RowMajor inverse = pseudo_inverse(view_of(hessian));
+  const RowMatrix inverse = pseudo_inverse(view_of(hessian));
   return matrix_of(inverse * view_of(meat) * inverse);
 }
 

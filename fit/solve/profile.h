@@ -23,6 +23,9 @@ struct Profile {
 // without effect nothing follows.
 Profile profile(const NormalEquations& n, std::span<const std::size_t> kept, std::span<const int> at_bound);
 
+// Of a symmetric matrix on axes scaled to a diagonal of 1, without the directions that have no effect.
+Matrix pseudo_inverse(const Matrix& m);
+
 // The covariance of what has this curvature and this sum of scores' outer products: H^-1 M H^-1.
 Matrix sandwich(const Matrix& hessian, const Matrix& meat);
 

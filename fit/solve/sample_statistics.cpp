@@ -46,6 +46,7 @@ void SampleStream::add_scores(std::span<const double> p, const Leverage& leverag
       apply_loss(residual_.loss, rows, w.r, w.rho, w.root, w.curvature);
       fill_jacobian(&weights.a[c * weights.cols], rows, w);
       if (leverage.noise_alone) multiply(w.f, w.slope, rows, w.r);
+      if (leverage.scores) std::copy_n(&(*leverage.scores)[c][first], rows, w.r);
       if (leverage.inverse) {
         quadratic_forms(columns, w.scaled.data(), column_inverse[c].a.data(), entries, w.mixed);
         if (leverage.expected) {
@@ -55,13 +56,18 @@ void SampleStream::add_scores(std::span<const double> p, const Leverage& leverag
         free_of_influence(w.mixed, w.curvature, leverage.expected ? w.rho : nullptr, noise.data(), rows, w.r);
       }
       if (meat) add_to_scores(map[c], robust, rows, w);
+      if (meat && leverage.clusters == Clusters::values) {
+        add_gram(size, w.scores.data(), size, w.scores.data(), true, entries, meat->a.data());
+        for (double* column : w.scores) std::fill(column, column + entries, 0.0);
+      }
       if (!bread) continue;
       std::fill(w.curvature + rows, w.curvature + entries, 0.0);
       for (std::size_t k = 0; k < columns; ++k)
         multiply(w.scaled[k], w.curvature, entries, curved_columns[k]);
       add_gram(columns, curved_columns.data(), columns, w.scaled.data(), true, entries, raw[c].a.data());
     }
-    if (meat) add_gram(size, w.scores.data(), size, w.scores.data(), true, entries, meat->a.data());
+    if (meat && leverage.clusters == Clusters::rows)
+      add_gram(size, w.scores.data(), size, w.scores.data(), true, entries, meat->a.data());
   }
   spare_->give(std::move(own));
   for (std::size_t c = 0; bread && c < channels; ++c) add_mapped(map[c], raw[c], *bread);
@@ -82,13 +88,23 @@ Matrix SampleStream::bread(std::span<const double> p) const {
 
 Matrix SampleStream::meat(std::span<const double> p, const Matrix& inverse, const Matrix* expected) const {
   Matrix out(model_.size(), model_.size());
-  add_scores(p, {&inverse, expected, false}, nullptr, &out);
+  add_scores(p, {&inverse, expected}, nullptr, &out);
   return out;
 }
 
 Matrix SampleStream::expected_meat(std::span<const double> p) const {
   Matrix out(model_.size(), model_.size());
-  add_scores(p, {nullptr, nullptr, true}, nullptr, &out);
+  add_scores(p, {.noise_alone = true}, nullptr, &out);
+  return out;
+}
+
+Matrix SampleStream::meat_of(std::span<const double> p, const std::vector<std::vector<double>>& scores,
+                             Clusters clusters) const {
+  Matrix out(model_.size(), model_.size());
+  Leverage given;
+  given.scores = &scores;
+  given.clusters = clusters;
+  add_scores(p, given, nullptr, &out);
   return out;
 }
 

@@ -51,6 +51,9 @@ struct LobeQuadratic {
   double cost = 0;
 };
 
+// What of the noise is shared: nothing, or the noise of the channels of a row.
+enum class Clusters { values, rows };
+
 // What one derivative column contributes to: the solver's parameters and the factors.
 struct Contribution {
   std::size_t slot;
@@ -111,6 +114,9 @@ class SampleStream {
   Matrix meat(std::span<const double> p, const Matrix& inverse, const Matrix* expected = nullptr) const;
   // The meat of noise that is the value itself.
   Matrix expected_meat(std::span<const double> p) const;
+  // The meat of these scores in the residuals' place, [channel][row], independent of each other or shared within a row.
+  Matrix meat_of(std::span<const double> p, const std::vector<std::vector<double>>& scores,
+                 Clusters clusters) const;
   // What the values have of the variance of v'g for each v, g the gradient of one value; noise taken as proportional to
   // the value.
   std::vector<NoiseShares> noise_shares(std::span<const double> p,
@@ -124,6 +130,8 @@ class SampleStream {
   // [channel][row]: the residuals, before the loss; of the model's values.
   std::vector<std::vector<double>> residual_values(std::span<const double> p) const;
   std::vector<std::vector<double>> residuals_of(std::vector<std::vector<double>> values) const;
+  // [channel][row]: the residuals' derivatives by the model's values, before the loss.
+  std::vector<std::vector<double>> slopes_of(std::vector<std::vector<double>> values) const;
 
  private:
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
@@ -137,6 +145,8 @@ class SampleStream {
     const Matrix* inverse = nullptr;   // of the bread; null: residuals stay as they are
     const Matrix* expected = nullptr;  // covariance of the unknowns under noise that is the value
     bool noise_alone = false;          // that noise in the residuals' place
+    const std::vector<std::vector<double>>* scores = nullptr;  // [channel][row] in the residuals' place
+    Clusters clusters = Clusters::rows;
   };
   // Only what is not null.
   void add_scores(std::span<const double> p, const Leverage& leverage, Matrix* bread, Matrix* meat) const;

@@ -2,18 +2,17 @@
 
 #include <ceres/ceres.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
 
+#include "fit/algebra/eigen_view.h"
+
 namespace brdf::fit {
 namespace {
 
 constexpr std::size_t kManyUnknowns = 32;
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost, in the unknowns `free`. A pivot below the rounding of its
 // diagonal is a direction that the samples do not see: its row is 0.

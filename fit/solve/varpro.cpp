@@ -1,14 +1,13 @@
 #include "fit/solve/varpro.h"
-#include "fit/algebra/box_quadratic.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "fit/algebra/box_quadratic.h"
+#include "fit/algebra/eigen_view.h"
+
 namespace brdf::fit {
 namespace {
-
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Share of the cost in the measurements' own square above which nine digits of it survive the subtraction.
 constexpr double kExactShare = 1e-7;

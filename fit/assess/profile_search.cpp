@@ -1,0 +1,402 @@
+#include "fit/assess/profile_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fit/solve/nearby.h"
+#include "fit/solve/starts.h"
+
+namespace brdf::fit {
+namespace {
+
+constexpr double kOnLevel = 0.02;   // of the root of the rise
+constexpr double kParabola = 0.15;  // within which the root of the rise follows the parabola
+constexpr double kFar = 2.5;  // times an end's distance: five standard errors where the profile is a parabola
+constexpr double kClosed = 2.25;  // times the root of the level, which a profile must reach beyond an end
+constexpr double kPlateau =
+    5;  // times an end's distance: a profile that is not that far up there has stopped rising
+constexpr int kEdgeHalvings = 10;  // of the stretch in which a plateau ends
+constexpr double kJump = 1e-3;     // share of its size within which a crossing that is no crossing is known
+constexpr double kFactor = 3;      // between weights that are compared by their logarithms
+constexpr double kLeastWeight = 1e-9;  // of the larger of two, for the other's logarithm
+constexpr double kSlowest = 0.5;       // of the parabola's pace, beyond the level
+constexpr double kNearLimit =
+    1.2;  // times the end's distance: closer than that the limit says nothing of the pace
+constexpr double kPenalty = 1e4;  // by it a point of the profile misses its value by 2e-4 of its distance
+constexpr double kSolved = 1e-3;  // of the level: to which a cost is minimised
+constexpr int kSteps = 24;        // of one solution
+constexpr int kPoints = 40;       // of one side
+constexpr int kRounds = 4;        // in which an end is looked for further out
+constexpr std::size_t kBestSeeds = 3;  // of the shapes of the grid
+constexpr double kStepBeyond = 0.1;    // of its distance, beyond an end
+
+// The parameter on the scale of its interval.
+class Coordinate {
+ public:
+  Coordinate(const Model& model, const Reported& r, std::size_t index)
+      : model_(model), r_(r), index_(index), slot_(r.slot) {
+    // A weight that one unknown sets alone.
+    if (slot_ == kNoSlot && r.scale == kNoSlot && r.times == kNoSlot && model.linear() && !r.divided &&
+        r.gradient.size() == 1 && r.gradient[0].second == 1)
+      slot_ = r.gradient[0].first;
+  }
+
+  // Of the slot that is held, or kNoSlot: then the value is reached by a penalty.
+  std::size_t slot() const { return slot_; }
+  double low() const { return r_.slot != kNoSlot ? slot_of(r_.slot).low : on_scale(r_.min); }
+  double high() const { return r_.slot != kNoSlot ? slot_of(r_.slot).high : on_scale(r_.max); }
+  double at(std::span<const double> p) const {
+    if (slot_ != kNoSlot) return p[slot_];
+    return on_scale(there(p).estimate.value);
+  }
+  // With the gradient by the solver's parameters.
+  std::pair<double, Eigen::VectorXd> with_gradient(std::span<const double> p) const {
+    const Eigen::Index n = Eigen::Index(p.size());
+    if (slot_ != kNoSlot) return {p[slot_], Eigen::VectorXd::Unit(n, Eigen::Index(slot_))};
+    const Reported here = there(p);
+    const Eigen::VectorXd g = gradient_vector(here, n);
+    if (r_.scale == kNoSlot) return {here.estimate.value, g};
+    const Slot& slot = slot_of(r_.scale);
+    const double u = slot.to_solver(here.estimate.value);
+    return {u, g / slot.slope(u)};
+  }
+
+ private:
+  Reported there(std::span<const double> p) const {
+    std::vector<Reported> all = reported_parameters(model_, p);
+    return r_.times == kNoSlot ? std::move(all[index_]) : product_of(all, index_, r_.times);
+  }
+  const Slot& slot_of(std::size_t slot) const { return model_.slots()[slot]; }
+  double on_scale(double value) const {
+    return r_.scale == kNoSlot ? value : slot_of(r_.scale).to_solver(value);
+  }
+
+  const Model& model_;
+  const Reported& r_;
+  std::size_t index_, slot_;
+};
+
+class Search {
+ public:
+  Search(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level)
+      : start_(start),
+        model_(start.stream.model()),
+        coordinate_(model_, r, index),
+        level_(level.rise),
+        plateau_level_(std::max(level.rise, level.of_lobes)),
+        error_(level.error),
+        weight_(r.weight && !r.divided),
+        may_vanish_(r.info->role == Role::specular),
+        low_(model_.low()),
+        high_(model_.high()) {
+    const auto [x, gradient] = coordinate_.with_gradient(start.minimum.p);
+    origin_ = x;
+    const Eigen::VectorXd along = start.curvature.inverse * gradient;
+    const double own = gradient.dot(along);
+    follows_ = own > 0 ? Eigen::VectorXd(along / own) : Eigen::VectorXd::Zero(along.size());
+  }
+
+  ProfileSides run() {
+    ProfileSides out;
+    out.low = find(-1);
+    out.high = find(1);
+    out.quadratic = quadratic_;
+    out.near = std::move(near_);
+    return out;
+  }
+
+  void extend(std::span<const CostedPoint> known, ProfileSides& sides) {
+    extend(-1, known, sides.low);
+    extend(1, known, sides.high);
+    std::move(near_.begin(), near_.end(), std::back_inserter(sides.near));
+  }
+
+ private:
+  double pace(const ProfilePoint& point) const { return std::sqrt(std::max(point.rise, 0.0) / level_); }
+  double distance(double x) const { return std::abs(x - origin_); }
+  bool stopped() const { return start_.interrupted && start_.interrupted->load(std::memory_order_relaxed); }
+
+  // The least cost at x from one start; shapes may be held there.
+  ProfilePoint solve_at(double x, std::vector<double> p, bool hold_shapes = false) {
+    std::vector<double> low = low_, high = high_;
+    if (hold_shapes)
+      for (std::size_t k = 0; k < model_.shape_slots(); ++k) low[k] = high[k] = p[k];
+    const bool pinned = coordinate_.slot() != kNoSlot;
+    if (pinned) low[coordinate_.slot()] = high[coordinate_.slot()] = p[coordinate_.slot()] = x;
+    const double penalty = pinned ? 0 : kPenalty * level_ / std::pow(std::max(distance(x), 1e-12), 2);
+    ProfilePoint best{x, std::numeric_limits<double>::infinity(), p};
+    double least = best.rise;
+    const Objective objective = [&](std::span<const double> q) {
+      NormalEquations n = start_.stream.normal_equations(q);
+      const double cost = n.cost;
+      double there = x;
+      if (!pinned) {
+        const auto [value, gradient] = coordinate_.with_gradient(q);
+        there = value;
+        n.cost += 0.5 * penalty * (value - x) * (value - x);
+        for (Eigen::Index i = 0; i < gradient.size(); ++i) {
+          n.gradient[std::size_t(i)] += penalty * (value - x) * gradient(i);
+          for (Eigen::Index j = 0; j < gradient.size(); ++j)
+            n.hessian(std::size_t(i), std::size_t(j)) += penalty * gradient(i) * gradient(j);
+        }
+      }
+      if (n.cost < least) {
+        least = n.cost;
+        best = {there, cost - start_.minimum.cost, {q.begin(), q.end()}};
+      }
+      return n;
+    };
+    SolveOptions options;
+    options.max_iterations = kSteps;
+    options.tolerance = kSolved * level_ / std::max(start_.minimum.cost, level_);
+    options.interrupted = start_.interrupted;
+    solve_nearby(objective, p, low, high, options);
+    if (best.rise < square(kClosed) * plateau_level_) near_.push_back({best.p, best.rise});
+    return best;
+  }
+
+  // From the way so far: straight on from the minimum or between the points on either side.
+  std::vector<double> way_to(double x) const {
+    std::vector<double> p = start_.minimum.p;
+    if (inside_ && outside_) {
+      const double share = (x - inside_->x) / (outside_->x - inside_->x);
+      for (std::size_t k = 0; k < p.size(); ++k)
+        p[k] = inside_->p[k] + share * (outside_->p[k] - inside_->p[k]);
+    } else if (inside_ && inside_->x != origin_) {
+      const double stretch = std::min((x - origin_) / (inside_->x - origin_), 2.0);
+      for (std::size_t k = 0; k < p.size(); ++k) p[k] += stretch * (inside_->p[k] - p[k]);
+    } else {
+      for (std::size_t k = 0; k < p.size(); ++k) p[k] += follows_(Eigen::Index(k)) * (x - origin_);
+    }
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = std::clamp(p[k], low_[k], high_[k]);
+    return p;
+  }
+
+  ProfilePoint at(double x) { return solve_at(x, way_to(x)); }
+
+  // To the level from what is inside it; open at the limit.
+  ProfileEnd cross(double guess) {
+    double other_side = 1;  // by which the point that stays is weighed down (Illinois)
+    for (int k = 0; k < kPoints && !stopped(); ++k) {
+      const double x = is_beyond(guess, limit_) ? limit_ : guess;
+      ProfilePoint point = at(x);
+      const double reached = pace(point);
+      if (k == 0 && !outside_ && std::abs(reached - 1) > kParabola) quadratic_ = false;
+      const bool at_limit = x == limit_;
+      if (reached < 1 && at_limit) return {std::move(point), true, true};
+      if (std::abs(reached - 1) <= kOnLevel) return {std::move(point), false, false};
+      if (reached < 1) {
+        other_side = outside_ && last_inside_ ? other_side / 2 : 1;
+        if (!inside_ || is_beyond(point.x, inside_->x)) inside_ = std::move(point);
+        last_inside_ = true;
+      } else {
+        outside_ = std::move(point);
+        last_inside_ = false;
+      }
+      if (!outside_) {
+        const double stretch = std::clamp(1.05 / std::max(pace(*inside_), 1e-3), 1.25, 4.0);
+        guess = origin_ + stretch * std::max(distance(inside_->x), distance(x)) * side_;
+        continue;
+      }
+      const double from = inside_ ? inside_->x : origin_, reach = outside_->x - from;
+      const double size = logarithmic(from, outside_->x) ? std::abs(outside_->x) : distance(outside_->x);
+      if (std::abs(reach) <= kJump * size) break;  // the profile jumps
+      const double below = 1 - (inside_ ? pace(*inside_) : 0), above = pace(*outside_) - 1;
+      const double share = k % 3 == 2 ? 0.5 : below / (below + above);
+      guess = between(from, outside_->x, std::clamp(share, 0.02, 0.98));
+    }
+    return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, false, false};
+  }
+
+  // Of weights, which may differ by powers of ten along a valley.
+  bool logarithmic(double a, double b) const {
+    return weight_ && std::min(a, b) >= 0 && std::max(a, b) > kFactor * std::min(a, b);
+  }
+  double between(double a, double b, double share) const {
+    if (!logarithmic(a, b)) return a + share * (b - a);
+    const double least = kLeastWeight * std::max(a, b), from = std::max(a, least), to = std::max(b, least);
+    return from * std::pow(to / from, share);
+  }
+
+  bool is_beyond(double x, double y) const { return side_ * (x - y) >= 0; }
+
+  // Between a point on a plateau and one above it: where the profile leaves the plateau.
+  ProfilePoint edge_of_plateau() {
+    for (int k = 0; k < kEdgeHalvings && !stopped(); ++k) {
+      ProfilePoint point = at(between(inside_->x, outside_->x, 0.5));
+      (pace(point) < kClosed ? inside_ : outside_) = std::move(point);
+    }
+    return *inside_;
+  }
+
+  // Whether the profile goes on rising beyond an end that it crosses. A profile that bends moves its end out so far that no
+  // point is further from the minimum, in units of the end's distance, than the root of its rise says; one that stops
+  // rising, to where the plateau ends. Where it falls below the level again, that point is inside.
+  void look_beyond(ProfileEnd& end, bool& fell) {
+    const double reach = distance(end.at.x);
+    double farthest = reach;
+    inside_ = end.at;
+    for (double stretch = kFar; !stopped(); stretch *= 2) {
+      const double asked = origin_ + side_ * stretch * reach, x = is_beyond(asked, limit_) ? limit_ : asked;
+      const double ratio = distance(x) / std::max(reach, 1e-300);
+      if (ratio < kNearLimit) {
+        end.limit_is_near = true;
+        return;
+      }
+      outside_.reset();
+      ProfilePoint point = at(x);
+      const double reached = pace(point);
+      if (stretch == kFar && std::abs(reached / ratio - 1) > kParabola) quadratic_ = false;
+      end.limit_is_near = x == limit_ && reached < kClosed;
+      if (reached < 1 - kOnLevel) {
+        inside_ = std::move(point);
+        fell = true;
+        return;
+      }
+      farthest = std::max(farthest, distance(point.x) / reached);
+      const bool closed = reached >= kClosed;
+      if (closed && stretch > kPlateau) {
+        outside_ = std::move(point);
+        end.at = edge_of_plateau();
+        return;
+      }
+      if (closed || (x == limit_ && !may_vanish_ && reached >= 1 + kSlowest * (ratio - 1))) {
+        if (farthest < (1 + kStepBeyond) * reach) return;
+        outside_ = std::move(point);
+        inside_ = end.at;
+        end.at = at(origin_ + side_ * farthest);
+        return;
+      }
+      inside_ = std::move(point);
+      if (x != limit_) continue;
+      end.open = true;
+      end.at = std::move(*inside_);
+      return;
+    }
+  }
+
+  // The least cost at x from starts that the way here has not seen.
+  std::optional<ProfilePoint> elsewhere(double x) {
+    std::vector<ProfilePoint> seeds;
+    const auto add = [&](std::vector<double> p) {
+      if (stopped()) return;
+      if (coordinate_.slot() != kNoSlot) p[coordinate_.slot()] = x;
+      const auto same_shapes = [&](const ProfilePoint& other) {
+        return std::equal(p.begin(), p.begin() + std::ptrdiff_t(model_.shape_slots()), other.p.begin());
+      };
+      if (std::ranges::none_of(seeds, same_shapes)) seeds.push_back(solve_at(x, p, true));
+    };
+    for (const std::vector<double>& p : start_.seeds.points()) add(p);
+    std::ranges::stable_sort(seeds, {}, &ProfilePoint::rise);
+    std::optional<ProfilePoint> best;
+    for (std::size_t k = 0; k < std::min(seeds.size(), kBestSeeds); ++k) {
+      ProfilePoint found = solve_at(x, seeds[k].p);
+      if (!best || found.rise < best->rise) best = std::move(found);
+    }
+    return best;
+  }
+
+  void begin(int side) {
+    side_ = side;
+    limit_ = side < 0 ? coordinate_.low() : coordinate_.high();
+    inside_.reset();
+    outside_.reset();
+  }
+
+  ProfileEnd find(int side) {
+    begin(side);
+    if (is_beyond(origin_, limit_)) return {{origin_, 0, start_.minimum.p}, true, true};
+    const bool known = error_ > 0 && std::isfinite(error_);
+    return settled(known ? origin_ + side * error_ : origin_ + kStepBeyond * (limit_ - origin_));
+  }
+
+  // The crossing beyond which the profile rises on.
+  ProfileEnd settled(double guess) {
+    for (int round = 0; round < kRounds && !stopped(); ++round) {
+      ProfileEnd end = cross(guess);
+      bool fell = false;
+      if (!end.open) look_beyond(end, fell);
+      if (!fell) return end;
+      outside_.reset();
+      if (inside_->x == limit_) break;
+      guess = origin_ + 2 * (inside_->x - origin_);
+    }
+    return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, true, false};
+  }
+
+  // To points that other profiles have met beyond the end, by the rules of look_beyond(), and from other shapes.
+  void extend(int side, std::span<const CostedPoint> known, ProfileEnd& end) {
+    for (int round = 0; round < kRounds && !end.open && !stopped(); ++round) {
+      begin(side);
+      if (is_beyond(end.at.x, limit_)) return;
+      reach_for(known, end);
+      const double step = kStepBeyond * std::max(distance(end.at.x), error_);
+      const double asked = end.at.x + side * step;
+      std::optional<ProfilePoint> found = elsewhere(is_beyond(asked, limit_) ? limit_ : asked);
+      if (!found || !(pace(*found) < 1 - kOnLevel)) return;
+      inside_ = std::move(found);
+      end = is_beyond(inside_->x, limit_) ? ProfileEnd{*inside_, true, true}
+                                          : settled(origin_ + 2 * (inside_->x - origin_));
+    }
+  }
+
+  // Moves the end out to what the known points say.
+  void reach_for(std::span<const CostedPoint> known, ProfileEnd& end) {
+    const double reach = distance(end.at.x);
+    double farthest = (1 + kStepBeyond) * reach;
+    for (const CostedPoint& point : known) {
+      ProfilePoint here{coordinate_.at(point.p), point.rise, point.p};
+      if (!is_beyond(here.x, end.at.x)) continue;
+      const double away = distance(here.x);
+      const bool plateau = away > kPlateau * reach && point.rise < square(kClosed) * plateau_level_;
+      if (!plateau && pace(here) >= kClosed) continue;
+      const double says = plateau ? away : away / std::max(pace(here), 1.0);
+      if (says <= farthest) continue;
+      farthest = says;
+      outside_ = std::move(here);
+    }
+    if (!outside_) return;
+    inside_ = end.at;
+    const double x = origin_ + side_ * farthest;
+    end.at = farthest >= distance(outside_->x) ? *outside_ : at(x);
+  }
+
+  const ProfileStart& start_;
+  const Model& model_;
+  Coordinate coordinate_;
+  double level_, plateau_level_, error_;
+  bool weight_,
+      may_vanish_;  // a lobe without weight leaves its shape free: five standard errors must speak for it
+  std::vector<double> low_, high_;
+  double origin_ = 0, limit_ = 0;
+  Eigen::VectorXd follows_;  // how the solver's parameters move with this one
+  int side_ = 1;
+  bool quadratic_ = true, last_inside_ = false;
+  std::optional<ProfilePoint> inside_, outside_;  // nearest to the level
+  std::vector<CostedPoint> near_;
+};
+
+}  // namespace
+
+ProfileSides find_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level) {
+  return Search(start, r, index, level).run();
+}
+
+void extend_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level,
+                 std::span<const CostedPoint> known, ProfileSides& sides) {
+  Search(start, r, index, level).extend(known, sides);
+}
+
+const std::vector<std::vector<double>>& ProfileSeeds::points() {
+  std::call_once(filled_, [&] {
+    if (stream_.model().shape_slots() == 0) return;
+    for (std::vector<double>& p : grid_starts(stream_.model())) {
+      start_weights(stream_, p);
+      points_.push_back(std::move(p));
+    }
+  });
+  return points_;
+}
+
+}  // namespace brdf::fit
