@@ -235,8 +235,8 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
       "file,form,verdict,left_out,median_relative_error,cross_validated_error,bic,recommended,finding\n";
   io::HtmlReport html("Fits of " + std::to_string(rows.size()) + " files");
   std::vector<std::vector<io::Cell>> cells;
-  io::Series in_sample{"median relative error", {}, {}, io::Series::Style::points};
-  io::Series left_out{"of directions left out", {}, {}, io::Series::Style::points};
+  io::Series in_sample{"median error (fitted)", {}, {}, io::Series::Style::points};
+  io::Series left_out{"median error (held out)", {}, {}, io::Series::Style::points};
   std::size_t good = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const BatchRow& row = rows[k];
@@ -257,7 +257,8 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
     cells.push_back(
         {{.text = io::file_name(row.file), .link = fitted ? io::address_of(row.name + ".html") : ""},
          {form, io::Mark::none, true},
-         {verdict, usable(row) ? io::Mark::good : io::Mark::bad},
+         {verdict, fitted ? find_named<io::Mark>(row.best["state"].get<std::string>()).value_or(io::Mark::bad)
+                          : io::Mark::bad},
          share("median_relative_error"),
          share("cross_validated_error"),
          {row.recommended, io::Mark::none, true},
@@ -278,13 +279,13 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
                           io::address_of(row.name + ".html")});
   }
   if (!pictures.empty()) html.pictures(pictures);
-  html.explain("median, left out",
+  html.explain("median (held out)",
                "Half of the values on incidences that were not fitted are off by less than this.");
-  html.table({"file", "form", "verdict", "median", "median, left out", "recommended", "finding"}, cells,
-             true);
+  html.table({"file", "form", "verdict", "median (fitted)", "median (held out)", "recommended", "finding"},
+             cells, true);
   if (!in_sample.x.empty()) {
     io::Plot plot;
-    plot.title = "Median relative error";
+    plot.title = "Median error";
     plot.x_label = "file, in the order given";
     plot.y_label = "median of |fit - value|/value";
     plot.log_y = true;

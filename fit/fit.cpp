@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "fit/assess/hidden_lobe.h"
 #include "fit/assess/lack_of_fit.h"
 #include "fit/assess/left_out.h"
 #include "fit/assess/refits.h"
@@ -99,6 +100,7 @@ FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>
               const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
   Prepared p = prepared(samples.table, options);
   p.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !options.anisotropic);
+  p.interpolated = samples.sheet.has_failed("invented");
   FitResult result = fit_prepared(p, samples.table, models, progress, known);
   result.sheet = samples.sheet;
   return result;
@@ -124,6 +126,13 @@ Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Ref
   result.channels = data.channels;
   result.groups = data.groups;
   out.all = fit_models(data, models, options, result.noise_floor, progress);
+  const Context about{result.noise_floor,
+                      p.interpolated,
+                      data.groups.held_out,
+                      data.groups.groups.size(),
+                      std::string(data.groups.name()),
+                      hidden_width(data, result.noise_floor)};
+  for (Solved& s : out.all) s.fit.about = about;
   refit_all(data, options, known, out.all, result);
   result.interrupted = options.stop();
   return out;
@@ -149,6 +158,13 @@ void rank_and_profile(const FitData& data, const FitOptions& options, const Prog
     for (std::size_t& place : moved) place = number[place];
     number = std::move(moved);
   }
+  FormFit& first = result.ranking.front();
+  if (first.verdict != Verdict::breaks_energy || options.physical != Physical::off || options.stop()) return;
+  if (progress) progress("trying --physical");
+  Solved& s = candidates.all[number.front()];
+  std::swap(s.fit, first);
+  s.fit.findings.push_back(physical_in_words(data, options, s));
+  std::swap(s.fit, first);
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ struct Prepared {
   const sheet::Agreement* agreement =
       nullptr;  // of rows that a symmetry makes equal, where it shows more than the noise
 
+  bool interpolated = false;  // the scatter is an instrument's software's
+
   // Relative, of one value: the larger of the two; none where neither is known.
   std::optional<double> scatter() const {
     if (agreement && agreement->value > noise.value.value_or(0)) return agreement->value;

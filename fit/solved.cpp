@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "fit/assess/assess.h"
+#include "fit/assess/derived.h"
 #include "fit/assess/errors.h"
 #include "fit/assess/lack_of_fit.h"
 #include "fit/assess/propagation.h"
@@ -12,6 +13,7 @@
 #include "fit/assess/verdict.h"
 #include "fit/model/constraints.h"
 #include "fit/solve/minima.h"
+#include "io/error.h"
 #include "io/numbers.h"
 #include "io/parallel.h"
 
@@ -21,11 +23,29 @@ namespace {
 constexpr std::size_t kListedMinima = 10;
 constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 1995)
 
-std::string energy_text(const LargestAlbedo& a, const FitOptions& options) {
+std::string energy_text(const LargestAlbedo& a, const Extent& interval, const FitOptions& options) {
+  const bool beyond = interval.low > LargestAlbedo::kMost;
   return "reflects more light than falls on it: " + io::percent_to_tenths(a.value) + " at " +
          io::short_number(a.theta) + " degrees (" + a.channel + ")" +
-         (a.theta > options.max_theta ? ", beyond the samples" : "") +
+         (beyond ? "" : ", which its interval does not rule out to be 100 %") +
          (options.physical == Physical::off ? "; --physical bounds the weights" : "");
+}
+
+// The interval of the albedo at the angle where the most of the light is reflected; the value where it is not known.
+Extent interval_of_albedo(const FormFit& f, const LargestAlbedo& a) {
+  const std::vector<double> value{a.value};
+  const auto found = intervals(f.material, knowledge_of(f), value, [&](const Material& m) {
+    return std::vector<double>{albedo_at(m, a.theta).value};
+  });
+  return found ? found->front() : Extent{a.value, a.value};
+}
+
+// A material that gives off more than it receives where it was measured is none, if its interval says so, too.
+void judge_energy(const FitOptions& options, FormFit& out) {
+  if (out.has_free_scale || !out.largest_measured_albedo->breaks_energy()) return;
+  const Extent interval = interval_of_albedo(out, *out.largest_measured_albedo);
+  out.findings.push_back(energy_text(*out.largest_measured_albedo, interval, options));
+  if (usable(out.verdict) && interval.low > LargestAlbedo::kMost) out.verdict = Verdict::breaks_energy;
 }
 
 double information_criterion(const SampleStream& stream, const Minimum& m) {
@@ -46,7 +66,7 @@ void keep_in_range(Material& m) {
 }
 
 // What the uncertainty of a solution says of its form.
-void conclude(const Uncertainty& u, Solved& s) {
+void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
   FormFit& out = s.fit;
   if (out.verdict != Verdict::interrupted) out.verdict = verdict_of(s.minimum, u, s.misfit);
   out.findings = s.before;
@@ -54,6 +74,7 @@ void conclude(const Uncertainty& u, Solved& s) {
   if (s.misfit.misfit) out.findings.push_back(s.misfit.finding);
   out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
   out.findings.insert(out.findings.end(), s.after.begin(), s.after.end());
+  out.few_rows_decide = u.few_rows_decide;
   out.estimates = u.estimates;
   out.smooth = u.smooth;
   out.correlations = u.correlations;
@@ -66,6 +87,7 @@ void conclude(const Uncertainty& u, Solved& s) {
     out.ends.push_back({s.model.material(end.p), end.open});
     keep_in_range(out.ends.back().material);
   }
+  judge_energy(options, out);
 }
 
 Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
@@ -99,6 +121,7 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   out.median_relative_error = out.errors.median;
   solved.misfit = judge(data, values, noise);
   out.lack_of_fit = lack_of_fit(stream, values, noise);
+  out.solver_status = name_of(best.termination);
   out.solver_message = best.message;
   if (search.interrupted) {
     out.verdict = Verdict::interrupted;
@@ -108,15 +131,16 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
     solved.after.push_back("another minimum has the same cost: " +
                            shape_text(model.material(search.minima[1].p)));
   out.material = model.material(best.p);
-  out.largest_albedo = largest_albedo(out.material);
-  if (out.largest_albedo->breaks_energy() && !options.free_scale)
-    solved.after.push_back(energy_text(*out.largest_albedo, options));
+  const LargestAlbedos albedos = largest_albedos(out.material, measured_lights(data));
+  out.largest_albedo = albedos.anywhere;
+  out.largest_measured_albedo = albedos.measured;
+  out.has_free_scale = options.free_scale;
   out.bic = information_criterion(stream, best);
   for (std::size_t k = 0; k < std::min(search.minima.size(), kListedMinima); ++k) {
     out.minima.push_back({search.minima[k].cost, search.minima[k].basin, model.material(search.minima[k].p)});
     if (k > 0) solved.other_minima.push_back(search.minima[k].p);
   }
-  conclude(uncertainty(stream, best), solved);
+  conclude(uncertainty(stream, best), options, solved);
   return solved;
 }
 
@@ -159,6 +183,22 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
 
 }  // namespace
 
+std::string physical_in_words(const FitData& data, const FitOptions& options, const Solved& s) {
+  std::vector<Reflectance> forms;
+  for (const TermModel& term : s.model.terms()) forms.push_back(term.form);
+  FitOptions bounded = options;
+  bounded.physical = Physical::either;
+  try {
+    const Solved physical = fit_physical(data, forms, bounded, s.fit.about.scatter);
+    if (!physical.fit.solved()) return "with --physical it could not be fitted";
+    return "with --physical half of the samples are off by " +
+           io::percent(physical.fit.median_relative_error, 2) + " or more, and " +
+           io::percent(physical.fit.largest_albedo->value, 3) + " of the light at most is reflected";
+  } catch (const InputError&) {
+    return "--physical does not go with these options";
+  }
+}
+
 bool profile_intervals(const FitData& data, const FitOptions& options, const Progress& progress, Solved& s) {
   if (!s.fit.solved() || s.fit.verdict == Verdict::interrupted || options.stop()) return false;
   if (s.fit.intervals == IntervalsBy::profile || data.rows() > kManyRows) return false;
@@ -168,7 +208,7 @@ bool profile_intervals(const FitData& data, const FitOptions& options, const Pro
   const Uncertainty u = uncertainty(stream, s.minimum, Detail::profiles, nullptr, profiles);
   if (!u.profiled) return false;
   const std::vector<Estimate> before = std::move(s.fit.estimates);
-  conclude(u, s);
+  conclude(u, options, s);
   for (std::size_t k = 0; k < before.size(); ++k) keep_movement(before[k], s.fit.estimates[k]);
   return true;
 }

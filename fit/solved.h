@@ -31,6 +31,9 @@ std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vecto
                                const FitOptions& options, std::optional<double> noise,
                                const Progress& progress);
 
+// What --physical costs this form: it is tried.
+std::string physical_in_words(const FitData& data, const FitOptions& options, const Solved& solved);
+
 // Replaces the intervals of the curvature by those of the cost's profile, and what follows from them: which parameters the
 // samples tell, and the verdict. False, and nothing changes, where it has them already, where there are too many rows (the
 // intervals stay approximate), or where the run is interrupted.

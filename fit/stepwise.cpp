@@ -17,6 +17,7 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kSignificant = 0.05;
+constexpr double kLeastGain = 0.01;  // of the left-out value: less is not worth a parameter
 constexpr int kStartsOfSums = 6;
 
 using Forms = std::vector<Reflectance>;
@@ -213,7 +214,7 @@ class Stepwise {
       const double p = std::min(1.0, chance(chosen(), next) * double(tried.size()));
       const double error =
           paired_test(groups(), chosen().left_out->by_group, next.left_out->by_group).standard_error;
-      const bool kept = value(next) < value(chosen()) && p < kSignificant;
+      const bool kept = value(next) < (1 - kLeastGain) * value(chosen()) && p < kSignificant;
       result_.steps.push_back({stage.adds, next.form, next.left_out->value,
                                chosen().left_out->value - next.left_out->value, error, p, tried.size(),
                                kept});

@@ -44,8 +44,7 @@ std::string file_name(std::string_view path) {
 }
 
 const char* css_class(Mark mark) {
-  constexpr std::array names{"", "good", "warn", "bad", "absent"};
-  return names[std::size_t(mark)];
+  return mark == Mark::none ? "" : kNames<Mark>[std::size_t(mark)].data();
 }
 
 std::string class_of(Mark mark) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "brdf/names.h"
 #include "io/provenance.h"
 
 namespace brdf::io {
@@ -47,8 +48,21 @@ struct Plot {
   std::optional<BottomEdge> bottom_edge{};  // of a logarithmic y axis
 };
 
-// absent: does not apply. Each but none has a sign beside its colour.
-enum class Mark { none, good, warn, bad, absent };
+// unknown: nothing says whether it is good; absent: does not apply. Each but none has a sign beside its colour. In the order of
+// what outweighs what.
+enum class Mark { none, good, unknown, warn, bad, absent };
+
+}  // namespace brdf::io
+
+namespace brdf {
+
+template <>
+inline constexpr std::array<std::string_view, 6> kNames<io::Mark>{"none", "good", "unknown",
+                                                                  "warn", "bad",  "absent"};
+
+}  // namespace brdf
+
+namespace brdf::io {
 
 struct Cell {
   std::string text;

@@ -40,6 +40,10 @@ struct SampleTable {
 
   std::size_t rows() const { return theta_i.size(); }
   bool has_sigma(std::size_t channel) const { return channel < sigma.size() && !sigma[channel].empty(); }
+  // Whether a polar angle of a row is beyond this one, degrees, by more than conversions round.
+  bool is_beyond(std::size_t row, double max_theta) const {
+    return theta_i[row] > max_theta + 1e-6 || theta_o[row] > max_theta + 1e-6;
+  }
   // The file, or "table" where there is none.
   std::string name() const { return source.empty() ? "table" : source; }
   // "FILE, line N" or "FILE, row N".

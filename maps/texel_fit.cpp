@@ -287,8 +287,7 @@ fit::Misfit TexelFitter::judged(std::vector<std::vector<double>>& values, const 
   const io::SampleTable table = texel_table(stack_, texel_, normal);
   std::vector<std::uint32_t> used;
   for (std::size_t k = 0; k < table.rows(); ++k)
-    if (std::max(table.theta_i[k], table.theta_o[k]) <= settings_.options.max_theta)
-      used.push_back(std::uint32_t(k));
+    if (!table.is_beyond(k, settings_.options.max_theta)) used.push_back(std::uint32_t(k));
   return fit::judge(local, values, io::relative_noise(table, used).value);
 }
 

@@ -151,6 +151,11 @@ DataSheet sheet_of_scans(const io::SampleTable& t, const SheetOptions& options) 
 
 }  // namespace
 
+bool DataSheet::has_failed(std::string_view check) const {
+  return std::ranges::any_of(
+      findings, [&](const Finding& f) { return f.check == check && f.outcome == Outcome::fail; });
+}
+
 std::vector<const Finding*> DataSheet::faults() const {
   std::vector<const Finding*> found;
   for (const Finding& f : findings)

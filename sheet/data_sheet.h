@@ -42,6 +42,8 @@ struct DataSheet {
 
   // What a fit must say before it says anything else: the findings that fail, then the quantity where it is in doubt.
   std::vector<const Finding*> faults() const;
+  // Whether the check of this name fails.
+  bool has_failed(std::string_view check) const;
 };
 
 // Every check of sheet/checks.cpp, once. A check that the table says nothing about is not_applicable, and says why; one that

@@ -296,7 +296,7 @@ Finding outliers_of(const View& view, std::vector<NamedRow> rows, double max_the
   std::map<std::string, std::size_t> of_channel;
   bool are_shaded = true;
   for (NamedRow& row : rows) {
-    row.apart = row.theta_i > max_theta || row.theta_o > max_theta;
+    row.apart = t.is_beyond(row.row, max_theta);
     if (row.apart) {
       beyond += row.row != std::exchange(last_beyond, row.row);
       continue;

@@ -66,8 +66,7 @@ Finding counted(const View& view, std::string_view check, const std::vector<Row>
 
 std::vector<bool> within(const io::SampleTable& t, double max_theta) {
   std::vector<bool> inside(t.rows());
-  for (std::size_t k = 0; k < t.rows(); ++k)
-    inside[k] = t.theta_i[k] <= max_theta && t.theta_o[k] <= max_theta;
+  for (std::size_t k = 0; k < t.rows(); ++k) inside[k] = !t.is_beyond(k, max_theta);
   return inside;
 }
 

@@ -76,11 +76,8 @@ Cell verdict_cell(const Row& row) {
   if (row.fault != Fault::none) return {.text = "error", .mark = Mark::bad};
   std::string verdict = text_of(row.json, "verdict");
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
-  const std::string mark = text_of(row.json, "mark");
   return {.text = verdict,
-          .mark = mark == "good"   ? Mark::good
-                  : mark == "warn" ? Mark::warn
-                                   : Mark::bad,
+          .mark = find_named<Mark>(text_of(row.json, "mark")).value_or(Mark::bad),
           .note = text_of(row.json, "form")};
 }
 
@@ -155,7 +152,7 @@ std::string page_of(const std::vector<Row>& rows) {
   io::HtmlReport report("Study of " + std::to_string(rows.size()) + " samples");
   const std::size_t usable = count(rows, [](const Row& row) { return row.usable(); });
   const std::size_t warned =
-      count(rows, [](const Row& row) { return row.usable() && row.json.at("mark") == "warn"; });
+      count(rows, [](const Row& row) { return row.usable() && row.json.at("mark") != "good"; });
   report.verdict(usable == rows.size() && warned == 0 ? Mark::good : Mark::warn,
                  verdict_of(rows, usable, warned));
   for (const std::string& reason : missing_pictures(rows))

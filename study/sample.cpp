@@ -44,7 +44,7 @@ Json warnings_of(const fit::FitResult& result) {
   Json texts = Json::array();
   for (const std::string& fault : fit::sheet_in_words(result)) texts.push_back("The samples: " + fault + ".");
   for (const io::Remark& remark : fit::remarks_on(result.ranking.front()))
-    if (remark.mark == io::Mark::warn || remark.mark == io::Mark::bad) texts.push_back(remark.text);
+    if (remark.mark >= io::Mark::unknown && remark.mark <= io::Mark::bad) texts.push_back(remark.text);
   return texts;
 }
 
@@ -55,8 +55,7 @@ Json row_of(const Findings& found, const std::string& name, bool relative) {
   row["channels"] = found.table.channels;
   row["form"] = best.form;
   row["verdict"] = name_of(best.verdict);
-  const io::Mark mark = fit::mark_of(best);
-  row["mark"] = mark == io::Mark::good ? "good" : mark == io::Mark::warn ? "warn" : "bad";
+  row["mark"] = name_of(fit::mark_of(best));
   row["usable"] = fit::usable(best.verdict);
   row["statement"] = fit::verdict_sentence(best);
   row["warnings"] = warnings_of(found.fit);

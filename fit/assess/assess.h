@@ -36,7 +36,9 @@ struct Uncertainty {
   std::optional<double> prediction_error;
   bool predictable = false;           // it is known, and at most kDetermined
   std::vector<std::string> findings;  // about bounds and identifiability
+  std::string few_rows_decide;        // which parameters few rows decide, and which rows; empty: none
   bool profiled = false;              // the intervals are those of profiles
+  std::vector<Estimate> products;     // of weights that are not known apart
   std::vector<EndOfInterval> ends;    // of profiles, in the parameters' order, the lower before the upper
 
   // What the model gives is known, and only how weights share it is not.
@@ -70,8 +72,20 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution,
 // sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.
 bool sample_was_turned(const FitData& data);
 
-// Of a material, over the light's polar angles, ten from 0 to 85 degrees, to a relative error of 1e-3.
-LargestAlbedo largest_albedo(const Material& material);
+// Polar angles of the light, degrees.
+struct AngleRange {
+  double low = 0, high = 85;
+};
+AngleRange measured_lights(const FitData& data);
+
+// The largest of the channels' at one angle of the light, degrees, to a relative error of 1e-3.
+LargestAlbedo albedo_at(const Material& material, double theta);
+// The largest over the light's polar angles, ten from 0 to 85 degrees and the ends of the measured ones; and over those that
+// were measured.
+struct LargestAlbedos {
+  LargestAlbedo anywhere, measured;
+};
+LargestAlbedos largest_albedos(const Material& material, AngleRange measured);
 
 // The residual far above the noise: enough of the reflected light is in the wrong place.
 struct Misfit {

@@ -1,5 +1,7 @@
 #include "fit/assess/findings.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "io/numbers.h"
@@ -13,11 +15,24 @@ constexpr const char* kNeverTurned =
     "second width "
     "may be the form's own error: turn the sample, or fit without --anisotropic";
 
+// "ks f0 = 0.038 (0.034 to 0.043); " of every channel, of a spectrum of the first ones.
+std::string products_text(const std::vector<Estimate>& products) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < std::min(products.size(), kMost); ++k) {
+    const Estimate& e = products[k];
+    texts.push_back((products.size() > 1 ? label(e) : e.name) + " = " + io::short_number(e.value) + " (" +
+                    extent_text(interval_of(e)) + ")");
+  }
+  if (texts.empty()) return "";
+  return "known together is " + listed(texts) + (products.size() > kMost ? " and so on" : "") + "; ";
+}
+
 }  // namespace
 
 std::string unidentified_finding(const std::vector<Reported>& all, const Grounds& on, const Uncertainty& u) {
   const auto names = names_with(all, Status::unidentified, on.model.channels().size());
-  const std::string reason = on.unturned ? kNeverTurned : advice(all, on.model);
+  const std::string reason = on.unturned ? kNeverTurned : products_text(u.products) + advice(all, on.model);
   if (u.determined())
     return "what the model gives at the samples is determined (standard error " +
            io::percent(*u.prediction_error) + "), how it divides into " + listed(names) +
@@ -46,6 +61,57 @@ void add_bound_findings(const std::vector<Reported>& all, const Grounds& on, Unc
     out.findings.push_back(sum.name + " is at its bound 1" +
                            (where.size() < channels ? " in " + io::joined(where) : "") + " (--physical)");
   }
+}
+
+namespace {
+
+constexpr double kFewRows = 4;  // effective number of rows below which it is said
+
+// The rows whose noise a parameter's variance is most of, by their places in the table from 1 on.
+std::vector<std::size_t> deciding_rows(const Reported& r, const Grounds& on, const SampleStream& stream,
+                                       std::size_t count) {
+  const Eigen::VectorXd v = on.curvature.inverse * gradient_vector(r, on.curvature.inverse.rows());
+  const auto [values, along] = stream.value_errors(on.minimum.p, matrix_of(v * v.transpose()));
+  const auto slopes = stream.slopes_of(values);
+  std::vector<std::pair<double, std::size_t>> parts;
+  for (std::size_t k = 0; k < stream.data().rows(); ++k) {
+    double part = 0;
+    for (std::size_t c = 0; c < values.size(); ++c)
+      part += square(square(slopes[c][k]) * values[c][k] * along[c][k]);
+    parts.emplace_back(part, stream.data().row[k] + 1);
+  }
+  count = std::min(count, parts.size());
+  std::partial_sort(parts.begin(), parts.begin() + std::ptrdiff_t(count), parts.end(), std::greater());
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < count; ++k) rows.push_back(parts[k].second);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+}  // namespace
+
+std::string few_rows_finding(const std::vector<Reported>& all, const Grounds& on,
+                             const SampleStream& stream) {
+  const Reported* fewest = nullptr;
+  std::vector<std::string> names;
+  for (const Reported& r : all) {
+    const Estimate& e = r.estimate;
+    const bool known = e.status == Status::free || e.status == Status::at_bound;
+    if (!known || !(e.deciding < kFewRows)) continue;
+    if (!fewest || e.deciding < fewest->estimate.deciding) fewest = &r;
+    if (const bool tied = r.slot != kNoSlot && on.model.slots()[r.slot].members.size() > 1;
+        std::ranges::find(names, tied ? on.model.slots()[r.slot].name : e.name) == names.end())
+      names.push_back(tied ? on.model.slots()[r.slot].name : e.name);
+  }
+  if (!fewest) return "";
+  const std::size_t count = std::max<std::size_t>(1, std::size_t(std::lround(fewest->estimate.deciding)));
+  std::vector<std::string> rows;
+  for (const std::size_t row : deciding_rows(*fewest, on, stream, count)) rows.push_back(std::to_string(row));
+  const bool one = count == 1;
+  return std::to_string(count) + (one ? " row decides " : " rows decide ") + listed(names) + " (" +
+         (one ? "row " : "rows ") + listed(rows) +
+         " of the table): " + (names.size() > 1 ? "their intervals suppose" : "its interval supposes") +
+         " that " + (one ? "this row scatters" : "these rows scatter") + " as the others do";
 }
 
 }  // namespace brdf::fit

@@ -13,15 +13,18 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kThetaH[] = {0, 2, 5, 10, 20, 30, 45, 60, 90}, kThetaD[] = {0, 15, 30, 45, 60, 75, 90};
-constexpr std::size_t kFewestRows = 3;
+constexpr std::size_t kFewestRows = 8;
+// Degrees that are added before a cell is looked for: instruments measure at the edges, and rounding must not decide.
+constexpr double kInside = 1e-6;
+constexpr double kRoundingOfRatios = 1e-9;  // of ln(measured/model)
 constexpr double kNormal = 1.4826;  // standard deviation over median deviation of the normal distribution
 // Of the residual over a scatter that is itself known to a factor of 1.5 at best.
 constexpr double kBeyond = 1.3;
 
 template <std::size_t n>
 std::size_t cell(const double (&edges)[n], double angle) {
-  return std::size_t(std::clamp(std::upper_bound(edges, edges + n, angle) - edges, std::ptrdiff_t(1),
-                                std::ptrdiff_t(n - 1))) -
+  return std::size_t(std::clamp(std::upper_bound(edges, edges + n, angle + kInside) - edges,
+                                std::ptrdiff_t(1), std::ptrdiff_t(n - 1))) -
          1;
 }
 
@@ -31,9 +34,11 @@ struct Cell {
   std::vector<double> excess;  // ln(measured/model)
 };
 
-// Whether the middle of a cell is away from 1 by more than five of its standard errors, and by a fifth of its scatter.
+// Whether the middle of a cell is away from 1 by more than five of its standard errors, and by a fifth of its scatter. What
+// is not known to scatter by so much, or differs by rounding alone, is not off.
 bool is_off(const std::vector<double>& excess, double noise) {
   const double middle = io::median(excess);
+  if (!(noise > 0) || std::abs(middle) < kRoundingOfRatios) return false;
   std::vector<double> sizes;
   for (double x : excess) sizes.push_back(std::abs(x - middle));
   const double scatter = std::max(noise, kNormal * io::median(std::move(sizes)));
@@ -128,8 +133,10 @@ LackOfFit lack_of_fit(const SampleStream& stream, const std::vector<std::vector<
     for (std::size_t k = 0; k < stream.data().rows(); ++k)
       if (const double f = model[c][k], g = stream.data().values[c][k]; f > 0 && g > 0)
         sizes.push_back(std::abs(std::log(g / f)));
-  if (noise && *noise > 0 && !sizes.empty())
-    out.residual_over_scatter = kNormal * io::median(std::move(sizes)) / *noise;
+  const double residual = sizes.empty() ? kUnknown : kNormal * io::median(std::move(sizes));
+  out.exact = residual < kRoundingOfRatios;
+  if (noise && *noise > 0 && !out.exact && !std::isnan(residual))
+    out.residual_over_scatter = residual / *noise;
   out.beyond_scatter = out.beyond_scatter || out.residual_over_scatter.value_or(0) > kBeyond;
   return out;
 }

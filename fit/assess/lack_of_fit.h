@@ -9,8 +9,8 @@
 
 namespace brdf::fit {
 
-// The residual against the noise (relative; none: unknown), and the cell of half angles with the largest mean loss
-// among those with three rows or more. `model`: its values [channel][row].
+// The residual against the noise (relative), and the cell of half angles with the largest mean loss among those with eight
+// rows or more. Where the noise is not known nothing is beyond it. `model`: its values [channel][row].
 LackOfFit lack_of_fit(const SampleStream& stream, const std::vector<std::vector<double>>& model,
                       std::optional<double> noise);
 

@@ -114,6 +114,34 @@ std::vector<std::vector<double>> minima_within_reach(const SampleStream& stream,
   return out;
 }
 
+// The profile of ks f0 wherever the samples know neither of the two.
+void add_products(const ProfileStart& start, const std::vector<Reported>& all, const Grounds& on,
+                  const Ratios& largest, Uncertainty& out) {
+  for (std::size_t f0 = 0; f0 < all.size(); ++f0) {
+    const Reported& r = all[f0];
+    if (!r.divided || r.estimate.status != Status::unidentified || !has_profile(r, on)) continue;
+    const auto is_weight = [&](const Reported& other) {
+      return other.info == r.divided && other.estimate.channel == r.estimate.channel &&
+             other.estimate.status == Status::unidentified;
+    };
+    const auto weight = std::ranges::find_if(all, is_weight);
+    if (weight == all.end()) continue;
+    const std::size_t k = std::size_t(weight - all.begin());
+    Reported product = product_of(all, k, f0);
+    const ProfileSides sides = find_ends(start, product, k, level_of(product, on, largest));
+    const auto value = [&](const ProfileEnd& end) {
+      const std::vector<Reported> there = reported_parameters(on.model, end.at.p);
+      return there[k].estimate.value * there[f0].estimate.value;
+    };
+    Estimate& e = product.estimate;
+    e.low = std::min(value(sides.low), e.value);
+    e.high = std::max(value(sides.high), e.value);
+    e.low_open = sides.low.open;
+    e.high_open = sides.high.open;
+    if (!e.low_open && !e.high_open) out.products.push_back(std::move(e));
+  }
+}
+
 }  // namespace
 
 void profile_all(std::vector<Reported>& all, const SampleStream& stream, const Grounds& on,
@@ -160,6 +188,7 @@ void profile_all(std::vector<Reported>& all, const SampleStream& stream, const G
   for (const std::size_t k : searched)
     for (const ProfileEnd* end : {&sides[k].low, &sides[k].high})
       out.ends.push_back({end->at.p, end->open || is_unbounded(end->at.p, all, on)});
+  add_products(start, all, on, largest, out);
 }
 
 }  // namespace brdf::fit

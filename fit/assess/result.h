@@ -17,7 +17,16 @@
 
 namespace brdf::fit {
 
-enum class Verdict { converged, at_bound, determined, not_identifiable, misfit, diverged, interrupted };
+enum class Verdict {
+  converged,
+  at_bound,
+  determined,
+  not_identifiable,
+  misfit,
+  breaks_energy,  // reflects more than it receives at an angle of the light that was measured
+  diverged,
+  interrupted
+};
 // Where intervals come from: the curvature of the cost at its minimum, clipped to the ranges, which is approximate, or the
 // cost's profile within the bounds.
 enum class IntervalsBy { curvature, profile };
@@ -28,8 +37,9 @@ enum class Status { free, fixed, at_bound, unidentified };  // of one parameter
 namespace brdf {
 
 template <>
-inline constexpr std::array<std::string_view, 7> kNames<fit::Verdict>{
-    "converged", "at_bound", "determined", "not_identifiable", "misfit", "diverged", "interrupted"};
+inline constexpr std::array<std::string_view, 8> kNames<fit::Verdict>{
+    "converged", "at_bound",      "determined", "not_identifiable",
+    "misfit",    "breaks_energy", "diverged",   "interrupted"};
 template <>
 inline constexpr std::array<std::string_view, 2> kNames<fit::IntervalsBy>{"curvature", "profile"};
 template <>
@@ -111,6 +121,10 @@ struct LackOfFit {
   std::optional<WorstRegion> worst;
   std::vector<WorstRegion> others;  // that are off beyond the scatter too, by their share
   bool beyond_scatter = false;      // the residual is 1.3 times the scatter, or some cell is off beyond it
+  bool exact = false;               // the residual is rounding
+
+  // Whether anything says how good is good enough.
+  bool judged() const { return exact || residual_over_scatter.has_value(); }
 };
 
 // A shape over wavelength: the scale of a parameter as a polynomial in x = 1000 nm / wavelength.
@@ -145,7 +159,8 @@ struct LargestAlbedo {
   std::string channel;
 
   // More than all of the light, beyond the integral's own error.
-  bool breaks_energy() const { return value > 1 + 2e-3; }
+  static constexpr double kMost = 1 + 2e-3;
+  bool breaks_energy() const { return value > kMost; }
 };
 
 // The material at an end of a parameter's interval: as good a description of the samples as the interval says. Where the
@@ -155,7 +170,20 @@ struct MaterialAtEnd {
   bool open = false;
 };
 
+// What the samples let a fit say, whatever its form.
+struct Context {
+  std::optional<double> scatter;  // relative
+  bool interpolated = false;      // that scatter is an instrument's software's: rows were interpolated
+  HeldOut held_out = HeldOut::many;
+  std::size_t lights = 0;  // or viewers, or cells of directions: what was left out one by one
+  std::string side;        // "incidences"
+  // Width of the narrowest highlight (Ward's alpha) that a sample would show: a narrower one may lie between them; none:
+  // no highlight may.
+  std::optional<double> hidden_width;
+};
+
 struct FormFit {
+  Context about;
   std::string form;  // "ward", "oren_nayar+ward"
   Verdict verdict = Verdict::diverged;
   std::vector<std::string> findings;  // sentences, the verdict's reason first
@@ -169,6 +197,8 @@ struct FormFit {
   double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
+  std::string few_rows_decide;  // which parameters few rows decide, and which rows; empty: none
+  bool has_free_scale = false;  // the samples are uncalibrated: nothing is known of energy
   IntervalsBy intervals = IntervalsBy::curvature;
   std::vector<MaterialAtEnd> ends;  // of profiles
   std::vector<SmoothCurve> smooth;  // of --shape smooth
@@ -176,11 +206,13 @@ struct FormFit {
   std::optional<ParameterCovariance> covariance;  // none where some direction has no effect at all
   std::optional<double> prediction_error;  // relative standard error of what the model gives at the samples
   std::optional<LargestAlbedo> largest_albedo;
-  double condition = 0;  // of the scaled normal matrix
+  std::optional<LargestAlbedo> largest_measured_albedo;  // over the angles of the light that were measured
+  double condition = 0;                                  // of the scaled normal matrix
   double loss_scale = 0;
   std::vector<MinimumReport> minima;
   int starts = 0, iterations = 0, passes = 0;
-  std::string solver_message;
+  std::string solver_status;   // the optimiser's own: converged, iteration_limit, failed, interrupted
+  std::string solver_message;  // and its words
 
   // Some start gave a finite cost. Otherwise the material is the form's defaults, and no error is known.
   bool solved() const { return !minima.empty(); }
@@ -196,6 +228,8 @@ struct Step {
   double p = 1;               // one-sided, of a fall like this by chance, for all that were tried together
   std::size_t tried = 1;
   bool kept = false;
+  // Not kept though it would halve the error: the incidences cannot tell that from chance.
+  bool refused_halving() const { return !kept && difference > left_out; }
 };
 
 struct FitResult {

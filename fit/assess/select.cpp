@@ -71,6 +71,10 @@ std::vector<std::size_t> rank(FitResult& result) {
     if (usable(f.verdict) && simpler && as_good(result, value, f, result.ranking.front()))
       result.recommended = k;
   }
+  // A material that keeps energy, if there is one, before one that does not, even if it predicts worse.
+  if (result.ranking[result.recommended].verdict == Verdict::breaks_energy)
+    for (std::size_t k = result.ranking.size(); k-- > 0;)
+      if (usable(result.ranking[k].verdict)) result.recommended = k;
   return order;
 }
 

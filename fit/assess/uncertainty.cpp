@@ -141,6 +141,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   if (!lean) {
     if (!few && any_unidentified) out.findings.push_back(unidentified_finding(all, on, out));
     add_bound_findings(all, on, out);
+    if (!few) out.few_rows_decide = few_rows_finding(all, on, stream);
   }
   for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
   return out;

@@ -119,7 +119,7 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
   data.grouped = table.rows() > kManyIncidences;
   if (weighting == Weighting::sigma) data.sigma.resize(channels);
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (table.theta_i[k] > options.max_theta || table.theta_o[k] > options.max_theta) {
+    if (table.is_beyond(k, options.max_theta)) {
       ++data.beyond_max_theta;
       continue;
     }

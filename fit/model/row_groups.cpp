@@ -7,7 +7,7 @@
 namespace brdf::fit {
 namespace {
 
-constexpr std::size_t kFewest = 5, kMost = 1000;
+constexpr std::size_t kFewest = 2, kFew = 5, kMost = 1000;
 constexpr double kSame = 1e-3;             // degrees: directions closer are one
 constexpr double kCell = 1, kSector = 30;  // degrees
 
@@ -28,12 +28,14 @@ struct PairKey {
 };
 
 struct Hash {
-  std::size_t operator()(const PairKey& k) const {
+  // The same on every machine, whatever the width of its pointers.
+  static std::uint64_t of(const PairKey& k) {
     std::uint64_t h = 0;
     for (std::int32_t v : {k.first.theta, k.first.phi, k.second.theta, k.second.phi})
       h = (h ^ std::uint32_t(v)) * 0x9e3779b97f4a7c15, h ^= h >> 29;
-    return std::size_t(h);
+    return h;
   }
+  std::size_t operator()(const PairKey& k) const { return std::size_t(of(k)); }
 };
 
 // Along the normal the azimuth says nothing.
@@ -69,18 +71,22 @@ class Numbering {
   bool enough() const { return keys.size() >= kFewest; }
 
   RowGroups sorted() && {
+    const std::vector<PairKey> turned = turned_keys();
     std::vector<std::uint32_t> order(keys.size()), place(keys.size());
     for (std::uint32_t g = 0; g < order.size(); ++g) order[g] = g;
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return turned[a] < turned[b]; });
     const std::size_t folds = std::min(keys.size(), kMostFolds);
     std::vector<std::size_t> fold(keys.size());
     std::vector<std::uint32_t> dealt = order;
     if (keys.size() > folds)
       std::stable_sort(dealt.begin(), dealt.end(),
-                       [&](auto a, auto b) { return Hash()(keys[a]) < Hash()(keys[b]); });
+                       [&](auto a, auto b) { return Hash::of(turned[a]) < Hash::of(turned[b]); });
     for (std::size_t k = 0; k < dealt.size(); ++k) fold[dealt[k]] = k % folds;
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return fold[a] < fold[b]; });
     RowGroups out{side == Side::viewer, side == Side::pair, {}, std::move(group_of), folds};
+    out.held_out = side == Side::pair   ? HeldOut::interpolation
+                   : keys.size() < kFew ? HeldOut::few
+                                        : HeldOut::many;
     for (std::uint32_t k = 0; k < order.size(); ++k) {
       place[order[k]] = k;
       const Key& key = keys[order[k]].first;
@@ -90,6 +96,26 @@ class Numbering {
     for (std::uint32_t& g : out.group_of) ++out.groups[g = place[g]].range.rows;
     for (std::size_t g = 1; g < out.groups.size(); ++g)
       out.groups[g].range.first = out.groups[g - 1].range.first + out.groups[g - 1].range.rows;
+    return out;
+  }
+
+  // Azimuths from the end of the largest gap between them; of a pair, the second one from the first.
+  std::vector<PairKey> turned_keys() const {
+    const auto turn = std::int32_t(std::lround(360 / phi_step_));
+    std::vector<std::int32_t> azimuths;
+    for (const PairKey& key : keys)
+      if (key.first.theta != 0) azimuths.push_back(key.first.phi);
+    std::sort(azimuths.begin(), azimuths.end());
+    std::int32_t start = azimuths.empty() ? 0 : azimuths.front();
+    std::int32_t largest = azimuths.empty() ? 0 : azimuths.front() + turn - azimuths.back();
+    for (std::size_t k = 1; k < azimuths.size(); ++k)
+      if (const std::int32_t gap = azimuths[k] - azimuths[k - 1]; gap > largest)
+        largest = gap, start = azimuths[k];
+    std::vector<PairKey> out = keys;
+    for (PairKey& key : out) {
+      if (key.second.theta != 0) key.second.phi = (key.second.phi - key.first.phi + turn) % turn;
+      if (key.first.theta != 0) key.first.phi = (key.first.phi - start + turn) % turn;
+    }
     return out;
   }
 
@@ -117,10 +143,15 @@ RowGroups group_rows(const Directions<double>& d, std::size_t rows) {
   Numbering light(d, rows, Side::light, kSame, kSame, kMost);
   Numbering viewer(d, rows, Side::viewer, kSame, kSame, kMost);
   const bool light_will_do = light.enough() && !light.many(),
-             viewer_will_do = viewer.enough() && !viewer.many();
-  if (viewer_will_do && !(light_will_do && light.keys.size() <= viewer.keys.size()))
-    return std::move(viewer).sorted();
-  if (light_will_do) return std::move(light).sorted();
+             viewer_will_do = viewer.enough() && !viewer.many(),
+             one_stood_still = light.keys.size() == 1 || viewer.keys.size() == 1;
+  const auto grouped = [&](Numbering& by) {
+    RowGroups out = std::move(by).sorted();
+    if (one_stood_still) out.held_out = HeldOut::interpolation;
+    return out;
+  };
+  if (viewer_will_do && !(light_will_do && light.keys.size() <= viewer.keys.size())) return grouped(viewer);
+  if (light_will_do) return grouped(light);
   for (const Numbering* many : {&light, &viewer}) {
     if (!many->many()) continue;
     Numbering cells(d, rows, many->side, kCell, kSector, rows);

@@ -14,10 +14,6 @@ namespace {
 using io::Cell;
 using io::Mark;
 
-Mark mark_of_verdict(Verdict v) {
-  return v == Verdict::converged ? Mark::good : usable(v) ? Mark::warn : Mark::bad;
-}
-
 // The value with its interval, which is the wider one where the form lacks something.
 Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::string>& weak) {
   switch (e.status) {
@@ -170,6 +166,8 @@ void add_parameters(io::HtmlReport& report, const FormFit& fit) {
   report.paragraph(fit.lack_of_fit.beyond_scatter
                        ? "Small: 95 % intervals with lack of fit, the form not being quite right."
                        : "Small: 95 % intervals.");
+  if (fit.intervals == IntervalsBy::curvature)
+    report.paragraph("These are approximate: of the curvature at the minimum.");
   add_intervals(report, fit);
 }
 
@@ -181,7 +179,7 @@ void add_ranking(io::HtmlReport& report, const FitResult& result) {
     const auto& over = f.lack_of_fit.residual_over_scatter;
     const auto share = [&](double x) { return Cell{f.solved() ? io::percent(x) : "-"}; };
     rows.push_back({{f.form, Mark::none, true},
-                    {std::string(name_of(f.verdict)), mark_of_verdict(f.verdict)},
+                    {std::string(name_of(f.verdict)), mark_in_ranking(f, result.ranking.front())},
                     {f.left_out ? io::short_number(f.left_out->value, 3) : "-"},
                     share(errors.median),
                     share(errors.ninth_decile),
@@ -198,8 +196,11 @@ void add_ranking(io::HtmlReport& report, const FitResult& result) {
                     {io::short_number(f.metrics.log_relative, 3)}});
   }
   if (result.ranking.size() == 1) report.heading("Errors");
-  report.table({"form", "verdict", "left out", "median", "90 %", "off by 2", "x scatter", "parameters"}, rows,
-               rows.size() > 1);
+  const bool held_out =
+      std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
+  report.table({"form", "verdict", "held out", held_out ? "median (held out)" : "median (fitted)", "90 %",
+                "off by 2", "x scatter", "parameters"},
+               rows, rows.size() > 1);
   report.begin_fold("Where each is worst, BIC and the four residuals");
   report.table({"form", "worst at", "ratio there", "BIC", "log", "cosine L2", "cube root", "log-relative"},
                more, more.size() > 1);

@@ -6,6 +6,7 @@
 #include "fit/assess/reported.h"
 #include "fit/model/constraints.h"
 #include "fit/report/report.h"
+#include "fit/report/states.h"
 #include "io/glossary.h"
 #include "io/numbers.h"
 
@@ -89,37 +90,6 @@ bool begins_with_name(const FormFit& fit, std::string_view text) {
 
 }  // namespace
 
-Mark mark_of(const FormFit& f) {
-  if (!usable(f.verdict)) return Mark::bad;
-  const bool doubt = f.verdict != Verdict::converged || !f.findings.empty() || f.lack_of_fit.beyond_scatter ||
-                     !weakly_determined(f).empty();
-  return doubt ? Mark::warn : Mark::good;
-}
-
-std::string verdict_sentence(const FormFit& f) {
-  const std::string error = io::percent(f.median_relative_error, 2);
-  const std::string how =
-      f.lack_of_fit.beyond_scatter
-          ? f.form + " follows the samples roughly: half of them within " + error + ", more than they scatter"
-          : f.form + " describes the samples: half of them within " + error + ", no more than they scatter";
-  switch (f.verdict) {
-    case Verdict::converged:
-      return how + ".";
-    case Verdict::at_bound:
-      return how + ", with a parameter at the end of its range.";
-    case Verdict::determined:
-      return how + ". What it gives is determined, not every parameter.";
-    case Verdict::not_identifiable:
-      return f.form + " cannot be determined from these samples.";
-    case Verdict::misfit:
-      return f.form + " does not describe the samples: half of them are off by more than " + error + ".";
-    case Verdict::interrupted:
-      return "Interrupted: " + f.form + " with the best parameters so far.";
-    default:
-      return f.form + " could not be fitted.";
-  }
-}
-
 std::vector<std::string> weakly_determined(const FormFit& fit) {
   std::vector<std::pair<std::string, std::vector<std::string>>> weak;  // name, channels
   for (const Estimate& e : fit.estimates) {
@@ -152,10 +122,15 @@ std::vector<io::Remark> remarks_on(const FormFit& f) {
     return text + ".";
   };
   for (const std::string& finding : f.findings) remarks.push_back({mark, sentence(finding)});
+  for (const Condition condition : conditions_of(f))
+    if (const std::string text = sentence_of(condition, f); !text.empty())
+      remarks.push_back({state_of(condition).mark, sentence(text)});
   if (const std::string weak = weakness_text(f); !weak.empty())
     remarks.push_back({Mark::warn, sentence(weak + "; their intervals stand below")});
   if (f.solved())
-    remarks.push_back({f.lack_of_fit.beyond_scatter ? Mark::warn : Mark::good,
+    remarks.push_back({f.lack_of_fit.beyond_scatter ? Mark::warn
+                       : f.lack_of_fit.judged()     ? Mark::good
+                                                    : Mark::unknown,
                        "Lack of fit: " + in_words(f.lack_of_fit) + "."});
   return remarks;
 }

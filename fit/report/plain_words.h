@@ -7,15 +7,10 @@
 
 #include "brdf/reflectance.h"
 #include "fit/assess/result.h"
+#include "fit/report/states.h"
 #include "io/html_report.h"
 
 namespace brdf::fit {
-
-// good: usable, no lack of fit, energy kept, every parameter well determined; warn: usable, but one of these is not so.
-io::Mark mark_of(const FormFit& fit);
-
-// How the fit stands, in one sentence.
-std::string verdict_sentence(const FormFit& fit);
 
 // "ks (r, g, b)", "f0 (r)": free parameters that the samples leave wide open. Of a weight or an angle half of the
 // 95 % interval is beyond half of the value (and a twentieth of the parameter's usual range, or of the channel's
@@ -25,7 +20,7 @@ std::vector<std::string> weakly_determined(const FormFit& fit);
 // The same as a clause; empty where there is none.
 std::string weakness_text(const FormFit& fit);
 
-// Findings, weak parameters and lack of fit, each with its mark.
+// Findings, conditions (fit/report/states.h), weak parameters and lack of fit, each with its mark.
 std::vector<io::Remark> remarks_on(const FormFit& fit);
 
 // A parameter as people know it.

@@ -17,6 +17,7 @@ constexpr std::size_t kListedChannels = 8;
 
 std::string error_text(double error) {
   if (!std::isfinite(error)) return "-";
+  if (error > 0 && error < 1e-11) return "< 1e-9 %";
   return error < 10 ? io::percent(error) : std::to_string(std::llround(100 * error)) + " %";
 }
 
@@ -42,11 +43,22 @@ std::string estimate_text(const Estimate& e, const std::string& name, bool wrong
   return text + ")";
 }
 
+// In the colour of its mark.
+std::string shown(const std::string& text, io::Mark mark, const TextStyle& style) {
+  if (!style.colours) return text;
+  const char* colour = mark == io::Mark::good      ? "\x1b[32m"
+                       : mark == io::Mark::warn    ? "\x1b[33m"
+                       : mark == io::Mark::unknown ? "\x1b[90m"
+                                                   : "\x1b[31m";
+  return colour + text + "\x1b[0m";
+}
+
 // A column of the ranking: its heading, then its cells.
 struct Column {
   int width;  // least, with the blanks to the next
   std::string heading;
   std::vector<std::string> cells;
+  int dropped = 0;  // when a terminal is too narrow; 0: never
   int needed() const {
     std::size_t widest = heading.size();
     for (const std::string& cell : cells) widest = std::max(widest, cell.size());
@@ -54,11 +66,12 @@ struct Column {
   }
 };
 
-// Forms by what they are worth. Of a terminal too narrow for all columns the last ones stay out: the first three say most.
+// Forms by what they are worth. Of a terminal too narrow for all columns some stay out, and it says so.
 void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& style) {
-  std::vector<Column> table{{0, "form", {}},       {18, "verdict", {}},  {11, "left out", {}},
-                            {9, "median", {}},     {9, "90 %", {}},      {10, "off by 2", {}},
-                            {11, "x scatter", {}}, {0, "parameters", {}}};
+  // The widths are least ones; `dropped`: of a terminal too narrow, in this order, for what says least goes first.
+  std::vector<Column> table{{0, "form", {}},       {17, "verdict", {}},     {10, "held out", {}, 3},
+                            {9, "median", {}},     {8, "90 %", {}, 2},      {10, "off by 2", {}, 1},
+                            {11, "x scatter", {}}, {0, "parameters", {}, 4}};
   if (style.columns == 0) table[0].width = 28;  // a form of the catalogue; sums are longer
   for (const FormFit& fit : result.ranking) {
     const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
@@ -76,25 +89,33 @@ void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& 
   }
   int width = 0;
   for (const Column& column : table) width += column.needed();
-  for (; style.columns > 0 && width > style.columns && table.size() > 3; table.pop_back())
-    width -= table.back().needed();
+  const int all = width;
+  std::size_t missing = 0;
+  for (int next = 1; next <= 4 && style.columns > 0 && width > style.columns; ++next) {
+    const auto goes = std::ranges::find(table, next, &Column::dropped);
+    width -= goes->needed();
+    table.erase(goes);
+    ++missing;
+  }
   out << std::left;
   for (std::size_t row = 0; row <= result.ranking.size(); ++row) {
     out << "  ";
     for (const Column& column : table) {
       const bool last = &column == &table.back();
-      out << std::setw(last ? 0 : column.needed()) << (row == 0 ? column.heading : column.cells[row - 1]);
+      const std::string& cell = row == 0 ? column.heading : column.cells[row - 1];
+      const bool marked = row > 0 && column.heading == "verdict";
+      const FormFit* const fit = marked ? &result.ranking[row - 1] : nullptr;
+      out << (fit ? shown(cell, mark_in_ranking(*fit, result.ranking.front()), style) : cell);
+      if (!last) out << std::string(std::size_t(std::max(column.needed() - int(cell.size()), 0)), ' ');
     }
     out << '\n';
   }
-}
-
-// "converged" in green, what may not be used in red, all between in amber.
-std::string shown(Verdict verdict, const TextStyle& style) {
-  const std::string name(name_of(verdict));
-  if (!style.colours) return name;
-  const char* colour = verdict == Verdict::converged ? "\x1b[32m" : usable(verdict) ? "\x1b[33m" : "\x1b[31m";
-  return colour + name + "\x1b[0m";
+  if (missing > 0)
+    out << "  " << missing << (missing > 1 ? " columns" : " column") << " more at " << all
+        << " columns or with --json\n";
+  const bool held_out =
+      std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
+  out << "  median, 90 % and off by 2: errors of the rows " << (held_out ? "held out" : "fitted") << '\n';
 }
 
 }  // namespace
@@ -104,9 +125,9 @@ std::string times_text(double factor) {
 }
 
 std::string in_words(const LackOfFit& lack) {
-  std::string text = lack.residual_over_scatter
-                         ? "residual " + times_text(*lack.residual_over_scatter) + " times the scatter"
-                         : std::string("the scatter is not known");
+  if (lack.exact) return "the residual is below 1e-9 of the values: none";
+  if (!lack.residual_over_scatter) return "it cannot be judged, for the scatter is not known";
+  std::string text = "residual " + times_text(*lack.residual_over_scatter) + " times the scatter";
   if (!lack.beyond_scatter) return text + ": no lack of fit beyond it";
   if (const auto& w = lack.worst)
     text += "; worst at " + to_text(w->range) + " (" + std::to_string(w->rows) + " rows, " +
@@ -143,13 +164,18 @@ std::string in_words(const Step& step) {
   return start + (step.difference < 0 ? ", higher by " : ", lower by ") +
          io::short_number(std::abs(step.difference), 3) + " +- " + io::short_number(step.standard_error, 2) +
          " (p " + io::short_number(step.p, 2) +
-         (step.tried > 1 ? ", best of " + std::to_string(step.tried) : std::string()) +
-         "): " + (step.kept ? "kept" : "not kept");
+         (step.tried > 1 ? ", best of " + std::to_string(step.tried) : std::string()) + "): " +
+         (step.kept                ? "kept"
+          : step.refused_halving() ? "not kept, though it would halve the error, for the groups left out "
+                                     "cannot tell it from chance"
+                                   : "not kept");
 }
 
 std::string recommendation(const FitResult& result) {
   const FormFit &best = result.ranking.front(), &chosen = result.ranking[result.recommended];
   if (&chosen == &best) return "";
+  if (best.verdict == Verdict::breaks_energy)
+    return "recommended: " + chosen.form + ", the first that keeps energy";
   return "recommended: " + chosen.form + ", which is " + (usable(best.verdict) ? "simpler" : "usable") +
          " and no worse on the rows left out";
 }
@@ -207,10 +233,13 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   print_ranking(out, result, style);
   if (result.ranking.empty()) return;
   const FormFit& best = result.ranking.front();
-  out << best.form << ", " << shown(best.verdict, style) << '\n';
+  out << best.form << ", " << shown(std::string(name_of(best.verdict)), mark_of(best), style) << '\n';
+  out << "  " << shown(verdict_sentence(best), mark_of(best), style) << '\n';
   for (const std::string& finding : best.findings) out << "  " << finding << '\n';
+  for (const Condition condition : conditions_of(best))
+    if (const std::string text = sentence_of(condition, best); !text.empty()) out << "  " << text << '\n';
   if (const std::string weak = weakness_text(best); !weak.empty()) out << "  " << weak << '\n';
-  if (best.solved()) out << "  " << in_words(best.lack_of_fit) << '\n';
+  if (best.solved()) out << "  lack of fit: " << in_words(best.lack_of_fit) << '\n';
   if (const std::string others = others_in_words(best.lack_of_fit); !others.empty())
     out << "  " << others << '\n';
   for (const Estimate& e : best.estimates)

@@ -27,6 +27,7 @@ Json estimate_json(const Estimate& e) {
   j["value"] = e.status == Status::unidentified ? Json(nullptr) : number(e.value);
   // An end that is open is null.
   if (e.status != Status::fixed) j.update(extent_json(interval_of(e)));
+  if (e.status != Status::fixed) j["deciding_values"] = number(e.deciding);
   if (e.status == Status::free)
     j.update(Json{{"standard_error", number(e.standard_error)},
                   {"with_lack_of_fit", extent_json(interval_with_lack_of_fit(e))},
@@ -92,7 +93,8 @@ Json region_json(const WorstRegion& w) {
 
 Json lack_of_fit_json(const LackOfFit& lack) {
   Json j{{"residual_over_scatter", number(lack.residual_over_scatter.value_or(kUnknown))},
-         {"beyond_scatter", lack.beyond_scatter}};
+         {"beyond_scatter", lack.beyond_scatter},
+         {"judged", lack.judged()}};
   j["worst"] = lack.worst ? region_json(*lack.worst) : Json(nullptr);
   j["others"] = Json::array();
   for (const WorstRegion& w : lack.others) j["others"].push_back(region_json(w));
@@ -111,9 +113,27 @@ Json smooth_json(const std::vector<SmoothCurve>& curves) {
   return j;
 }
 
+Json conditions_json(const FormFit& fit) {
+  Json j = Json::array();
+  for (const Condition condition : conditions_of(fit)) {
+    const std::string text = sentence_of(condition, fit);
+    j.push_back({{"name", name_of(condition)},
+                 {"state", name_of(state_of(condition).mark)},
+                 {"sentence", text.empty() ? Json(nullptr) : Json(text)}});
+  }
+  return j;
+}
+
+Json albedo_json(const LargestAlbedo& a) {
+  return {{"value", number(a.value)}, {"theta", a.theta}, {"channel", a.channel}};
+}
+
 Json statistics_json(const FormFit& fit) {
   Json j{{"form", fit.form},
          {"verdict", name_of(fit.verdict)},
+         {"state", name_of(mark_of(fit))},
+         {"sentence", verdict_sentence(fit)},
+         {"conditions", conditions_json(fit)},
          {"findings", fit.findings},
          {"weakly_determined", weakly_determined(fit)},
          {"median_relative_error", number(fit.median_relative_error)},
@@ -127,8 +147,9 @@ Json statistics_json(const FormFit& fit) {
   }
   if (fit.replicates > 0) j["bootstrap_replicates"] = fit.replicates;
   if (fit.prediction_error) j["prediction_error"] = number(*fit.prediction_error);
-  if (const auto& a = fit.largest_albedo)
-    j["largest_albedo"] = {{"value", number(a->value)}, {"theta", a->theta}, {"channel", a->channel}};
+  if (fit.largest_albedo) j["largest_albedo"] = albedo_json(*fit.largest_albedo);
+  if (fit.largest_measured_albedo) j["largest_measured_albedo"] = albedo_json(*fit.largest_measured_albedo);
+  if (fit.about.hidden_width) j["hidden_highlight"] = number(*fit.about.hidden_width);
   j["bic"] = number(fit.bic);
   j["parameters"] = fit.parameters;
   j["metrics"] = metrics_json(fit.metrics);
@@ -202,11 +223,9 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
     j["minima"] = minima;
     j["correlations"] = correlations_json(fit.correlations);
     j["condition"] = number(fit.condition);
-    j["solver"] = {{"message", fit.solver_message},
-                   {"starts", fit.starts},
-                   {"iterations", fit.iterations},
-                   {"passes", fit.passes},
-                   {"loss_scale", fit.loss_scale}};
+    j["solver"] = {{"status", fit.solver_status}, {"message", fit.solver_message},
+                   {"starts", fit.starts},        {"iterations", fit.iterations},
+                   {"passes", fit.passes},        {"loss_scale", fit.loss_scale}};
     ranking.push_back(std::move(j));
   }
   Json j = io::to_json(io::provenance(options.seed));

@@ -1,11 +1,14 @@
 // Minimisation of a cost known by its normal equations, within bounds.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "brdf/names.h"
 #include "fit/solve/sample_stream.h"
 
 namespace brdf::fit {
@@ -13,6 +16,18 @@ namespace brdf::fit {
 using Objective = std::function<NormalEquations(std::span<const double>)>;
 
 enum class Termination { converged, iteration_limit, failed, interrupted };
+
+}  // namespace brdf::fit
+
+namespace brdf {
+
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<fit::Termination>{"converged", "iteration_limit",
+                                                                          "failed", "interrupted"};
+
+}  // namespace brdf
+
+namespace brdf::fit {
 
 struct SolveOptions {
   int max_iterations = 400;         // cube_root converges linearly

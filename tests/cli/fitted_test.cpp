@@ -74,9 +74,11 @@ TEST_F(Fitted, WeightsMayBeSharedAndPhysical) {
 TEST_F(Fitted, MaterialsThatBreakEnergySayTheNumber) {
   ASSERT_EQ(run("synth --form ward --set kd=0.8 --set ks=0.6 --set alpha=0.2 -o bright.csv").exit_code, 0);
   const Outcome fit = run("fit bright.csv --form ward");
-  EXPECT_EQ(fit.exit_code, 0);
-  EXPECT_THAT(fit.out, HasSubstr("reflects more light than falls on it: 133.7 % at 0 degrees (fr)"));
-  const io::Json largest = json_of(run("fit bright.csv --form ward --json"))["ranking"][0]["largest_albedo"];
+  EXPECT_EQ(fit.exit_code, 1);
+  EXPECT_THAT(fit.out, HasSubstr("ward is no material here: it reflects 133.7 % of the light at 0 degrees."));
+  EXPECT_THAT(fit.out, HasSubstr("with --physical half of the samples are off by"));
+  const io::Json largest =
+      json_of(run("fit bright.csv --form ward --json"))["ranking"][0]["largest_measured_albedo"];
   const io::Json albedo =
       json_of(run("albedo --form ward --set kd=0.8 --set ks=0.6 --set alpha=0.2 --theta 0 --json"));
   EXPECT_NEAR(largest["value"], albedo["results"][0]["value"], 2e-3);

@@ -90,7 +90,7 @@ TEST_F(Terminal, RankingLeavesOutColumnsThatHaveNoRoom) {
   ASSERT_EQ(run("synth --form lambert -o s.csv").exit_code, 0);
   const std::string command = "fit s.csv --form all";
   const std::string narrow = run(command, 60).out, wide = run(command, 200).out;
-  EXPECT_THAT(narrow, HasSubstr("  verdict           left out   median\n"));
+  EXPECT_THAT(narrow, HasSubstr("  verdict           median    x scatter\n"));
   EXPECT_LE(longest_line(narrow), 60u);
   EXPECT_THAT(wide, HasSubstr("  x scatter  parameters\n"));
   EXPECT_THAT(narrow, Not(HasSubstr("\x1b["))) << "no terminal, no colours";

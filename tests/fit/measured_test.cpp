@@ -73,7 +73,10 @@ TEST_F(Measured, SatinPaint) {
   auto fits = fit_all("rgl_satin_rosaline");
   EXPECT_LT(result_.ranking.front().median_relative_error, 0.060);
   EXPECT_GT(result_.ranking.front().median_relative_error, 0.040);
-  EXPECT_TRUE(usable(result_.ranking.front().verdict));
+  // At 75 degrees, which were measured, it would reflect a tenth more than it receives.
+  EXPECT_EQ(result_.ranking.front().verdict, Verdict::breaks_energy);
+  EXPECT_NEAR(result_.ranking.front().largest_measured_albedo->value, 1.1, 0.03);
+  EXPECT_TRUE(usable(result_.ranking[result_.recommended].verdict));
   EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::at_bound);
 }
 
@@ -85,14 +88,19 @@ TEST_F(Measured, BlackCoating) {
   EXPECT_EQ(fits["lambert"].verdict, Verdict::misfit);
 }
 
-// What six random starts miss the sum that begins at the single form finds: 36 % without it.
-TEST_F(Measured, TwoLobesOfBlackNickelTakeTwoFifthsOfTheResidual) {
+// A second lobe takes two fifths of the residual of the rows that are fitted; of lights that are not it predicts less than
+// one lobe does.
+TEST_F(Measured, FourLightsOfBlackNickelDoNotBearASecondLobe) {
   const double gain = gain_of_auto("ua_AnoBlackNiTEonINVAR");
   if (const auto later = undocumented())
     GTEST_SKIP() << *later << " takes part, which docs/models.md does not know";
-  EXPECT_GT(gain, 0.40);
-  EXPECT_LT(gain, 0.45);
-  EXPECT_EQ(result_.ranking.front().material.terms.size(), 2u);
+  EXPECT_EQ(gain, 0);
+  EXPECT_EQ(result_.ranking.front().about.held_out, HeldOut::few);
+  EXPECT_EQ(result_.ranking.front().about.lights, 4u);
+  const Step& last = result_.steps.back();
+  EXPECT_EQ(last.added, "a second lobe");
+  EXPECT_FALSE(last.kept);
+  EXPECT_NEAR(last.difference / last.left_out, -0.17, 0.05);
 }
 
 TEST_F(Measured, TwoLobesOfAluminiumTakeTwoFifthsOfTheResidual) {

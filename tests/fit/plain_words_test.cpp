@@ -16,6 +16,8 @@ FormFit fitted() {
   f.material = make_material(*find_form(f.form), {"r", "g"});
   f.median_relative_error = 0.02;
   f.minima.resize(1);
+  f.intervals = IntervalsBy::profile;
+  f.lack_of_fit.residual_over_scatter = 1.1;
   const auto add = [&](const char* name, const char* channel, double value, double low, double high) {
     Estimate e;
     e.name = name;
@@ -23,6 +25,7 @@ FormFit fitted() {
     e.value = value;
     e.low = low;
     e.high = high;
+    e.low_open = e.high_open = false;
     f.estimates.push_back(e);
   };
   add("alpha_x", "", 0.1, 0.08, 0.13);
@@ -42,7 +45,7 @@ TEST(PlainWords, AWellDeterminedFitIsGood) {
   EXPECT_TRUE(weakly_determined(f).empty());
   EXPECT_EQ(mark_of(f), io::Mark::good);
   EXPECT_EQ(verdict_sentence(f),
-            "cook_torrance describes the samples: half of them within 2 %, no more than they scatter.");
+            "cook_torrance describes the samples: half of them within 2 %, as near as they scatter.");
 }
 
 TEST(PlainWords, WeakParametersAreNamedWithTheirChannelsAndTurnTheMark) {
@@ -60,8 +63,10 @@ TEST(PlainWords, LackOfFitWidensTheIntervalThatCounts) {
   EXPECT_TRUE(weakly_determined(f).empty());
   f.lack_of_fit.beyond_scatter = true;
   EXPECT_EQ(weakly_determined(f), std::vector<std::string>{"ks (r)"});
-  EXPECT_EQ(verdict_sentence(f),
-            "cook_torrance follows the samples roughly: half of them within 2 %, more than they scatter.");
+  EXPECT_EQ(
+      verdict_sentence(f),
+      "cook_torrance follows the samples roughly: half of them within 2 %, in some directions by more than "
+      "they scatter.");
 }
 
 TEST(PlainWords, EnergyTurnsTheMarkAndAnUnusableFitIsBad) {

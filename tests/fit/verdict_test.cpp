@@ -162,7 +162,8 @@ TEST(Verdict, WithoutAFiniteCostNoErrorIsKnownAndNothingIsSaidOnTheTerminal) {
   EXPECT_EQ(result.ranking.front().verdict, Verdict::diverged);
   std::ostringstream text;
   print(text, result, table, options);
-  EXPECT_NE(text.str().find("diverged          -          -        -  "), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("diverged         -         -        -       -  "), std::string::npos)
+      << text.str();
   const io::Json first = to_json(result, table, options)["ranking"][0];
   for (const char* key : {"material", "median_relative_error", "bic"})
     EXPECT_TRUE(first[key].is_null()) << key;

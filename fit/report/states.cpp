@@ -1,0 +1,200 @@
+#include "fit/report/states.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fit/assess/reported.h"
+#include "fit/report/plain_words.h"
+#include "fit/report/report.h"
+#include "io/numbers.h"
+
+namespace brdf::fit {
+namespace {
+
+using io::Mark;
+
+constexpr std::array kStates{State{Condition::interrupted, Mark::bad, false},
+                             State{Condition::diverged, Mark::bad, false},
+                             State{Condition::misfit, Mark::bad, false},
+                             State{Condition::breaks_energy, Mark::bad, false},
+                             State{Condition::not_identifiable, Mark::bad, false},
+                             State{Condition::exact, Mark::good, true},
+                             State{Condition::roughly, Mark::warn, true},
+                             State{Condition::scatter_unknown, Mark::unknown, true},
+                             State{Condition::interpolated, Mark::unknown, true},
+                             State{Condition::describes, Mark::good, true},
+                             State{Condition::determined, Mark::warn, true},
+                             State{Condition::at_bound, Mark::warn, true},
+                             State{Condition::breaks_energy_elsewhere, Mark::warn, true},
+                             State{Condition::interpolates, Mark::warn, true},
+                             State{Condition::few_lights, Mark::warn, true},
+                             State{Condition::hidden_highlight, Mark::warn, true},
+                             State{Condition::few_rows_decide, Mark::warn, true},
+                             State{Condition::weakly_determined, Mark::warn, true},
+                             State{Condition::approximate, Mark::none, true}};
+constexpr bool is_in_order() {
+  for (std::size_t k = 0; k < kStates.size(); ++k)
+    if (kStates[k].condition != Condition(k)) return false;
+  return kStates.size() == kNames<Condition>.size();
+}
+static_assert(is_in_order());
+
+constexpr double kFarWorse = 10;  // times the first form's left-out error
+constexpr double kRoundingError = 1e-11;
+
+std::string share_of(double error) {
+  return error < kRoundingError ? "1e-9 %" : io::percent(error, 2);
+}
+
+Condition headline_of(const FormFit& f) {
+  switch (f.verdict) {
+    case Verdict::interrupted:
+      return Condition::interrupted;
+    case Verdict::diverged:
+      return Condition::diverged;
+    case Verdict::misfit:
+      return Condition::misfit;
+    case Verdict::breaks_energy:
+      return Condition::breaks_energy;
+    case Verdict::not_identifiable:
+      return Condition::not_identifiable;
+    default:
+      break;
+  }
+  if (f.lack_of_fit.exact) return Condition::exact;
+  if (f.lack_of_fit.beyond_scatter) return Condition::roughly;
+  if (!f.lack_of_fit.judged()) return Condition::scatter_unknown;
+  return f.about.interpolated ? Condition::interpolated : Condition::describes;
+}
+
+// "2.0 times what they scatter", or where it is only some place.
+std::string beyond_in_words(const FormFit& f) {
+  const double times = f.lack_of_fit.residual_over_scatter.value_or(kUnknown);
+  return times > 1.3 ? times_text(times) + " times what they scatter"
+                     : std::string("in some directions by more than they scatter");
+}
+
+std::string scatter_in_words(const FormFit& f) {
+  return f.about.scatter ? " (" + io::percent(*f.about.scatter, 2) + ")" : "";
+}
+
+std::string degrees_of_width(double alpha) {
+  // Where half of the peak is left, on either side, as the viewer turns.
+  return io::short_number(4 * radians(std::atan(alpha * std::sqrt(std::log(2.0)))).degrees(), 2);
+}
+
+}  // namespace
+
+const State& state_of(Condition condition) {
+  return kStates[std::size_t(condition)];
+}
+
+std::vector<Condition> conditions_of(const FormFit& f) {
+  std::vector<Condition> out{headline_of(f)};
+  const auto add = [&](bool holds, Condition condition) {
+    if (holds) out.push_back(condition);
+  };
+  if (!f.solved()) return out;
+  const auto has = [&](Status s) {
+    return std::ranges::any_of(f.estimates, [&](const Estimate& e) { return e.status == s; });
+  };
+  add(f.verdict == Verdict::determined, Condition::determined);
+  add(has(Status::at_bound) || f.verdict == Verdict::at_bound, Condition::at_bound);
+  add(f.verdict != Verdict::breaks_energy && f.largest_albedo && f.largest_albedo->breaks_energy() &&
+          !f.has_free_scale,
+      Condition::breaks_energy_elsewhere);
+  add(f.left_out && f.about.held_out == HeldOut::interpolation, Condition::interpolates);
+  add(f.left_out && f.about.held_out == HeldOut::few, Condition::few_lights);
+  add(f.about.hidden_width.has_value(), Condition::hidden_highlight);
+  add(!f.few_rows_decide.empty(), Condition::few_rows_decide);
+  add(!weakly_determined(f).empty(), Condition::weakly_determined);
+  add(f.intervals == IntervalsBy::curvature, Condition::approximate);
+  return out;
+}
+
+io::Mark mark_of(const FormFit& f) {
+  Mark worst = f.findings.empty() ? Mark::good : Mark::warn;
+  for (const Condition condition : conditions_of(f)) worst = std::max(worst, state_of(condition).mark);
+  return worst;
+}
+
+io::Mark mark_in_ranking(const FormFit& f, const FormFit& first) {
+  const Mark own = state_of(conditions_of(f).front()).mark;
+  if (!usable(f.verdict)) return own;
+  const auto error = [](const FormFit& form) {
+    return form.left_out ? form.left_out->errors.median : form.median_relative_error;
+  };
+  return error(f) > kFarWorse * std::max(error(first), kRoundingError) ? Mark::unknown : own;
+}
+
+std::string verdict_sentence(const FormFit& f) {
+  const std::string error = share_of(f.median_relative_error);
+  const std::string half = ": half of them within " + error + ", ";
+  std::string how;
+  switch (headline_of(f)) {
+    case Condition::interrupted:
+      return "Interrupted: " + f.form + " with the best parameters so far.";
+    case Condition::diverged:
+      return f.form + " could not be fitted.";
+    case Condition::misfit:
+      return f.form + " does not describe the samples: half of them are off by more than " + error + ".";
+    case Condition::breaks_energy: {
+      const LargestAlbedo& a = f.largest_measured_albedo.value();
+      return f.form + " is no material here: it reflects " + io::percent_to_tenths(a.value) +
+             " of the light at " + io::short_number(a.theta) + " degrees.";
+    }
+    case Condition::not_identifiable:
+      return f.form + " cannot be determined from these samples.";
+    case Condition::exact:
+      how = f.form + " describes the samples to rounding: half of them within " + error;
+      break;
+    case Condition::roughly:
+      how = f.form + " follows the samples roughly" + half + beyond_in_words(f);
+      break;
+    case Condition::scatter_unknown:
+      how =
+          f.form + " is within " + error +
+          " of half of the samples; how much they scatter is not known, so that nothing says whether that is "
+          "enough";
+      break;
+    case Condition::interpolated:
+      how = f.form + " is within " + error + " of half of the samples; the scatter" + scatter_in_words(f) +
+            " is that of an interpolated grid, so that nothing says whether that is enough";
+      break;
+    default:
+      how = f.form + " describes the samples" + half + "as near as they scatter" + scatter_in_words(f);
+  }
+  if (f.verdict == Verdict::at_bound) return how + "; a parameter is at the end of its range.";
+  if (f.verdict == Verdict::determined)
+    return how + ". What it gives there is determined; elsewhere, and for every parameter, it is not.";
+  return how + ".";
+}
+
+std::string sentence_of(Condition condition, const FormFit& f) {
+  switch (condition) {
+    case Condition::breaks_energy_elsewhere: {
+      const LargestAlbedo& a = f.largest_albedo.value();
+      return "at " + io::short_number(a.theta) + " degrees, where nothing was measured, it would reflect " +
+             io::percent_to_tenths(a.value) + " of the light (" + a.channel + ")";
+    }
+    case Condition::interpolates:
+      return "all that is held out lies between samples of one direction that stood still: the held-out "
+             "error "
+             "describes interpolation only, and does not speak of other incidences";
+    case Condition::few_lights:
+      return "the held-out error and lack of fit are judged from " + std::to_string(f.about.lights) + " " +
+             f.about.side;
+    case Condition::hidden_highlight:
+      return "a highlight narrower than alpha " + io::short_number(*f.about.hidden_width, 2) + " (" +
+             degrees_of_width(*f.about.hidden_width) + " degrees wide) would lie between the samples";
+    case Condition::few_rows_decide:
+      return f.few_rows_decide;
+    case Condition::approximate:
+      return "the intervals are approximate: those of the curvature at the minimum";
+    default:
+      return "";
+  }
+}
+
+}  // namespace brdf::fit

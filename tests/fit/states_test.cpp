@@ -1,0 +1,151 @@
+// Every row of the table of states, as the terminal, JSON and the page show it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "fit/report/html.h"
+#include "fit/report/report.h"
+#include "fit/report/states.h"
+#include "samples.h"
+
+namespace brdf::fit {
+namespace {
+
+using testing::HasSubstr;
+
+// A good fit of one channel, which the tests spoil.
+FitResult good() {
+  const Material truth = make_material(*find_form("lambert"), {"f"});
+  FitResult result = fit(measured(truth, {"hemisphere"}, 0.02), {forms({"lambert"})}, {});
+  FormFit& f = result.ranking.front();
+  f.median_relative_error = 0.02;
+  f.lack_of_fit = {};
+  f.lack_of_fit.residual_over_scatter = 0.9;
+  f.about.scatter = 0.032;
+  f.about.hidden_width.reset();
+  return result;
+}
+
+struct Row {
+  const char* name;
+  std::function<void(FormFit&)> spoil;
+  io::Mark mark;
+  bool usable;
+  const char* sentence;
+};
+
+std::vector<Row> rows() {
+  using io::Mark;
+  const auto verdict = [](Verdict v) { return [v](FormFit& f) { f.verdict = v; }; };
+  return {
+      {"describes", [](FormFit&) {}, Mark::good, true,
+       "lambert describes the samples: half of them within 2 %, as near as they scatter (3.2 %)."},
+      {"exact", [](FormFit& f) { f.lack_of_fit.exact = true, f.median_relative_error = 1e-13; }, Mark::good,
+       true, "describes the samples to rounding: half of them within 1e-9 %"},
+      {"roughly",
+       [](FormFit& f) { f.lack_of_fit.beyond_scatter = true, f.lack_of_fit.residual_over_scatter = 4.3; },
+       Mark::warn, true,
+       "lambert follows the samples roughly: half of them within 2 %, 4.3 times what they scatter."},
+      {"scatter_unknown", [](FormFit& f) { f.lack_of_fit.residual_over_scatter.reset(); }, Mark::unknown,
+       true,
+       "lambert is within 2 % of half of the samples; how much they scatter is not known, so that nothing "
+       "says "
+       "whether that is enough."},
+      {"interpolated", [](FormFit& f) { f.about.interpolated = true; }, Mark::unknown, true,
+       "that of an interpolated grid"},
+      {"misfit, scatter unknown",
+       [](FormFit& f) { f.verdict = Verdict::misfit, f.lack_of_fit.residual_over_scatter.reset(); },
+       Mark::bad, false, "lambert does not describe the samples: half of them are off by more than 2 %."},
+      {"interpolates", [](FormFit& f) { f.about.held_out = HeldOut::interpolation; }, Mark::warn, true,
+       "describes interpolation only, and does not speak of other incidences"},
+      {"few_lights", [](FormFit& f) { f.about.held_out = HeldOut::few, f.about.lights = 3; }, Mark::warn,
+       true, "judged from 3 incidences"},
+      {"breaks_energy",
+       [](FormFit& f) {
+         f.verdict = Verdict::breaks_energy;
+         f.largest_measured_albedo = f.largest_albedo = LargestAlbedo{3.68, 0, "f"};
+       },
+       Mark::bad, false, "it reflects 368 % of the light at 0 degrees"},
+      {"breaks_energy_elsewhere",
+       [](FormFit& f) {
+         f.largest_albedo = LargestAlbedo{2.04, 85, "f"};
+       },
+       Mark::warn, true, "at 85 degrees, where nothing was measured, it would reflect 204 % of the light"},
+      {"at_bound", verdict(Verdict::at_bound), Mark::warn, true, "a parameter is at the end of its range"},
+      {"determined", verdict(Verdict::determined), Mark::warn, true,
+       "elsewhere, and for every parameter, it is not"},
+      {"not_identifiable", verdict(Verdict::not_identifiable), Mark::bad, false,
+       "lambert cannot be determined from these samples."},
+      {"hidden_highlight", [](FormFit& f) { f.about.hidden_width = 0.03; }, Mark::warn, true,
+       "a highlight narrower than alpha 0.03 (5.7 degrees wide) would lie between the samples"},
+      {"few_rows_decide", [](FormFit& f) { f.few_rows_decide = "2 rows decide rho"; }, Mark::warn, true,
+       "2 rows decide rho"},
+      {"weakly_determined", [](FormFit& f) { f.estimates[0].low = 0.01, f.estimates[0].high = 2; },
+       Mark::warn, true, "weakly determined: rho"},
+      {"approximate", [](FormFit& f) { f.intervals = IntervalsBy::curvature; }, Mark::good, true,
+       "the intervals are approximate"},
+      {"diverged", verdict(Verdict::diverged), Mark::bad, false, "lambert could not be fitted."},
+      {"interrupted", verdict(Verdict::interrupted), Mark::bad, false, "Interrupted: lambert"},
+  };
+}
+
+TEST(States, EveryRowHasOneSentenceOneMarkAndOneExitCodeOnEveryFace) {
+  const io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}), {"hemisphere"}, 0.02);
+  std::set<Condition> reached;
+  for (const Row& row : rows()) {
+    FitResult result = good();
+    FormFit& f = result.ranking.front();
+    row.spoil(f);
+    for (const Condition condition : conditions_of(f)) {
+      reached.insert(condition);
+      EXPECT_TRUE(state_of(condition).usable || !row.usable) << row.name;
+    }
+    EXPECT_EQ(mark_of(f), row.mark) << row.name;
+    EXPECT_EQ(usable(f.verdict), row.usable) << row.name;
+    std::ostringstream text;
+    print(text, result, table, {}, {0, true});
+    EXPECT_THAT(text.str(), HasSubstr(row.sentence)) << row.name;
+    const char* const colour = row.mark == io::Mark::good      ? "\x1b[32m"
+                               : row.mark == io::Mark::warn    ? "\x1b[33m"
+                               : row.mark == io::Mark::unknown ? "\x1b[90m"
+                                                               : "\x1b[31m";
+    EXPECT_THAT(text.str(), HasSubstr(colour + verdict_sentence(f))) << row.name;
+    const io::Json json = to_json(result, table, {})["ranking"][0];
+    EXPECT_EQ(json["state"], std::string(name_of(row.mark))) << row.name;
+    EXPECT_EQ(json["sentence"], verdict_sentence(f)) << row.name;
+    const std::string page = html_report(result, table, {}, false);
+    EXPECT_THAT(page, HasSubstr("verdict " + std::string(name_of(row.mark)))) << row.name;
+    std::string on_page = row.sentence;
+    if (on_page == "weakly determined: rho") on_page = "Weakly determined: rho";
+    if (on_page.starts_with("a ") || on_page.starts_with("at ")) on_page[0] = char(std::toupper(on_page[0]));
+    if (on_page == "the intervals are approximate") on_page = "The intervals are approximate";
+    if (row.name == std::string("at_bound")) on_page = row.sentence;
+    EXPECT_THAT(page, HasSubstr(on_page)) << row.name;
+  }
+  EXPECT_EQ(reached.size(), kNames<Condition>.size());
+}
+
+TEST(States, AFormTenTimesWorseThanTheFirstIsGrey) {
+  FitResult result = good();
+  FormFit first = result.ranking.front(), worse = first;
+  first.left_out->errors.median = 0.01;
+  worse.left_out->errors.median = 0.09;
+  EXPECT_EQ(mark_in_ranking(worse, first), io::Mark::good);
+  worse.left_out->errors.median = 0.11;
+  EXPECT_EQ(mark_in_ranking(worse, first), io::Mark::unknown);
+}
+
+TEST(States, ANarrowTerminalKeepsTheScatterAndSaysWhatIsMissing) {
+  const io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}), {"hemisphere"}, 0.02);
+  for (const int columns : {0, 120, 80, 64}) {
+    std::ostringstream text;
+    print(text, good(), table, {}, {columns, false});
+    EXPECT_THAT(text.str(), HasSubstr("x scatter")) << columns;
+    const bool whole = text.str().find("off by 2  ") != std::string::npos;
+    EXPECT_EQ(whole, text.str().find(" more at ") == std::string::npos) << columns;
+  }
+}
+
+}  // namespace
+}  // namespace brdf::fit
