@@ -14,7 +14,7 @@
 namespace brdf::fit {
 namespace {
 
-constexpr std::size_t kTables = 300;
+constexpr std::size_t kCoverageTables = 300;
 
 using Pairs = std::vector<std::array<double, 4>>;  // theta_i, phi_i, theta_o, phi_o
 
@@ -164,8 +164,8 @@ TEST(IntervalCoverage, IsWhatTheIntervalsSay) {
     Material truth = make_material(*find_form(c.form), {"f"});
     truth.terms[0].shape[0] = c.shape;
     truth.terms[0].weights[0] = c.weights;
-    std::vector<FormFit> fits(kTables);
-    io::parallel_for(kTables, [&](std::size_t k) {
+    std::vector<FormFit> fits(kCoverageTables);
+    io::parallel_for(kCoverageTables, [&](std::size_t k) {
       FitOptions options = without_cross_validation();
       options.metric = Metric::automatic;
       fits[k] = fit_one(table_of(c, truth, k + 1), {c.form}, options);
@@ -182,14 +182,15 @@ TEST(IntervalCoverage, IsWhatTheIntervalsSay) {
       if (cell.given < 20) continue;
       const double chance = 3 * std::sqrt(0.05 * 0.95 / cell.given);
       EXPECT_GT(cell.share(), 0.93 - std::max(0.0, chance - 0.02)) << c.name << ", " << name;
-      if (!c.near_bound && c.unknown.empty())
+      if (!c.near_bound && c.unknown.empty()) {
         EXPECT_LT(cell.share(), 0.97 + std::max(0.0, chance - 0.02)) << c.name << ", " << name;
+      }
       EXPECT_LE(cell.far, std::max(1.0, 0.003 * cell.given + 3 * std::sqrt(0.003 * cell.given)))
           << c.name << ", " << name;
     }
     if (c.near_bound || !c.unknown.empty()) continue;
     for (const auto& [name, value] : truths(truth))
-      EXPECT_GE(cells[name].given, int(0.95 * kTables))
+      EXPECT_GE(cells[name].given, int(0.95 * kCoverageTables))
           << c.name << ", " << name << ": intervals are withheld";
   }
 }
