@@ -8,6 +8,7 @@
 #include "fit/choice.h"
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
+#include "fit/report/states.h"
 #include "io/numbers.h"
 
 namespace brdf::cli {
@@ -71,7 +72,8 @@ std::vector<fit::NamedValues> start_of(const Material& from, const fit::FitOptio
 
 // The place of an estimate in the material's tables; none for what is in neither.
 void add_interval(const fit::Estimate& found, const Material& material, std::vector<render::Interval>& out) {
-  if (found.status != fit::Status::free) return;
+  const bool known = found.status == fit::Status::free || found.status == fit::Status::at_bound;
+  if (!known) return;
   const auto add = [&](std::size_t term, bool is_weight, std::size_t k, std::size_t sets) {
     for (std::size_t c = 0; c < sets; ++c)
       if (found.channel.empty() || sets == 1 || material.channels[c] == found.channel)
@@ -103,8 +105,7 @@ render::Fitted go_on(const Material& from, const io::SampleTable& table, const s
   render::Fitted fitted{best.solved() ? best.material : from, {}, {}};
   for (const fit::Estimate& estimate : best.estimates)
     add_interval(estimate, fitted.material, fitted.intervals);
-  fitted.words = "fitted: " + std::string(name_of(best.verdict)) + ", at the samples off by " +
-                 io::short_number(100 * best.median_relative_error, 3) + " % (median)";
+  fitted.words = fit::verdict_sentence(best);
   if (!best.findings.empty()) fitted.words += "; " + best.findings.front();
   return fitted;
 }

@@ -209,6 +209,7 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
               {"usable", summary.usable()},
               {"from_grid", summary.from_grid},
               {"verdicts", verdicts},
+              {"approximate", true},
               {"median_error", summary.median_error},
               {"parameters", planes},
               {"worst", worst}};
@@ -226,7 +227,8 @@ void print(std::ostream& out, const texel::Stack& stack, const Making& making, c
     out << "shared: " << io::joined(making.shared, ", ") << in_words_of_regions(making) << '\n';
   out << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
       << " from the grid of starts\n"
-      << "residual, in the middle: " << io::short_number(summary.median_error) << '\n';
+      << "residual, in the middle: " << io::short_number(summary.median_error)
+      << "; standard errors are approximate: of the curvature at each minimum\n";
   if (seconds)
     out << io::short_number(*seconds) << " s, "
         << io::short_number(1e6 * *seconds / double(std::max<std::size_t>(summary.fitted, 1)))
@@ -252,7 +254,10 @@ std::string html_page(const texel::Stack& stack, const Making& making, const Sum
                  std::string(name_of(settings.options.metric)) + "): " + counted(summary) + "." +
                  (making.shared.empty()
                       ? ""
-                      : " Shared: " + io::joined(making.shared, ", ") + in_words_of_regions(making) + "."));
+                      : " Shared: " + io::joined(making.shared, ", ") + in_words_of_regions(making) + ".") +
+                 " Standard errors and verdicts are approximate: of the curvature at each minimum, and "
+                 "without the check of "
+                 "energy.");
   html.heading("Maps");
   std::vector<io::Figure> pictures;
   std::vector<std::size_t> planes = parameter_planes(maps);

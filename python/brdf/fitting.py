@@ -26,7 +26,7 @@ class Interval:
 
     value: float | None
     status: str  #: free, fixed, at_bound or unidentified
-    low: float | None  #: of the values' scatter, the model taken as right
+    low: float | None  #: of the values' scatter, the model taken as right; None: this end is open
     high: float | None
     standard_error: float | None
     with_lack_of_fit: Extent  #: whatever the model's lack of fit
@@ -57,9 +57,21 @@ class Candidate(Entries):
 
     @property
     def verdict(self) -> str:
-        """converged, at_bound, determined, not_identifiable, misfit, diverged or interrupted."""
+        """converged, at_bound, determined, not_identifiable, misfit, breaks_energy, diverged or interrupted."""
         verdict: str = self._content["verdict"]
         return verdict
+
+    @property
+    def state(self) -> str:
+        """How the fit stands: good, unknown (nothing says whether it is good enough), warn or bad."""
+        state: str = self._content["state"]
+        return state
+
+    @property
+    def sentence(self) -> str:
+        """The same in words, as every face says it."""
+        sentence: str = self._content["sentence"]
+        return sentence
 
     @property
     def usable(self) -> bool:
@@ -93,7 +105,7 @@ class Candidate(Entries):
         return f"<brdf.Candidate {self.form}: {self.verdict}>"
 
     def _repr_html_(self) -> str:
-        return f"{self.material._repr_html_()}<p>{self.verdict}</p>"
+        return f"{self.material._repr_html_()}<p>{self.sentence}</p>"
 
 
 class Fit(Entries):
@@ -148,8 +160,8 @@ class Fit(Entries):
 
         rows = [[c.form, c.verdict, share(c.median_relative_error), c.findings[0] if c.findings else ""]
                 for c in self.ranking]
-        title = f"best: {self.best.form}, {self.verdict}"
-        return table_html(title, ["form", "verdict", "median error", "finding"], rows, self.best.material._repr_png_())
+        title = self.best.sentence
+        return table_html(title, ["form", "verdict", "median error (fitted)", "finding"], rows, self.best.material._repr_png_())
 
 
 def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Settings | None, start: Settings | None,

@@ -233,5 +233,41 @@ TEST(IntervalCoverage, HoldsOverAllFormsForEveryVerdict) {
   }
 }
 
+// Two lobes in truth, one fitted: the intervals with lack of fit of every other light against those of the lights between.
+TEST(IntervalCoverage, OfAlternateLightsUnderAWrongModelOverlap) {
+  Material truth = make_material(*find_form("cook_torrance"), {"f"});
+  truth.terms.push_back(truth.terms[0]);
+  truth.terms[0].shape[0] = {0.12, 0.12};
+  truth.terms[0].weights[0] = {0.15, 0.4, 0.06};
+  truth.terms[1].shape[0] = {0.4, 0.4};
+  truth.terms[1].weights[0] = {0, 0.5, 0.04};
+  int compared = 0, apart = 0;
+  for (const std::size_t lights : {4, 6, 8, 10})
+    for (const char* form : {"cook_torrance", "ward", "phong"})
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        std::vector<FormFit> halves;
+        for (std::size_t first : {0, 1}) {
+          std::vector<double> angles;
+          for (std::size_t k = first; k < lights; k += 2)
+            angles.push_back(8 + 64.0 * double(k) / double(lights - 1));
+          synth::Instrument instrument;
+          instrument.grid = grid_of("in_plane", angles, 2);
+          instrument.noise = 0.01;
+          instrument.seed = seed;
+          halves.push_back(fit_one(synth::measure(truth, instrument), {form}));
+        }
+        for (const Estimate& a : halves[0].estimates) {
+          const Estimate& b = estimate(halves[1], a.name);
+          if (a.status == Status::unidentified || b.status == Status::unidentified) continue;
+          const Extent x = interval_with_lack_of_fit(a), y = interval_with_lack_of_fit(b);
+          ++compared;
+          apart += x.high < y.low || y.high < x.low;
+        }
+      }
+  std::cout << apart << " of " << compared << " pairs exclude each other\n";
+  EXPECT_GT(compared, 150);
+  EXPECT_LE(apart, 0.08 * compared);
+}
+
 }  // namespace
 }  // namespace brdf::fit
