@@ -45,7 +45,7 @@ std::vector<Place> places_of(Material& m, const std::string& name) {
 }
 
 // Moves a parameter by a step, or as far as its range goes; tangent_phi, which turns every term, in degrees. Returns by how
-// much; none where the material has no such parameter.
+// much; nothing for a parameter that the material does not have.
 std::optional<double> move(Material& m, const std::string& name, double step) {
   if (name == kTangentInfo.name) {
     for (Term& term : m.terms) term.tangent_phi = term.tangent_phi + degrees(step);

@@ -20,7 +20,7 @@ using Derived = std::function<std::vector<double>(const Material&)>;
 std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& covariance,
                                              std::span<const double> values, const Derived& f);
 
-// What a fit knows of its material beside its values.
+// How well a fit knows its material.
 struct Knowledge {
   std::optional<ParameterCovariance> covariance;
   std::vector<MaterialAtEnd> ends;  // of the parameters' intervals; none: these are of the curvature
@@ -33,7 +33,7 @@ Knowledge knowledge_of(const io::Json& fit);
 
 // 95 % intervals of f(material) = values: the least and the largest value over the materials at the ends of the
 // parameters' intervals, and the interval of the covariance, which knows directions between the parameters. An end is
-// infinite where an end of a parameter decides it that is open. None where nothing is known.
+// infinite where a parameter's open end decides it. Nothing is returned where nothing is known.
 std::optional<std::vector<Extent>> intervals(const Material& material, const Knowledge& known,
                                              std::span<const double> values, const Derived& f);
 

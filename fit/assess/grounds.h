@@ -13,6 +13,7 @@ struct Grounds {
   const Curvature& curvature;
   const RowMatrix* working;  // covariance by the working noise; null: not worth its passes
   double freedom;            // degrees of freedom of every variance
+  bool exact;                // the samples scatter by rounding alone
   bool few;                  // rows: fewer than three for each parameter of a channel
   bool unturned;             // the sample was never turned, and a second width is asked of it
 

@@ -175,9 +175,9 @@ class Search {
 
   ProfilePoint at(double x) { return solve_at(x, way_to(x)); }
 
-  // To the level from what is inside it; open at the limit.
+  // To the level from what is inside it; open at the limit, and where no crossing is found. Where the profile jumps over the
+  // level the end is the point beyond.
   ProfileEnd cross(double guess) {
-    double other_side = 1;  // by which the point that stays is weighed down (Illinois)
     for (int k = 0; k < kPoints && !stopped(); ++k) {
       const double x = is_beyond(guess, limit_) ? limit_ : guess;
       ProfilePoint point = at(x);
@@ -186,14 +186,10 @@ class Search {
       const bool at_limit = x == limit_;
       if (reached < 1 && at_limit) return {std::move(point), true, true};
       if (std::abs(reached - 1) <= kOnLevel) return {std::move(point), false, false};
-      if (reached < 1) {
-        other_side = outside_ && last_inside_ ? other_side / 2 : 1;
-        if (!inside_ || is_beyond(point.x, inside_->x)) inside_ = std::move(point);
-        last_inside_ = true;
-      } else {
+      if (reached >= 1)
         outside_ = std::move(point);
-        last_inside_ = false;
-      }
+      else if (!inside_ || is_beyond(point.x, inside_->x))
+        inside_ = std::move(point);
       if (!outside_) {
         const double stretch = std::clamp(1.05 / std::max(pace(*inside_), 1e-3), 1.25, 4.0);
         guess = origin_ + stretch * std::max(distance(inside_->x), distance(x)) * side_;
@@ -201,12 +197,12 @@ class Search {
       }
       const double from = inside_ ? inside_->x : origin_, reach = outside_->x - from;
       const double size = logarithmic(from, outside_->x) ? std::abs(outside_->x) : distance(outside_->x);
-      if (std::abs(reach) <= kJump * size) break;  // the profile jumps
+      if (std::abs(reach) <= kJump * size) return {*outside_, false, false};
       const double below = 1 - (inside_ ? pace(*inside_) : 0), above = pace(*outside_) - 1;
       const double share = k % 3 == 2 ? 0.5 : below / (below + above);
       guess = between(from, outside_->x, std::clamp(share, 0.02, 0.98));
     }
-    return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, false, false};
+    return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, true, false};
   }
 
   // Of weights, which may differ by powers of ten along a valley.
@@ -372,7 +368,7 @@ class Search {
   double origin_ = 0, limit_ = 0;
   Eigen::VectorXd follows_;  // how the solver's parameters move with this one
   int side_ = 1;
-  bool quadratic_ = true, last_inside_ = false;
+  bool quadratic_ = true;
   std::optional<ProfilePoint> inside_, outside_;  // nearest to the level
   std::vector<CostedPoint> near_;
 };

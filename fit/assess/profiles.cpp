@@ -146,6 +146,10 @@ void add_products(const ProfileStart& start, const std::vector<Reported>& all, c
 
 void profile_all(std::vector<Reported>& all, const SampleStream& stream, const Grounds& on,
                  const ProfileOptions& options, Uncertainty& out) {
+  if (on.exact) {
+    out.profiled = true;
+    return;
+  }
   std::vector<std::size_t> searched;
   Ratios largest;
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -11,6 +11,9 @@
 namespace brdf::fit {
 namespace {
 
+// Relative noise below which a profile would be one of rounding.
+constexpr double kRoundingNoise = 1e-9;
+
 // Of estimates alone no more rows are worth a pass that counts the degrees of freedom of each variance.
 constexpr std::size_t kLeanRows = 4096;
 
@@ -51,8 +54,8 @@ Correlations correlations_of(const std::vector<Reported>& all, const std::vector
   return out;
 }
 
-// The covariance of what is made of the parameters: the working noise's, in the directions where the consistent one is
-// larger that one, as far as the least trusted parameter trusts it.
+// The covariance of what is made of the parameters: the working noise's, raised in the directions in which the
+// consistent covariance is larger, by the share `trust` of the excess.
 RowMatrix larger_of(const RowMatrix& working, const RowMatrix& consistent, double trust) {
   const Eigen::SelfAdjointEigenSolver<RowMatrix> own(working);
   const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();
@@ -99,7 +102,10 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   if (!lean && !many && !few) working = working_noise(stream, m, c);
   // The channels of a row may share their noise: every channel has the degrees of freedom of its own rows.
   const double freedom = double(stream.data().rows()) - double(per_channel);
-  const Grounds on{model, m, c, working ? &working->covariance : nullptr, freedom, few, unturned};
+  const Grounds on{model,   m,
+                   c,       working ? &working->covariance : nullptr,
+                   freedom, working && working->relative < kRoundingNoise,
+                   few,     unturned};
   if (!unshared) {
     const std::vector<NoiseShares> shares = stream.noise_shares(m.p, influences(all, c.inverse));
     for (std::size_t k = 0; k < all.size(); ++k)
