@@ -74,6 +74,7 @@ void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
   if (s.misfit.misfit) out.findings.push_back(s.misfit.finding);
   out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
   out.findings.insert(out.findings.end(), s.after.begin(), s.after.end());
+  out.light_is_off = out.verdict == Verdict::misfit && s.misfit.light_is_off;
   out.few_rows_decide = u.few_rows_decide;
   out.estimates = u.estimates;
   out.smooth = u.smooth;

@@ -91,6 +91,7 @@ LargestAlbedos largest_albedos(const Material& material, AngleRange measured);
 struct Misfit {
   bool misfit = false;
   std::string finding;
+  bool light_is_off = false;  // the reason is the share of the light
 };
 Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>& model,
                     std::optional<double> noise);

@@ -127,8 +127,10 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
   const double share = off / all;
   if (Misfit retro_reflection = retro_reflects(); retro_reflection.misfit) return retro_reflection;
   if (share > kShare)
-    return {true, io::percent_to_tenths(share) +
-                      " of the reflected light is off by more than a factor of two" + cannot};
+    return {
+        true,
+        io::percent_to_tenths(share) + " of the reflected light is off by more than a factor of two" + cannot,
+        true};
   if (2 * far_off < count) return {};
   std::vector<double> ratios;
   for_each_value([&](double, double ratio) { ratios.push_back(ratio); });

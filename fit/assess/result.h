@@ -197,6 +197,7 @@ struct FormFit {
   double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
+  bool light_is_off = false;    // a misfit by the share of the light that is in the wrong place
   std::string few_rows_decide;  // which parameters few rows decide, and which rows; empty: none
   bool has_free_scale = false;  // the samples are uncalibrated: nothing is known of energy
   IntervalsBy intervals = IntervalsBy::curvature;

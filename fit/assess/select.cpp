@@ -48,6 +48,21 @@ bool as_good(const FitResult& result, const Value& value, const FormFit& f, cons
 
 }  // namespace
 
+namespace {
+
+// A form that predicts worse than one whose light is in the wrong place has no better word for it.
+void follow_misfits(std::vector<FormFit>& ranking) {
+  const FormFit* off = nullptr;
+  for (FormFit& f : ranking) {
+    if (f.light_is_off && !off) off = &f;
+    if (!off || !usable(f.verdict)) continue;
+    f.verdict = Verdict::misfit;
+    f.findings.insert(f.findings.begin(), "predicts worse than " + off->form + ", which is a misfit");
+  }
+}
+
+}  // namespace
+
 std::vector<std::size_t> rank(FitResult& result) {
   const Value value(result);
   const std::vector<FormFit>& fits = result.ranking;
@@ -64,6 +79,7 @@ std::vector<std::size_t> rank(FitResult& result) {
   std::vector<FormFit> ranked;
   for (const std::size_t k : order) ranked.push_back(std::move(result.ranking[k]));
   result.ranking = std::move(ranked);
+  follow_misfits(result.ranking);
   result.recommended = 0;
   for (std::size_t k = 1; k < result.ranking.size(); ++k) {
     const FormFit &f = result.ranking[k], &chosen = result.ranking[result.recommended];

@@ -180,6 +180,27 @@ TEST(Verdict, AFormWithoutASolutionRanksLast) {
   EXPECT_EQ(result.ranking[result.recommended].form, "lambert");
 }
 
+TEST(Verdict, TheShareOfTheLightDoesNotReverseTheRanking) {
+  FitResult result = fit(constant_table(0.2), {forms({"lambert"})}, {});
+  FormFit better = result.ranking.front(), worse = better;
+  better.form = "better";
+  better.verdict = Verdict::misfit;
+  better.left_out->value = 1;
+  worse.form = "worse";
+  worse.left_out->value = 2;
+  result.ranking = {worse, better};
+  rank(result);
+  EXPECT_EQ(result.ranking.back().verdict, worse.verdict)
+      << "a missing highlight says nothing of other forms";
+  better.light_is_off = true;
+  result.ranking = {worse, better};
+  for (int times = 0; times < 2; ++times) rank(result);
+  EXPECT_EQ(result.ranking.front().form, "better");
+  EXPECT_EQ(result.ranking.back().verdict, Verdict::misfit);
+  EXPECT_EQ(result.ranking.back().findings.front(), "predicts worse than better, which is a misfit");
+  EXPECT_EQ(result.ranking.back().findings.size(), worse.findings.size() + 1);
+}
+
 // Three values at one pair of directions: their mean, known with two degrees of freedom.
 TEST(Verdict, IntervalsOfFewValuesAreStudents) {
   io::SampleTable table;
