@@ -19,7 +19,7 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kRounding = 1e-18;  // of a squared residual, as a share of that of a black surface
+constexpr double kRoundingShare = 1e-18;  // of a squared residual, as a share of that of a black surface
 
 // The solutions of a model's refits `numbers`, in their order; none where the run was interrupted.
 std::optional<RefitSolutions> refits_of(const Solved& s, const SampleStream& stream, RowRange numbers,
@@ -60,7 +60,7 @@ void refit_all(const FitData& data, const FitOptions& options, const RefitSoluti
     if (s.fit.solved() && s.residual.loss.scale < scale) scale = (tightest = &s)->residual.loss.scale;
   if (!tightest) return;
   if (options.cross_validation)
-    result.left_out_rounding = kRounding * black_loss(data, tightest->model, tightest->residual);
+    result.left_out_rounding = kRoundingShare * black_loss(data, tightest->model, tightest->residual);
   const std::size_t count = count_refits(data.groups, options);
   if (count == 0) return;
   const auto refit_model = [&](std::size_t k) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "fit/solve/nearby.h"
 #include "fit/solve/starts.h"
 
 namespace brdf::fit {
@@ -22,60 +21,11 @@ constexpr double kFactor = 3;      // between weights that are compared by their
 constexpr double kLeastWeight = 1e-9;  // of the larger of two, for the other's logarithm
 constexpr double kSlowest = 0.5;       // of the parabola's pace, beyond the level
 constexpr double kNearLimit =
-    1.2;  // times the end's distance: closer than that the limit says nothing of the pace
-constexpr double kPenalty = 1e4;  // by it a point of the profile misses its value by 2e-4 of its distance
-constexpr double kSolved = 1e-3;  // of the level: to which a cost is minimised
-constexpr int kSteps = 24;        // of one solution
-constexpr int kPoints = 40;       // of one side
-constexpr int kRounds = 4;        // in which an end is looked for further out
+    1.2;                     // times the end's distance: closer than that the limit says nothing of the pace
+constexpr int kPoints = 40;  // of one side
+constexpr int kRounds = 4;   // in which an end is looked for further out
 constexpr std::size_t kBestSeeds = 3;  // of the shapes of the grid
 constexpr double kStepBeyond = 0.1;    // of its distance, beyond an end
-
-// The parameter on the scale of its interval.
-class Coordinate {
- public:
-  Coordinate(const Model& model, const Reported& r, std::size_t index)
-      : model_(model), r_(r), index_(index), slot_(r.slot) {
-    // A weight that one unknown sets alone.
-    if (slot_ == kNoSlot && r.scale == kNoSlot && r.times == kNoSlot && model.linear() && !r.divided &&
-        r.gradient.size() == 1 && r.gradient[0].second == 1)
-      slot_ = r.gradient[0].first;
-  }
-
-  // Of the slot that is held, or kNoSlot: then the value is reached by a penalty.
-  std::size_t slot() const { return slot_; }
-  double low() const { return r_.slot != kNoSlot ? slot_of(r_.slot).low : on_scale(r_.min); }
-  double high() const { return r_.slot != kNoSlot ? slot_of(r_.slot).high : on_scale(r_.max); }
-  double at(std::span<const double> p) const {
-    if (slot_ != kNoSlot) return p[slot_];
-    return on_scale(there(p).estimate.value);
-  }
-  // With the gradient by the solver's parameters.
-  std::pair<double, Eigen::VectorXd> with_gradient(std::span<const double> p) const {
-    const Eigen::Index n = Eigen::Index(p.size());
-    if (slot_ != kNoSlot) return {p[slot_], Eigen::VectorXd::Unit(n, Eigen::Index(slot_))};
-    const Reported here = there(p);
-    const Eigen::VectorXd g = gradient_vector(here, n);
-    if (r_.scale == kNoSlot) return {here.estimate.value, g};
-    const Slot& slot = slot_of(r_.scale);
-    const double u = slot.to_solver(here.estimate.value);
-    return {u, g / slot.slope(u)};
-  }
-
- private:
-  Reported there(std::span<const double> p) const {
-    std::vector<Reported> all = reported_parameters(model_, p);
-    return r_.times == kNoSlot ? std::move(all[index_]) : product_of(all, index_, r_.times);
-  }
-  const Slot& slot_of(std::size_t slot) const { return model_.slots()[slot]; }
-  double on_scale(double value) const {
-    return r_.scale == kNoSlot ? value : slot_of(r_.scale).to_solver(value);
-  }
-
-  const Model& model_;
-  const Reported& r_;
-  std::size_t index_, slot_;
-};
 
 class Search {
  public:
@@ -83,13 +33,12 @@ class Search {
       : start_(start),
         model_(start.stream.model()),
         coordinate_(model_, r, index),
+        solver_(start.stream, start.minimum, coordinate_, level.rise, start.interrupted),
         level_(level.rise),
         plateau_level_(std::max(level.rise, level.of_lobes)),
         error_(level.error),
         weight_(r.weight && !r.divided),
-        may_vanish_(r.info->role == Role::specular),
-        low_(model_.low()),
-        high_(model_.high()) {
+        may_vanish_(r.info->role == Role::specular) {
     const auto [x, gradient] = coordinate_.with_gradient(start.minimum.p);
     origin_ = x;
     const Eigen::VectorXd along = start.curvature.inverse * gradient;
@@ -117,41 +66,8 @@ class Search {
   double distance(double x) const { return std::abs(x - origin_); }
   bool stopped() const { return start_.interrupted && start_.interrupted->load(std::memory_order_relaxed); }
 
-  // The least cost at x from one start; shapes may be held there.
   ProfilePoint solve_at(double x, std::vector<double> p, bool hold_shapes = false) {
-    std::vector<double> low = low_, high = high_;
-    if (hold_shapes)
-      for (std::size_t k = 0; k < model_.shape_slots(); ++k) low[k] = high[k] = p[k];
-    const bool pinned = coordinate_.slot() != kNoSlot;
-    if (pinned) low[coordinate_.slot()] = high[coordinate_.slot()] = p[coordinate_.slot()] = x;
-    const double penalty = pinned ? 0 : kPenalty * level_ / std::pow(std::max(distance(x), 1e-12), 2);
-    ProfilePoint best{x, std::numeric_limits<double>::infinity(), p};
-    double least = best.rise;
-    const Objective objective = [&](std::span<const double> q) {
-      NormalEquations n = start_.stream.normal_equations(q);
-      const double cost = n.cost;
-      double there = x;
-      if (!pinned) {
-        const auto [value, gradient] = coordinate_.with_gradient(q);
-        there = value;
-        n.cost += 0.5 * penalty * (value - x) * (value - x);
-        for (Eigen::Index i = 0; i < gradient.size(); ++i) {
-          n.gradient[std::size_t(i)] += penalty * (value - x) * gradient(i);
-          for (Eigen::Index j = 0; j < gradient.size(); ++j)
-            n.hessian(std::size_t(i), std::size_t(j)) += penalty * gradient(i) * gradient(j);
-        }
-      }
-      if (n.cost < least) {
-        least = n.cost;
-        best = {there, cost - start_.minimum.cost, {q.begin(), q.end()}};
-      }
-      return n;
-    };
-    SolveOptions options;
-    options.max_iterations = kSteps;
-    options.tolerance = kSolved * level_ / std::max(start_.minimum.cost, level_);
-    options.interrupted = start_.interrupted;
-    solve_nearby(objective, p, low, high, options);
+    ProfilePoint best = solver_.least_at(x, std::move(p), hold_shapes);
     if (best.rise < square(kClosed) * plateau_level_) near_.push_back({best.p, best.rise});
     return best;
   }
@@ -169,7 +85,6 @@ class Search {
     } else {
       for (std::size_t k = 0; k < p.size(); ++k) p[k] += follows_(Eigen::Index(k)) * (x - origin_);
     }
-    for (std::size_t k = 0; k < p.size(); ++k) p[k] = std::clamp(p[k], low_[k], high_[k]);
     return p;
   }
 
@@ -360,11 +275,11 @@ class Search {
 
   const ProfileStart& start_;
   const Model& model_;
-  Coordinate coordinate_;
+  ProfileCoordinate coordinate_;
+  ProfileSolver solver_;
   double level_, plateau_level_, error_;
   bool weight_,
       may_vanish_;  // a lobe without weight leaves its shape free: five standard errors must speak for it
-  std::vector<double> low_, high_;
   double origin_ = 0, limit_ = 0;
   Eigen::VectorXd follows_;  // how the solver's parameters move with this one
   int side_ = 1;

@@ -7,16 +7,9 @@
 #include <vector>
 
 #include "fit/assess/curvature.h"
-#include "fit/assess/reported.h"
-#include "fit/solve/minima.h"
+#include "fit/assess/profile_point.h"
 
 namespace brdf::fit {
-
-// A point of the profile: the parameter on the scale of its interval, and by which the cost is above its minimum there.
-struct ProfilePoint {
-  double x = 0, rise = 0;
-  std::vector<double> p;  // the solver's parameters
-};
 
 // Where the profile crosses its level on one side.
 struct ProfileEnd {

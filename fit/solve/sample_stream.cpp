@@ -363,25 +363,15 @@ std::vector<std::vector<double>> SampleStream::residual_values(std::span<const d
   return residuals_of(values(p));
 }
 
-std::vector<std::vector<double>> SampleStream::residuals_of(std::vector<std::vector<double>> values) const {
+std::vector<std::vector<double>> SampleStream::of_values(std::vector<std::vector<double>> values,
+                                                         bool slopes) const {
   std::vector<double> r(kBlockRows), slope(kBlockRows);
+  const std::vector<double>& wanted = slopes ? slope : r;
   for_each_block([&](std::size_t first, std::size_t rows) {
     for (std::size_t c = 0; c < values.size(); ++c) {
       double* column = &values[c][first];
       residuals(residual_, residual_inputs(data_, c, first, rows, column), r.data(), slope.data());
-      std::copy(r.begin(), r.begin() + std::ptrdiff_t(rows), column);
-    }
-  });
-  return values;
-}
-
-std::vector<std::vector<double>> SampleStream::slopes_of(std::vector<std::vector<double>> values) const {
-  std::vector<double> r(kBlockRows), slope(kBlockRows);
-  for_each_block([&](std::size_t first, std::size_t rows) {
-    for (std::size_t c = 0; c < values.size(); ++c) {
-      double* column = &values[c][first];
-      residuals(residual_, residual_inputs(data_, c, first, rows, column), r.data(), slope.data());
-      std::copy(slope.begin(), slope.begin() + std::ptrdiff_t(rows), column);
+      std::copy(wanted.begin(), wanted.begin() + std::ptrdiff_t(rows), column);
     }
   });
   return values;

@@ -129,11 +129,16 @@ class SampleStream {
   void values(std::span<const double> p, std::vector<std::vector<double>>& out) const;
   // [channel][row]: the residuals, before the loss; of the model's values.
   std::vector<std::vector<double>> residual_values(std::span<const double> p) const;
-  std::vector<std::vector<double>> residuals_of(std::vector<std::vector<double>> values) const;
+  std::vector<std::vector<double>> residuals_of(std::vector<std::vector<double>> values) const {
+    return of_values(std::move(values), false);
+  }
   // [channel][row]: the residuals' derivatives by the model's values, before the loss.
-  std::vector<std::vector<double>> slopes_of(std::vector<std::vector<double>> values) const;
+  std::vector<std::vector<double>> slopes_of(std::vector<std::vector<double>> values) const {
+    return of_values(std::move(values), true);
+  }
 
  private:
+  std::vector<std::vector<double>> of_values(std::vector<std::vector<double>> values, bool slopes) const;
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
   // Nothing where the workspace still holds them: one block's lobes serve all passes at the same shapes.
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;

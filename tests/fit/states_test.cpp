@@ -126,6 +126,37 @@ TEST(States, EveryRowHasOneSentenceOneMarkAndOneExitCodeOnEveryFace) {
   EXPECT_EQ(reached.size(), kNames<Condition>.size());
 }
 
+// What is said of a spoilt fit is not said of a good one, and a spoilt one is never called as good as its scatter.
+TEST(States, NoSentenceAppearsWithoutItsCondition) {
+  const io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}), {"hemisphere"}, 0.02);
+  const auto printed = [&](const FitResult& result) {
+    std::ostringstream text;
+    print(text, result, table, {}, {0, false});
+    return text.str();
+  };
+  const std::string of_good = printed(good());
+  for (const Row& row : rows()) {
+    if (row.name == std::string("describes")) continue;
+    EXPECT_THAT(of_good, testing::Not(HasSubstr(row.sentence))) << row.name;
+    FitResult result = good();
+    row.spoil(result.ranking.front());
+    const Condition headline = conditions_of(result.ranking.front()).front();
+    if (headline == Condition::describes) continue;
+    EXPECT_THAT(printed(result), testing::Not(HasSubstr("as near as they scatter"))) << row.name;
+    EXPECT_THAT(html_report(result, table, {}, false), testing::Not(HasSubstr("as near as they scatter")))
+        << row.name;
+  }
+}
+
+TEST(States, ARefusedStepThatWouldHalveTheErrorSaysSo) {
+  Step step{"a lobe", "ward", 0.27, 0.24, 0.1, 0.3, 5, false};
+  EXPECT_THAT(in_words(step), testing::Not(HasSubstr("halve")));
+  step.difference = 0.28;
+  EXPECT_THAT(in_words(step), HasSubstr("not kept, though it would halve the error"));
+  step.kept = true;
+  EXPECT_THAT(in_words(step), testing::Not(HasSubstr("halve")));
+}
+
 TEST(States, AFormTenTimesWorseThanTheFirstIsGrey) {
   FitResult result = good();
   FormFit first = result.ranking.front(), worse = first;
