@@ -42,6 +42,7 @@ std::string_view scalar_of(const Claim& claim) {
 
 // Whether low and high say anything.
 bool has_range(const Proof& p) {
+  if (p.verdict == Verdict::no_method) return false;
   if (p.claim.property == Property::rounding) return p.verdict == Verdict::proved;
   return p.domain.has_value() || p.verdict == Verdict::refuted;
 }

@@ -14,6 +14,7 @@
 #include "shader/front/compile.h"
 #include "shader/program/lower.h"
 #include "shader/program/operands.h"
+#include "shader/symmetry.h"
 
 namespace brdf::shader {
 namespace {
@@ -297,6 +298,8 @@ Function function_of(Source source, const ShaderChoice& choice, const Compiled& 
   for (const std::string& name : free_directions(module, source)) options.parameters.insert(name);
   options.results = chosen.results.parts;
   options.written = chosen.results.written;
+  options.accumulated = chosen.results.accumulated;
+  options.zero_globals = source.language == Language::hlsl;
   f.as_written = lowered(module, *chosen.function, options, source.name);
   f.as_meant = f.as_written;
   if (holds_kernels(module)) {
@@ -317,6 +320,8 @@ Function function_of(Source source, const ShaderChoice& choice, const Compiled& 
       if ((b.from == Binding::From::coordinate || b.from == Binding::From::product) &&
           (axis == Axis::tangent || axis == Axis::bitangent))
         f.oriented = f.oriented || read.contains({b.integer, b.slot});
+  f.symmetry = symmetry_of(f.as_written, f.bindings);
+  f.symmetry_as_meant = holds_kernels(module) ? symmetry_of(f.as_meant, f.bindings_as_meant) : f.symmetry;
   f.notes = compiled.notes;
   if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
   for (const std::string& note : {chosen.note, chosen.results.note, undeclared(f)})

@@ -40,6 +40,30 @@ struct Binding {
   std::size_t value = 0;  // of a parameter
 };
 
+// How the value of one step depends on a turn of light and viewer together about the normal.
+enum class Turning : std::uint8_t {
+  still,    // it does not change
+  partial,  // it is a sum of coordinates across the normal, or of their products, and changes
+  closes,   // it is a sum of such products that does not change, as Lx Vx + Ly Vy or Lx Vy - Ly Vx
+  pairs,  // the same of one such product and its like along the other axis: a product of two lengths at most
+  squares,  // the same of squares alone, each of a coordinate, or a sum of two, times what does not change: no term
+            // cancels another, so that its rounding error is relative to the sum
+};
+
+// What the flattened program shows of such turns (shader/symmetry.h).
+struct Symmetry {
+  // In exact arithmetic the result is the same after every turn. Where this is false, nothing is known.
+  bool isotropic = false;
+  // It is also the same where the azimuth between light and viewer has the other sign.
+  bool mirrored = false;
+  std::uint32_t line =
+      0;  // of the source, where the argument fails; 0: it does not fail, or the line is unknown
+  std::vector<std::vector<Turning>> steps = {};  // of each step of each stretch; empty unless isotropic
+  // Operations from the coordinates to a closing step, at most. Rounding changes the closing sum by at most about that
+  // many units of the sum of the absolute values of its terms.
+  int depth = 0;
+};
+
 struct Function {
   Source source;
   std::string entry;   // its signature
@@ -50,7 +74,8 @@ struct Function {
   std::size_t values = 0;  // of all parameters
   Returns returns = Returns::f;
   std::vector<std::string> notes;
-  bool oriented = false;  // sees the tangent
+  bool oriented = false;  // reads the tangent
+  Symmetry symmetry, symmetry_as_meant;
 
   template <class T>
   const Program& program() const {
@@ -60,6 +85,12 @@ struct Function {
   const std::vector<Binding>& bound() const {
     return std::is_same_v<T, float> ? bindings : bindings_as_meant;
   }
+  template <class T>
+  const Symmetry& turning() const {
+    return std::is_same_v<T, float> ? symmetry : symmetry_as_meant;
+  }
+  // Nothing shows that the value stays when light and viewer turn together: light has to be turned, too.
+  bool may_turn() const { return !symmetry.mirrored || !symmetry_as_meant.mirrored; }
   std::vector<double> defaults() const;
   std::uint64_t number = 0;  // of this function, for caches: no two share one
 };

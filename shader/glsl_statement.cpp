@@ -189,6 +189,7 @@ const char* pattern(Op op) {
     case Op::imax:
       return "uint(max(a, b))";
     case Op::umin:
+    case Op::index:
       return "min(A, B)";
     case Op::umax:
       return "max(A, B)";

@@ -61,11 +61,14 @@ std::vector<std::vector<std::string>> definitions(const std::string& text, const
   return out;
 }
 
-// Arguments that the text declares as out or inout.
-std::set<int> declared_out(const Module& m, const spirv::Function& f, const std::string& text) {
+// Arguments that the text declares as `out` or `inout`, and of those the ones that are `inout`.
+struct Written {
+  std::set<int> all, accumulated;
+};
+Written declared_out(const Module& m, const spirv::Function& f, const std::string& text) {
   for (const std::vector<std::string>& fields : definitions(text, f.name)) {
     if (fields.size() != f.parameters.size()) continue;
-    std::set<int> out;
+    Written out;
     bool same = true;
     for (std::size_t k = 0; k < fields.size() && same; ++k) {
       std::string spaced = fields[k];
@@ -73,8 +76,10 @@ std::set<int> declared_out(const Module& m, const spirv::Function& f, const std:
       std::vector<std::string_view> words;
       io::split_blanks(spaced, words);
       same = std::find(words.begin(), words.end(), m.name(f.parameters[k])) != words.end();
-      for (const std::string_view word : words)
-        if (word == "out" || word == "inout") out.insert(int(k));
+      for (const std::string_view word : words) {
+        if (word == "out" || word == "inout") out.all.insert(int(k));
+        if (word == "inout") out.accumulated.insert(int(k));
+      }
     }
     if (same) return out;
   }
@@ -104,15 +109,16 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
   Results out;
   std::vector<Leaf> leaves;
   const spirv::Type& returned = m.type(f.type);
+  const Written declared = declared_out(m, f, without_comments(source.text));
+  out.written = declared.all;
+  out.accumulated = declared.accumulated;
   if (returned.kind != Kind::nothing) {
     add_leaves(m, f.type, "", -1, 0, leaves);
     if (returned.kind != Kind::structure && !leaves.empty()) {
-      out.written = declared_out(m, f, without_comments(source.text));
       out.parts = {leaves[0].part};
       return out;
     }
   }
-  out.written = declared_out(m, f, without_comments(source.text));
   if (returned.kind == Kind::nothing && out.written.empty() && !f.parameters.empty())
     out.written.insert(int(f.parameters.size()) - 1);
   std::erase_if(out.written,

@@ -14,6 +14,7 @@ namespace brdf::shader {
 struct Results {
   std::vector<ResultPart> parts;  // their sum is the reflectance; empty: there is none
   std::set<int> written;          // arguments that are no inputs
+  std::set<int> accumulated;      // of those: the ones that are declared as `inout`
   std::string note;               // which they are, where the function has more than one; may be empty
   std::string several;            // what it has, where nothing says which; else empty
   bool named = false;             // a name says that it is reflected light

@@ -16,6 +16,7 @@ using shader::End;
 using shader::Op;
 using shader::Program;
 using shader::Step;
+using shader::Undefined;
 
 constexpr int kMostWays = 64;
 constexpr std::size_t kMostSteps = 100'000;
@@ -27,18 +28,46 @@ Interval<B> of_unit(const Interval<B>& x) {
   return x.poisoned() ? x : cut(x, -kMost, kMost);
 }
 
+// What may be undefined of an operation on numbers of these ranges.
+template <class B>
+std::optional<Undefined> undefined_number(const Step& s, const Way<B>& w) {
+  const auto holds_zero = [&](std::uint32_t slot) {
+    return w.numbers[slot].lo <= 0 && w.numbers[slot].hi >= 0;
+  };
+  const auto poisoned = [&](std::uint32_t slot) { return w.numbers[slot].poisoned(); };
+  switch (s.op) {
+    case Op::pow:
+      if (poisoned(s.a) || poisoned(s.b)) return std::nullopt;
+      if (w.numbers[s.a].lo < 0 || (holds_zero(s.a) && w.numbers[s.b].lo <= 0)) return Undefined::pow;
+      return std::nullopt;
+    case Op::atan2:
+      return holds_zero(s.a) && holds_zero(s.b) ? std::optional(Undefined::atan) : std::nullopt;
+    case Op::smoothstep:
+      return w.numbers[s.a].hi < w.numbers[s.b].lo ? std::nullopt : std::optional(Undefined::smoothstep);
+    case Op::min:
+      if (s.c > 0 && !(w.numbers[s.c - 1].hi <= w.numbers[s.b].lo)) return Undefined::clamp;
+      [[fallthrough]];
+    case Op::max:
+      return poisoned(s.a) || poisoned(s.b) ? std::optional(Undefined::min_max) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
 template <class B>
 class ShaderOnBox {
  public:
   using I = Interval<B>;
   ShaderOnBox(const shader::Function& f, const ShaderInputs& inputs)
-      : program_(f.program<B>()), start_(program_) {
+      : program_(f.program<B>()), symmetry_(f.turning<B>()), start_(program_) {
     const Vec3<I> wi = direction<I>(inputs.cos_i, inputs.turn_i),
                   wo = direction<I>(inputs.cos_o, inputs.turn_o);
+    // A symmetry stands for the other turns where only one is asked for.
+    turns_ = symmetry_.isotropic && inputs.turn_i.lo == inputs.turn_i.hi;
     fill(f, inputs, wi, wo);
   }
 
-  // The hull of all ways; poison where one of them is.
+  // The hull of all ways; poison where one of them is, or where the result may be undefined.
   I run() {
     std::vector<std::pair<Way<B>, std::uint32_t>> left;
     left.emplace_back(std::move(start_), 0);
@@ -48,13 +77,17 @@ class ShaderOnBox {
       left.pop_back();
       if (ways >= kMostWays || !follow(way, at, left)) return I::poison();
       for (std::size_t k = 0; k < program_.results.size(); ++k) {
-        const I value = way.numbers[program_.results[k]];
+        const std::uint32_t slot = program_.results[k];
+        const I value = way.numbers[slot];
+        if (way.undefined[slot] > 0) found_ = reasons_[way.undefined[slot] - 1];
         if (value.poisoned()) return I::poison();
         result = ways == 0 && k == 0 ? value : hull(result, value);
       }
     }
     return result;
   }
+  // What the result may depend on that is undefined.
+  const std::optional<shader::UndefinedValue>& undefined() const { return found_; }
 
  private:
   void fill(const shader::Function& f, const ShaderInputs& inputs, const Vec3<I>& wi, const Vec3<I>& wo) {
@@ -63,13 +96,21 @@ class ShaderOnBox {
       if (b.integer) {
         const Bounds v = b.from == Binding::From::value ? inputs.values[b.value] : Bounds{1, 1};
         const bool zero = b.from == Binding::From::zero;
-        const std::uint32_t least = shader::integer_of(b, double(B(v.lo))),
-                            most = shader::integer_of(b, double(B(v.hi)));
-        start_.write_integer(b.slot, zero ? 0 : least, !zero && least != most);
+        const std::int64_t least = std::int32_t(shader::integer_of(b, double(B(v.lo)))),
+                           most = std::int32_t(shader::integer_of(b, double(B(v.hi))));
+        start_.write_integer(b.slot, zero ? Whole{} : Whole{least, most});
       } else {
         start_.write(b.slot, input(b, inputs, wi, wo, h));
+        if (turns_ && across_normal(b)) start_.set_magnitude(b.slot, 1 + 8 * I::kUnit);
       }
     }
+  }
+  // A coordinate that changes when light and viewer turn together.
+  static bool lies(Axis a) { return a == Axis::tangent || a == Axis::bitangent; }
+  static bool across_normal(const Binding& b) {
+    const auto moves = [](Axis a) { return a == Axis::light || a == Axis::view || a == Axis::half; };
+    if (b.from == Binding::From::coordinate) return moves(b.a) && b.component < 2;
+    return b.from == Binding::From::product && ((moves(b.a) && lies(b.b)) || (moves(b.b) && lies(b.a)));
   }
   // As Runner::set_directions gives it (shader/function.h).
   static I input(const Binding& b, const ShaderInputs& inputs, const Vec3<I>& wi, const Vec3<I>& wo,
@@ -92,7 +133,10 @@ class ShaderOnBox {
         const bool facing =
             (b.a == Axis::half) != (b.b == Axis::half);  // beside the light or the viewer: |h|/2
         const bool upward = b.a == Axis::normal || b.b == Axis::normal;
-        return cut(x[0] * y[0] + x[1] * y[1] + x[2] * y[2], facing || upward ? 0.0 : -1.0, 1.0);
+        const I sum = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+        // A coordinate, or a sum that rounds otherwise at other turns than the one that was asked for.
+        return cut(lies(b.a) || lies(b.b) || upward ? sum : widened_by(sum, 8 * I::kUnit),
+                   facing || upward ? 0.0 : -1.0, 1.0);
       }
       case Binding::From::one:
         return I(1);
@@ -101,6 +145,7 @@ class ShaderOnBox {
     }
     return I();
   }
+  static I widened_by(const I& x, double by) { return x.poisoned() ? x : I::of(x.lo - by, x.hi + by); }
   static Vec3<I> half(const Vec3<I>& wi, const Vec3<I>& wo) {
     const Vec3<I> h = wi + wo;
     const I length = sqrt(square(h.x) + square(h.y) + square(h.z));
@@ -111,21 +156,27 @@ class ShaderOnBox {
     return {over(h.x, -1), over(h.y, -1), over(h.z, 0)};
   }
 
-  // To the end; ways that part on the way are put to the others. False: too long.
+  // To the end; ways that part on the way are put to the others. False: too long, or it depends on what is undefined.
   bool follow(Way<B>& way, std::uint32_t at, std::vector<std::pair<Way<B>, std::uint32_t>>& left) {
     for (;;) {
       const shader::Stretch& stretch = program_.stretches[at];
-      for (const Step& s : stretch.steps) apply(way, s);
+      for (std::size_t k = 0; k < stretch.steps.size(); ++k) {
+        apply(way, stretch.steps[k]);
+        if (turns_) turn(way, stretch.steps[k], symmetry_.steps[at][k]);
+      }
       way.steps += stretch.steps.size() + 1;
       if (way.steps > kMostSteps || left.size() > std::size_t(kMostWays)) return false;
       if (stretch.end == End::stop) return true;
       bool holds = true;
       if (stretch.end == End::branch) {
-        holds = way.integers[stretch.condition] != 0;
-        if (way.open[stretch.condition]) {
+        if (const std::uint32_t reason = way.undefined_integers[stretch.condition]; reason > 0) {
+          found_ = reasons_[reason - 1];
+          return false;
+        }
+        holds = !(way.integers[stretch.condition] == Whole{0, 0});
+        if (!way.integers[stretch.condition].known()) {
           left.emplace_back(way, stretch.next[1]);
           left.back().first.suppose(stretch.condition, false);
-          holds = true;
           way.suppose(stretch.condition, true);
         }
       }
@@ -133,39 +184,75 @@ class ShaderOnBox {
     }
   }
 
+  // The reason of an operand, placed at this step where it names no line yet; else the step's own.
+  std::uint32_t placed(std::uint32_t reason, const Step& s) {
+    if (reason == 0 || reasons_[reason - 1].line > 0 || s.op == Op::copy || s.op == Op::icopy) return reason;
+    reasons_.push_back({reasons_[reason - 1].why, s.line, {}});
+    return std::uint32_t(reasons_.size());
+  }
+  std::uint32_t reason_of(const Way<B>& w, const Step& s, std::optional<Undefined> own) {
+    const shader::Operands o = shader::operands_of(s.op);
+    const std::uint32_t slots[] = {s.a, s.b, s.c};
+    for (int k = 0; k < o.count; ++k)
+      if (const std::uint32_t r = (o.integer[k] ? w.undefined_integers : w.undefined)[slots[k]]; r > 0)
+        return placed(r, s);
+    if (!own) return 0;
+    reasons_.push_back({*own, s.line, {}});
+    return std::uint32_t(reasons_.size());
+  }
+
   void apply(Way<B>& w, const Step& s) {
     if (s.op == Op::select) {
+      const std::uint32_t condition = w.undefined_integers[s.a];
+      if (condition > 0) return w.write(s.r, I::poison(), placed(condition, s));
       const I yes = w.numbers[s.b], no = w.numbers[s.c];
-      const bool first = w.integers[s.a] != 0;
-      w.write(s.r, w.open[s.a] ? hull(yes, no) : first ? yes : no);
+      const Whole truth = w.integers[s.a];
+      const bool open = !truth.known(), first = truth.bits() != 0;
+      const std::uint32_t reason = (open || first) && w.undefined[s.b] > 0    ? w.undefined[s.b]
+                                   : (open || !first) && w.undefined[s.c] > 0 ? w.undefined[s.c]
+                                                                              : 0;
+      w.write(s.r, open ? hull(yes, no) : first ? yes : no, placed(reason, s));
     } else if (s.op < Op::select) {
       apply_numbers(w, s);
     } else if (s.op <= Op::less_equal_or) {
       const Tri t = compared<B>(s.op, w.numbers[s.a], w.numbers[s.b]);
       const bool poison = w.numbers[s.a].poisoned() || w.numbers[s.b].poisoned();
-      w.write_integer(s.r, t == Tri::yes, poison || t == Tri::maybe);
+      const bool open = poison || t == Tri::maybe;
+      w.write_integer(s.r, open ? Whole::truth() : Whole{t == Tri::yes, t == Tri::yes}, reason_of(w, s, {}));
       if (poison) return;
       w.said[s.r] = {s.op, s.a, s.b, false};
       w.tell_of(s.a);
       w.tell_of(s.b);
     } else if (s.op == Op::is_nan || s.op == Op::is_inf) {
-      w.write_integer(s.r, 0, w.numbers[s.a].poisoned());
+      w.write_integer(s.r, w.numbers[s.a].poisoned() ? Whole::truth() : Whole{0, 0}, reason_of(w, s, {}));
     } else if (s.op == Op::to_signed || s.op == Op::to_unsigned) {
-      const I x = w.numbers[s.a];
-      const std::uint32_t least = shader::detail::to_integer(x.lo, s.op),
-                          most = shader::detail::to_integer(x.hi, s.op);
-      w.write_integer(s.r, least, x.poisoned() || least != most);
+      to_integer(w, s);
     } else if (s.op == Op::from_signed || s.op == Op::from_unsigned) {
-      const std::uint32_t x = w.integers[s.a];
-      const double value = s.op == Op::from_signed ? double(std::int32_t(x)) : double(x);
-      w.write(s.r, w.open[s.a] ? I::poison() : I(double(B(value))));
-    } else if (s.op == Op::load_number) {
+      const Whole x = w.integers[s.a];
+      const bool wraps = s.op == Op::from_unsigned && x.lo < 0;
+      const double low = wraps ? x.known() ? double(x.bits()) : 0 : double(x.lo),
+                   high = wraps ? x.known() ? low : 4294967295.0 : double(x.hi);
+      w.write(s.r, I::of(double(B(low)), double(B(high))), reason_of(w, s, {}));
+    } else if (s.op == Op::load_number || s.op == Op::load_integer) {
       load(w, s);
-    } else if (s.op == Op::store_number) {
+    } else if (s.op == Op::store_number || s.op == Op::store_integer) {
       store(w, s);
     } else {
       apply_integers(w, s);
     }
+  }
+
+  void to_integer(Way<B>& w, const Step& s) {
+    const I x = w.numbers[s.a];
+    const double least = s.op == Op::to_signed ? -2147483649.0 : -1,
+                 most = s.op == Op::to_signed ? 2147483648.0 : 4294967296.0;
+    const bool within = !x.poisoned() && least < x.lo && x.hi < most;
+    const std::uint32_t reason =
+        reason_of(w, s, within ? std::nullopt : std::optional(Undefined::conversion));
+    if (!within) return w.write_integer(s.r, Whole::any(), reason);
+    const Whole low = Whole::of_bits(shader::detail::to_integer(x.lo, s.op)),
+                high = Whole::of_bits(shader::detail::to_integer(x.hi, s.op));
+    w.write_integer(s.r, low.lo <= high.lo ? Whole{low.lo, high.lo} : Whole::any(), reason);
   }
 
   void apply_numbers(Way<B>& w, const Step& s) {
@@ -179,78 +266,162 @@ class ShaderOnBox {
     I value = *number_op<B>(s.op, a, root_a == root_b ? a : b, c);
     const Squares none;
     const Squares &sa = count > 0 ? w.squares[s.a] : none, &sb = count > 1 ? w.squares[s.b] : none;
-    using Kind = Squares::Kind;
-    if (s.op == Op::div && sb.kind == Kind::length && sb.of.contains(root_a)) value = of_unit(value);
-    if (s.op == Op::mul && sb.kind == Kind::inverse && sb.of.contains(root_a)) value = of_unit(value);
-    if (s.op == Op::mul && sa.kind == Kind::inverse && sa.of.contains(root_b)) value = of_unit(value);
-    const Squares squares = squares_of(s, sa, sb, root_a, root_b);
-    w.write(s.r, value);
+    const bool unit = of_length(s, sa, sb, root_a, root_b);
+    if (unit) value = of_unit(value);
+    Squares squares = squares_of(s, sa, sb, root_a, root_b);
+    // Squares that may be subnormal have few digits, and a GPU may take them for 0: their root is no length.
+    if ((s.op == Op::sqrt || s.op == Op::inverse_sqrt) && !(a.lo >= I::kSmallest)) squares = {};
+    w.write(s.r, value, reason_of(w, s, undefined_number<B>(s, w)));
     if (!squares.of.contains(s.r)) w.squares[s.r] = squares;
     for (const std::uint32_t slot : w.squares[s.r].of) w.tell_of(slot);
     if (s.op != Op::copy || root_a == s.r) return;
     w.root[s.r] = root_a;
     w.tell_of(root_a);
   }
+  // A coordinate over its vector's length.
+  static bool of_length(const Step& s, const Squares& a, const Squares& b, std::uint32_t root_a,
+                        std::uint32_t root_b) {
+    using Kind = Squares::Kind;
+    if (s.op == Op::div) return b.kind == Kind::length && b.of.contains(root_a);
+    if (s.op != Op::mul) return false;
+    return (b.kind == Kind::inverse && b.of.contains(root_a)) ||
+           (a.kind == Kind::inverse && a.of.contains(root_b));
+  }
 
+  // At other turns than the one that was asked for a closing sum rounds otherwise.
+  void turn(Way<B>& w, const Step& s, shader::Turning turning) {
+    if (turning == shader::Turning::still || s.op > Op::less_equal_or) return;
+    if (s.op > Op::select) return compare(w, s);
+    if (turning == shader::Turning::partial) return w.set_magnitude(s.r, largest(w, s));
+    I& value = w.numbers[s.r];
+    if (value.poisoned()) return;
+    const double roundings = 0.5 * (symmetry_.depth + 0.25) * I::kUnit;
+    if (turning == shader::Turning::squares) {
+      value = I::of(std::max(value.lo * (1 - roundings) - 8 * I::kTiny, 0.0),
+                    value.hi * (1 + roundings) + 8 * I::kTiny);
+    } else if (turning == shader::Turning::pairs) {
+      const double error = roundings * std::max(w.most(s.a), w.most(s.b)) + 8 * I::kTiny;
+      // A negative end comes from a product of two signs, which was widened by one unit already.
+      const double known = value.lo < 0 ? -value.lo * I::kUnit * (1 - 4 * I::kUnit) : 0;
+      value = I::of(value.lo - std::max(error - known, 0.0), value.hi + error);
+    } else {
+      value = widened_by(value, roundings * largest(w, s) + 8 * I::kTiny);
+    }
+  }
+  // At another turn rounding may exchange two numbers that are close.
+  void compare(Way<B>& w, const Step& s) {
+    const double error = 0.5 * (symmetry_.depth + 2) * I::kUnit * (w.most(s.a) + w.most(s.b)) + 8 * I::kTiny;
+    const I a = widened_by(w.numbers[s.a], error);
+    const Tri t = compared<B>(s.op, a, w.numbers[s.b]);
+    const bool open = a.poisoned() || w.numbers[s.b].poisoned() || t == Tri::maybe;
+    if (open) w.write_integer(s.r, Whole::truth(), w.undefined_integers[s.r]);
+  }
+  // A bound of the absolute value of the step's result at every turn, of sums that of their terms.
+  double largest(const Way<B>& w, const Step& s) const {
+    constexpr double kUp = 1 + 16 * I::kUnit;
+    const double a = w.most(s.a), b = s.op == Op::copy || s.op == Op::neg ? 0 : w.most(s.b);
+    switch (s.op) {
+      case Op::copy:
+      case Op::neg:
+        return a;
+      case Op::add:
+      case Op::sub:
+        return (a + b) * kUp;
+      case Op::mul:
+        return a * b * kUp;
+      case Op::fma:
+        return (a * b + w.most(s.c)) * kUp;
+      case Op::div: {
+        const I& d = w.numbers[s.b];
+        const double least = d.lo > 0 ? d.lo : d.hi < 0 ? -d.hi : 0;
+        const bool unit = of_length(s, w.squares[s.a], w.squares[s.b], w.root[s.a], w.root[s.b]);
+        return std::min(unit ? kUp : HUGE_VAL, least > 0 ? a / least * kUp : HUGE_VAL);
+      }
+      case Op::mix:
+        return (a * (1 + w.most(s.c)) + b * w.most(s.c)) * kUp;
+      case Op::select:
+        return std::max(w.most(s.b), w.most(s.c));
+      default:
+        return HUGE_VAL;
+    }
+  }
+
+  static std::int64_t limited(std::int64_t place, std::int64_t last) {
+    return std::clamp(place, std::int64_t(0), last);
+  }
   void load(Way<B>& w, const Step& s) {
-    I value = w.numbers[s.a + std::min(w.integers[s.b], s.c - 1)];
-    for (std::uint32_t k = 0; w.open[s.b] && k < s.c; ++k)
-      value = k ? hull(value, w.numbers[s.a + k]) : w.numbers[s.a];
-    w.write(s.r, value);
+    const bool whole = s.op == Op::load_integer;
+    const Whole place = w.integers[s.b];
+    const std::int64_t last = s.c - 1, from = limited(place.lo, last),
+                       to = place.lo < 0 ? last : limited(place.hi, last);
+    std::uint32_t reason = w.undefined_integers[s.b];
+    I number;
+    Whole integer;
+    for (std::int64_t k = from; k <= to; ++k) {
+      const std::uint32_t slot = s.a + std::uint32_t(k);
+      if (whole) {
+        integer = k == from ? w.integers[slot] : hull(integer, w.integers[slot]);
+      } else {
+        number = k == from ? w.numbers[slot] : hull(number, w.numbers[slot]);
+      }
+      if (reason == 0) reason = (whole ? w.undefined_integers : w.undefined)[slot];
+    }
+    whole ? w.write_integer(s.r, integer, placed(reason, s)) : w.write(s.r, number, placed(reason, s));
   }
   void store(Way<B>& w, const Step& s) {
-    const I value = w.numbers[s.a];
-    if (!w.open[s.b]) return w.write(s.r + std::min(w.integers[s.b], s.c - 1), value);
-    for (std::uint32_t k = 0; k < s.c; ++k) w.write(s.r + k, hull(w.numbers[s.r + k], value));
+    const bool whole = s.op == Op::store_integer;
+    const Whole place = w.integers[s.b], integer = whole ? w.integers[s.a] : Whole{};
+    const I number = whole ? I() : w.numbers[s.a];
+    const std::uint32_t at = placed(w.undefined_integers[s.b], s),
+                        value = placed((whole ? w.undefined_integers : w.undefined)[s.a], s);
+    const std::int64_t last = s.c - 1;
+    for (std::int64_t k = 0; k <= last; ++k) {
+      const bool may = place.lo < 0 || (std::min(place.lo, last) <= k && k <= std::min(place.hi, last));
+      if (!may && at == 0) continue;
+      const bool surely = place.known() && at == 0;
+      const std::uint32_t slot = s.r + std::uint32_t(k);
+      const std::uint32_t old = (whole ? w.undefined_integers : w.undefined)[slot];
+      const std::uint32_t reason = at > 0 ? at : value > 0 ? value : surely ? 0 : old;
+      if (whole)
+        w.write_integer(slot, surely ? integer : hull(w.integers[slot], integer), reason);
+      else
+        w.write(slot, surely ? number : hull(w.numbers[slot], number), reason);
+    }
   }
 
-  // By the interpreter itself, where all operands are known.
   void apply_integers(Way<B>& w, const Step& s) {
-    const auto value = [&](std::uint32_t slot) { return w.integers[slot]; };
-    const shader::Operands o = shader::operands_of(s.op);
-    const bool moves = s.op == Op::load_integer || s.op == Op::store_integer;
-    const std::uint32_t slots[] = {s.a, s.b, s.c};
-    bool open = false;
-    for (int k = 0; k < o.count && !moves; ++k) open = open || w.open[slots[k]];
-    if (moves) return move_integers(w, s);
+    const int count = shader::operands_of(s.op).count;
+    const Whole a = w.integers[s.a], b = count > 1 ? w.integers[s.b] : Whole{},
+                c = count > 2 ? w.integers[s.c] : Whole{};
     const Comparison before = w.said[s.a];
-    if (s.op == Op::iand && open) {
-      const bool none = (!w.open[s.a] && value(s.a) == 0) || (!w.open[s.b] && value(s.b) == 0);
-      return w.write_integer(s.r, 0, !none);
-    }
-    if (open) {
-      w.write_integer(s.r, 0, true);
-    } else {
-      scratch_.set_integer(0, value(s.a));
-      scratch_.set_integer(1, o.count > 1 ? value(s.b) : 0);
-      scratch_.set_integer(2, o.count > 2 ? value(s.c) : 0);
-      shader::detail::run_step(Step{s.op, 3, 0, 1, 2, s.line}, scratch_, shader::AllLanes<1>{});
-      w.write_integer(s.r, *scratch_.integer(3), false);
-    }
+    const std::optional<Undefined> own = undefined_integer(s, a, b);
+    const std::uint32_t reason = s.op == Op::iselect ? reason_of_choice(w, s, a) : reason_of(w, s, own);
+    w.write_integer(s.r, own ? Whole::any() : whole_op(s.op, a, b, c), reason);
     if (s.op == Op::icopy) w.said[s.r] = before;
     if (s.op == Op::logical_not && before.op != Op::copy)
       w.said[s.r] = {before.op, before.a, before.b, !before.negated};
   }
-  void move_integers(Way<B>& w, const Step& s) {
-    const bool stores = s.op == Op::store_integer;
-    const std::uint32_t at = std::min(w.integers[s.b], s.c - 1);
-    if (!w.open[s.b]) {
-      const std::uint32_t from = stores ? s.a : s.a + at;
-      return w.write_integer(stores ? s.r + at : s.r, w.integers[from], w.open[from]);
-    }
-    for (std::uint32_t k = 0; k < (stores ? s.c : 1); ++k) w.write_integer(s.r + k, 0, true);
+  std::uint32_t reason_of_choice(const Way<B>& w, const Step& s, const Whole& truth) {
+    const bool first = !truth.known() || truth.bits() != 0, second = !truth.known() || truth.bits() == 0;
+    std::uint32_t reason = w.undefined_integers[s.a];
+    if (reason == 0 && first) reason = w.undefined_integers[s.b];
+    if (reason == 0 && second) reason = w.undefined_integers[s.c];
+    return placed(reason, s);
   }
-
-  static shader::Program four_integers() {
-    Program p;
-    p.integers = 4;
-    return p;
+  static std::optional<Undefined> undefined_integer(const Step& s, const Whole& a, const Whole& b) {
+    if (!may_be_undefined(s.op, a, b)) return std::nullopt;
+    return s.op == Op::index                                       ? Undefined::index
+           : s.op == Op::shl || s.op == Op::shr || s.op == Op::sar ? Undefined::shift
+                                                                   : Undefined::division;
   }
 
   const Program& program_;
+  const shader::Symmetry& symmetry_;
   Way<B> start_;
+  bool turns_ = false;
   I none_;
-  shader::Bank<double, 1> scratch_{four_integers()};
+  std::vector<shader::UndefinedValue> reasons_{{Undefined::variable, 0, {}}, {Undefined::no_return, 0, {}}};
+  std::optional<shader::UndefinedValue> found_;
 };
 
 template <class B>
@@ -277,15 +448,16 @@ std::string unknown_operation(const Program& program) {
 }
 
 template <class B>
-Bounds shader_on_box(const shader::Function& function, const ShaderInputs& inputs) {
+ShaderBounds shader_on_box(const shader::Function& function, const ShaderInputs& inputs) {
   using I = Interval<B>;
-  const I value = ShaderOnBox<B>(function, inputs).run();
+  ShaderOnBox<B> on_box(function, inputs);
+  const I value = on_box.run();
   const auto cosine = [](Bounds c) { return I::widened(c.lo, c.hi, 2); };
   const I r = without_cosine<B>(function.returns, value, cosine(inputs.cos_i), cosine(inputs.cos_o));
-  return {r.lo, r.hi};
+  return {{r.lo, r.hi}, on_box.undefined()};
 }
 
-template Bounds shader_on_box<float>(const shader::Function&, const ShaderInputs&);
-template Bounds shader_on_box<double>(const shader::Function&, const ShaderInputs&);
+template ShaderBounds shader_on_box<float>(const shader::Function&, const ShaderInputs&);
+template ShaderBounds shader_on_box<double>(const shader::Function&, const ShaderInputs&);
 
 }  // namespace brdf::prove

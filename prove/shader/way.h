@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prove/scalar/interval.h"
+#include "prove/shader/whole.h"
 #include "shader/program/program.h"
 
 namespace brdf::prove {
@@ -30,27 +31,40 @@ struct Way {
   std::vector<I> numbers;
   std::vector<std::uint32_t> root;  // the slot whose number a copy holds
   std::vector<Squares> squares;
-  std::vector<std::uint32_t> integers;
-  std::vector<bool> open;  // integers that are not known
+  std::vector<Whole> integers;
   std::vector<Comparison> said;
   std::vector<bool> told_of;  // slots that others' copies, squares or comparisons name
+  // Why a slot may hold an undefined value: a place in the list of reasons, from 1; 0: its value is defined. Such a
+  // number is poisoned.
+  std::vector<std::uint32_t> undefined, undefined_integers;
+  // Of a number that changes when light and viewer turn together: a bound of its absolute value at every turn.
+  std::vector<double> magnitude;
+  std::vector<bool> turns;
   std::size_t steps = 0;
 
+  // Reasons 1 and 2 are those of Unset's members; slots that are neither constants nor inputs are unwritten.
   explicit Way(const shader::Program& p)
       : numbers(p.numbers),
         root(p.numbers),
         squares(p.numbers),
         integers(p.integers),
-        open(p.integers),
         said(p.integers),
-        told_of(p.numbers) {
+        told_of(p.numbers),
+        undefined(p.numbers, 1),
+        undefined_integers(p.integers, 1),
+        magnitude(p.numbers),
+        turns(p.numbers) {
     for (std::uint32_t k = 0; k < p.numbers; ++k) root[k] = k;
-    for (const shader::Program::Constant& c : p.constants) numbers[c.slot] = I(double(B(c.value)));
-    for (const shader::Program::IntegerConstant& c : p.integer_constants) integers[c.slot] = c.value;
+    for (I& number : numbers) number = I::poison();
+    for (const shader::Program::Constant& c : p.constants) write(c.slot, I(double(B(c.value))));
+    for (const shader::Program::IntegerConstant& c : p.integer_constants)
+      write_integer(c.slot, Whole::of_bits(c.value));
+    for (const shader::Program::Undefined& u : p.undefined)
+      (u.integer ? undefined_integers : undefined)[u.slot] = 1 + std::uint32_t(u.why);
   }
 
   // Forgets what was known by the slot's old number.
-  void write(std::uint32_t slot, const I& value) {
+  void write(std::uint32_t slot, const I& value, std::uint32_t reason = 0) {
     if (told_of[slot]) {
       for (std::uint32_t k = 0; k < root.size(); ++k)
         if (root[k] == slot && k != slot) root[k] = k;
@@ -60,14 +74,22 @@ struct Way {
         if (c.op != shader::Op::copy && (c.a == slot || c.b == slot)) c = {};
       told_of[slot] = false;
     }
-    numbers[slot] = value;
+    numbers[slot] = reason == 0 ? value : I::poison();
+    undefined[slot] = reason;
     root[slot] = slot;
     squares[slot] = {};
+    turns[slot] = false;
   }
+  void set_magnitude(std::uint32_t slot, double most) {
+    magnitude[slot] = most;
+    turns[slot] = true;
+  }
+  // A bound of the number's absolute value at every turn.
+  double most(std::uint32_t slot) const { return turns[slot] ? magnitude[slot] : numbers[slot].magnitude(); }
   void tell_of(std::uint32_t slot) { told_of[slot] = true; }
-  void write_integer(std::uint32_t slot, std::uint32_t value, bool is_open) {
+  void write_integer(std::uint32_t slot, const Whole& value, std::uint32_t reason = 0) {
     integers[slot] = value;
-    open[slot] = is_open;
+    undefined_integers[slot] = reason;
     said[slot] = {};
   }
   // What is known of this number holds for its copies.
@@ -80,6 +102,7 @@ struct Way {
       }
   }
   void suppose(std::uint32_t condition, bool holds) {
+    if (integers[condition] == Whole::truth()) integers[condition] = {holds, holds};
     const Comparison c = said[condition];
     if (c.op == shader::Op::copy) return;
     const bool truth = holds != c.negated;

@@ -199,8 +199,9 @@ void Lowering::end(Frame& frame, const spirv::Block& block, const spirv::Instruc
       return leave(frame, value(frame, word(0)), last);
     case spv::OpKill:
       refuse("discards the pixel; return 0 where nothing is reflected");
-    default:
-      end_stretch(End::stop);
+    default:  // OpUnreachable: a function that should return a value ends without one
+      if (module_.type(frame.function->type).kind == spirv::Kind::nothing) return leave(frame, {}, last);
+      return leave(frame, undefined_value(frame.function->type, Unset::no_return), last);
   }
 }
 
@@ -260,8 +261,7 @@ Slots Lowering::call(const spirv::Function& function,
     for (const auto& [stretch, which] : frame.returns)
       program_.stretches[stretch].next[which] = std::uint32_t(program_.stretches.size() - 1);
     if (frame.result.empty() && module_.type(function.type).kind != spirv::Kind::nothing) {
-      const std::vector<bool> integer = kinds(function.type);  // it never returns
-      for (const bool is : integer) frame.result.push_back(is ? integer_constant(0) : number_constant(0));
+      frame.result = undefined_value(function.type, Unset::no_return);  // it never returns
     }
   }
   line_ = line;
@@ -305,7 +305,7 @@ Program Lowering::run(const spirv::Function& entry) {
     const spirv::Type& pointer = module_.type(global.instruction.type);
     if (pointer.kind == spirv::Kind::pointer && pointer.storage == spv::StorageClassPrivate &&
         module_.type(pointer.element).kind != spirv::Kind::opaque)
-      clear(global_variable(id));
+      global_variable(id);
   }
   // Globals get their initial values where the driver's entry begins.
   const auto main = module_.functions.find(module_.entry);
@@ -328,7 +328,7 @@ Program Lowering::run(const spirv::Function& entry) {
       arguments.push_back({Pointer{&variable, type.element}, {}});
       if (options_.written.contains(int(k))) {
         written[int(k)] = *arguments.back().first;
-        clear(variable);
+        options_.accumulated.contains(int(k)) ? set_zero(variable) : clear(variable);
       } else {
         make_input(variable, type.element, name, int(k));
       }

@@ -24,7 +24,9 @@ struct LowerOptions {
   bool kernels_by_meaning = false;
   std::size_t most_steps = 200'000;      // of the program
   std::vector<ResultPart> results = {};  // their sum is the value; empty: what is returned
-  std::set<int> written = {};            // arguments that are no inputs: 0 before
+  std::set<int> written = {};            // arguments that are no inputs
+  std::set<int> accumulated = {};        // of those: the ones that are `inout` and hold 0 before
+  bool zero_globals = false;             // the language gives 0 to global variables without a value (HLSL)
 };
 
 // Throws InputError, with the line, for what a reflectance cannot have (textures, derivatives of the screen, discard), and where

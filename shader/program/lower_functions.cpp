@@ -95,7 +95,7 @@ Slots Lowering::function(Frame& frame, const spirv::Instruction& i) {
       return operands[operand][k];
     };
     if (found->second == Op::clamp) {  // so that each of its two halves is an operation of its own
-      out.push_back(emit(Op::min, emit(Op::max, at(0), at(1)), at(2)));
+      out.push_back(emit(Op::min, emit(Op::max, at(0), at(1)), at(2), at(1) + 1));
       continue;
     }
     out.push_back(

@@ -196,7 +196,7 @@ Slots Lowering::operation(Frame& frame, const spirv::Instruction& i) {
       const Id type = type_of(frame, i.words.at(0));
       Variable& variable = new_variable(type);
       store({&variable, type}, of(0));
-      const Slot index = emit(Op::umin, of(1).at(0), integer_constant(module_.type(type).count - 1));
+      const Slot index = emit(Op::index, of(1).at(0), integer_constant(module_.type(type).count - 1));
       return load({&variable, i.type, 0, index});
     }
     case spv::OpQuantizeToF16:

@@ -106,6 +106,8 @@ Lowering::Variable& Lowering::global_variable(Id id) {
     const Slots initial = constant(i.words[1]);
     if (initial.size() != v.integer.size()) refuse("a value has two types");
     for (std::size_t k = 0; k < initial.size(); ++k) remember(v, k, initial[k], false);
+  } else {
+    options_.zero_globals ? set_zero(v) : clear(v);
   }
   return v;
 }
@@ -152,9 +154,11 @@ Slots Lowering::constant(Id id) {
       }
       break;
     case spv::OpConstantNull:
-    case spv::OpUndef:
       for (const bool integer : kinds(i.type))
         out.push_back(integer ? integer_constant(0) : number_constant(0));
+      break;
+    case spv::OpUndef:
+      out = undefined_value(i.type, Unset::no_return);
       break;
     default:
       refuse("has a constant that is computed when a driver compiles it");
@@ -216,8 +220,8 @@ Lowering::Pointer Lowering::chain(Frame& frame, const spirv::Instruction& i) {
     }
     if (t.kind != Kind::vector && t.kind != Kind::matrix && t.kind != Kind::array)
       refuse("indexes what has no elements");
-    // Out of range is the last element: no driver promises anything better.
-    const Slot index = emit(Op::umin, scalar(frame, i.words[k]), integer_constant(t.count - 1));
+    // Outside the array the interpreter takes the last element; no language promises that.
+    const Slot index = emit(Op::index, scalar(frame, i.words[k]), integer_constant(t.count - 1));
     const Slot by = emit(Op::imul, index, integer_constant(std::uint32_t(module_.scalars(t.element))));
     p.index = p.index ? emit(Op::iadd, *p.index, by) : by;
     p.type = t.element;
@@ -285,11 +289,30 @@ void Lowering::store(const Pointer& to, const Slots& value) {
   }
 }
 
-// What is read before it is written is undefined; here it is 0, and not what an earlier run left. Nothing remains of this where it is
-// written first.
-void Lowering::clear(Variable& v) {
+Slot Lowering::undefined(bool integer, Unset why) {
+  for (const Program::Undefined& u : program_.undefined)
+    if (u.integer == integer && u.why == why) return u.slot;
+  const Slot slot = integer ? program_.integers++ : program_.numbers++;
+  program_.undefined.push_back({slot, integer, why});
+  return slot;
+}
+
+Slots Lowering::undefined_value(Id type, Unset why) {
+  Slots out;
+  for (const bool integer : std::vector<bool>(kinds(type))) out.push_back(undefined(integer, why));
+  return out;
+}
+
+// Gives each scalar the slot that stands for no value, so that a run never reads what an earlier run left there.
+// Of longer arrays the slots themselves count as unwritten (shader/run/undefined.h).
+void Lowering::clear(Variable& v, Unset why) {
   constexpr std::size_t kMost = 1024;
   for (std::size_t k = 0; k < v.integer.size() && v.integer.size() <= kMost; ++k)
+    remember(v, k, undefined(v.integer[k], why), false);
+}
+
+void Lowering::set_zero(Variable& v) {
+  for (std::size_t k = 0; k < v.integer.size(); ++k)
     remember(v, k, v.integer[k] ? integer_constant(0) : number_constant(0), false);
 }
 
@@ -327,16 +350,14 @@ std::optional<Slots> Lowering::composite(Frame& frame, const spirv::Instruction&
       both.insert(both.end(), second.begin(), second.end());
       for (const std::uint32_t k : words.subspan(2)) {
         if (k != 0xffffffff && k >= both.size()) refuse("an index is out of range");
-        out.push_back(both[k == 0xffffffff ? 0 : k]);
+        out.push_back(k == 0xffffffff ? undefined(kinds(i.type).at(0), Unset::variable) : both[k]);
       }
       return out;
     }
     case spv::OpCopyObject:
       return of(0);
     case spv::OpUndef:
-      for (const bool integer : kinds(i.type))
-        out.push_back(integer ? integer_constant(0) : number_constant(0));
-      return out;
+      return undefined_value(i.type, Unset::no_return);
     default:
       return std::nullopt;
   }

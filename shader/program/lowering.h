@@ -87,7 +87,10 @@ class Lowering {
   Pointer chain(Frame& frame, const spirv::Instruction& i);
   Slots load(const Pointer& from);
   void store(const Pointer& to, const Slots& value);
-  void clear(Variable& variable);
+  void clear(Variable& variable, Unset why = Unset::variable);
+  void set_zero(Variable& variable);
+  Slot undefined(bool integer, Unset why);
+  Slots undefined_value(Id type, Unset why);
   void write_back(Variable& variable);
   void remember(Variable& variable, std::size_t k, Slot slot, bool written);
   // The first scalar of a part of a composite, and the part's type.

@@ -101,6 +101,7 @@ enum class Op : std::uint8_t {
   imax,
   umin,
   umax,
+  index,  // r = min(a, b), b the last element; a above b is outside the array
   iabs,
   isign,
   iselect,
@@ -115,7 +116,8 @@ enum class Op : std::uint8_t {
 struct Step {
   Op op;
   std::uint32_t r = 0, a = 0, b = 0,
-                c = 0;     // c of a pow: its exponent, where that is a constant from 1 to 16
+                c = 0;  // of a pow: its exponent, where that is a constant from 1 to 16; of a min that ends a
+                        // clamp: the slot of the lower limit, and 1
   std::uint32_t line = 0;  // of the source, from 1; 0: unknown
 };
 
@@ -138,6 +140,9 @@ struct Input {
   int argument = -1;     // its place among the arguments; -1: a uniform, an input or a global variable
 };
 
+// Why a slot holds no defined value.
+enum class Unset : std::uint8_t { variable, no_return };
+
 struct Program {
   std::vector<Stretch>
       stretches;  // the first is where it starts; later ones never lead into the middle of earlier ones but by loops
@@ -151,6 +156,13 @@ struct Program {
   };
   std::vector<Constant> constants = {};
   std::vector<IntegerConstant> integer_constants = {};
+  // Slots that stand for a value which the language does not define. They hold 0 and are never written.
+  struct Undefined {
+    std::uint32_t slot;
+    bool integer;
+    Unset why;
+  };
+  std::vector<Undefined> undefined = {};
   std::vector<Input> inputs = {};
   std::vector<std::uint32_t> results = {};  // number slots: one, or three
   bool takes_bits = false;  // operates on the bits of a float: in other scalars on those of its float value

@@ -79,10 +79,11 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
   }
 }
 
-// One lane, step by step: watch(step) is called after each, with its operands still in the bank (but for a step that overwrites one).
-template <class T, class Watch>
-void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch,
-                 std::size_t most_steps = kMostStepsRun) {
+// One lane, step by step: watch(step) is called after each, with its operands still in the bank (but for a step that
+// overwrites one), and end(stretch) where a stretch ends.
+template <class T, class Watch, class AtEnd>
+void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch, std::size_t most_steps,
+                 AtEnd&& at_end) {
   std::size_t taken = 0;
   for (std::uint32_t here = 0;;) {
     const Stretch& stretch = program.stretches[here];
@@ -90,11 +91,17 @@ void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch,
       detail::run_step(step, bank, AllLanes<1>{});
       watch(step);
     }
+    at_end(stretch);
     taken += stretch.steps.size() + 1;
     if (taken > most_steps) throw EndlessLoop{stretch.line, 0, {}, {}, {}};
     if (stretch.end == End::stop) return;
     here = stretch.next[stretch.end == End::branch && bank.integer(stretch.condition)[0] == 0 ? 1 : 0];
   }
+}
+
+template <class T, class Watch>
+void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch) {
+  run_watched<T>(program, bank, watch, kMostStepsRun, [](const Stretch&) {});
 }
 
 }  // namespace brdf::shader

@@ -338,6 +338,7 @@ template <class T, int W, class Lanes>
     case Op::imax:
       return integer([&](std::uint32_t a, std::uint32_t b) { return i32(a) < i32(b) ? b : a; });
     case Op::umin:
+    case Op::index:
       return integer([](std::uint32_t a, std::uint32_t b) { return std::min(a, b); });
     case Op::umax:
       return integer([](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });

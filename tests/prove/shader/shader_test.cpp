@@ -66,7 +66,7 @@ Counted sample(const std::string& text, int boxes, int points) {
     const Box box = random_box(e, domain);
     ShaderInputs in{
         {box.begin(), box.begin() + long(count)}, box[count], box[count + 1], box[count + 2], box[count + 3]};
-    const Bounds bounds = shader_on_box<T>(f, in);
+    const Bounds bounds = shader_on_box<T>(f, in).value;
     if (!std::isfinite(bounds.lo)) continue;
     ++found.finite_boxes;
     for (int k = 0; k < points; ++k) {

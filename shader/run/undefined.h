@@ -1,0 +1,93 @@
+// Values that the shading languages leave undefined, found while a program runs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "shader/function.h"
+
+namespace brdf::shader {
+
+// Why a value is undefined by the GLSL specification (4.60, sections 5.9, 8.1 to 8.3) and by SPIR-V.
+enum class Undefined : std::uint8_t {
+  variable,    // it is read before it is written
+  no_return,   // a path ends without a return
+  index,       // outside the array
+  division,    // of integers by 0, or of the least integer by -1
+  shift,       // by 32 bits or more
+  conversion,  // of a number outside the integer's range
+  pow,         // of a base below 0, or of 0 to an exponent that is not above 0
+  atan,        // of two zeros
+  smoothstep,  // the lower edge is not below the upper one
+  clamp,       // the lower limit is above the upper one
+  min_max,     // one operand is no number
+};
+
+struct UndefinedValue {
+  Undefined why;
+  std::uint32_t line = 0;            // of the source, from 1; 0: unknown
+  std::array<double, 2> operands{};  // as they were read
+};
+
+// Whether this step gives an undefined value for these operands. `number(slot)` and `integer(slot)` are the operands.
+template <class Number, class Integer>
+std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&& integer) {
+  const auto if_so = [](bool is, Undefined why) { return is ? std::optional(why) : std::nullopt; };
+  switch (s.op) {
+    case Op::pow:
+      return if_so(number(s.a) < 0 || (number(s.a) == 0 && !(number(s.b) > 0)), Undefined::pow);
+    case Op::atan2:
+      return if_so(number(s.a) == 0 && number(s.b) == 0, Undefined::atan);
+    case Op::smoothstep:
+      return if_so(!(number(s.a) < number(s.b)), Undefined::smoothstep);
+    case Op::min:
+      if (s.c > 0 && number(s.c - 1) > number(s.b)) return Undefined::clamp;
+      [[fallthrough]];
+    case Op::max:
+      return if_so(number(s.a) != number(s.a) || number(s.b) != number(s.b), Undefined::min_max);
+    case Op::to_signed:
+      return if_so(!(number(s.a) > -2147483649.0 && number(s.a) < 2147483648.0), Undefined::conversion);
+    case Op::to_unsigned:
+      return if_so(!(number(s.a) > -1 && number(s.a) < 4294967296.0), Undefined::conversion);
+    case Op::sdiv:
+    case Op::smod:
+    case Op::srem:
+      return if_so(integer(s.b) == 0 || (integer(s.a) == 0x80000000u && integer(s.b) == 0xffffffffu),
+                   Undefined::division);
+    case Op::udiv:
+    case Op::umod:
+      return if_so(integer(s.b) == 0, Undefined::division);
+    case Op::shl:
+    case Op::shr:
+    case Op::sar:
+      return if_so(integer(s.b) >= 32, Undefined::shift);
+    case Op::index:
+      return if_so(integer(s.a) > integer(s.b), Undefined::index);
+    default:
+      return std::nullopt;
+  }
+}
+
+// The undefined value that the result depends on, in the program that the scalar T runs; nothing where the result is
+// defined. A value that no result depends on does not count. `values` are those of all parameters in order; the
+// directions are unit vectors. Throws EndlessLoop.
+template <class T>
+std::optional<UndefinedValue> undefined_value(const Function& function, std::span<const double> values,
+                                              const Vec3<double>& wi, const Vec3<double>& wo);
+extern template std::optional<UndefinedValue> undefined_value<float>(const Function&, std::span<const double>,
+                                                                     const Vec3<double>&,
+                                                                     const Vec3<double>&);
+extern template std::optional<UndefinedValue> undefined_value<double>(const Function&,
+                                                                      std::span<const double>,
+                                                                      const Vec3<double>&,
+                                                                      const Vec3<double>&);
+
+// "line 7, `x = pow(a, 2.0);`: pow of a base below 0 (-0.3, 2)".
+std::string to_text(const Function& function, const UndefinedValue& value);
+// "pow of a base below 0", without the place.
+std::string_view sentence_of(Undefined why);
+
+}  // namespace brdf::shader
