@@ -8,6 +8,8 @@
 #include "io/error.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
+#include "shader/run/in_more_digits.h"
+#include "shader/run/undefined.h"
 #include "shader/shader.h"
 #endif
 
@@ -39,6 +41,28 @@ std::string explain_jump(const shader::ShaderReflectance& model, const Material&
     if (!text.empty()) return text;
   }
   return "";
+}
+
+std::string undefined_text(const shader::ShaderReflectance& model, const Material& at, const Vec3<double>& wi,
+                           const Vec3<double>& wo) {
+  if (std::min(wi.z, wo.z) < 0) return "";  // the shader is not called
+  for (std::size_t c = 0; c < at.channels.size(); ++c) {
+    const std::vector<double> values = model.values_of(at.terms.front().values(c));
+    auto found = shader::undefined_value<double>(model.function(), values, wi, wo);
+    if (!found) found = shader::undefined_value<float>(model.function(), values, wi, wo);
+    if (found) return to_text(model.function(), *found);
+    if (!model.info().mixes_channels && model.info().channels.empty()) break;
+  }
+  return "";
+}
+
+std::vector<double> in_more_digits(const shader::ShaderReflectance& model, const Material& at,
+                                   const Vec3<double>& wi, const Vec3<double>& wo) {
+  std::vector<double> out;
+  for (std::size_t c = 0; c < at.channels.size(); ++c)
+    out.push_back(shader::in_more_digits(model.function(), model.values_of(at.terms.front().values(c)), wi,
+                                         wo, std::min<std::size_t>(c, 2)));
+  return out;
 }
 
 }  // namespace
@@ -80,12 +104,19 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
                       shader::command_words(choice),
                       model->function().notes,
                       model->function().oriented,
+                      model->function().may_turn(),
                       model->function().as_written.size(),
                       [model](std::string_view check, const Material& at, const Vec3<double>& wi,
                               const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); },
                       [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                               const Vec3<double>& other_wi, const Vec3<double>& other_wo) {
                         return explain_jump(*model, at, {wi, wo}, {other_wi, other_wo});
+                      },
+                      [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+                        return undefined_text(*model, at, wi, wo);
+                      },
+                      [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+                        return in_more_digits(*model, at, wi, wo);
                       }};
   if (!quiet)
     for (const std::string& note : loaded.notes)

@@ -30,7 +30,8 @@ struct LoadedShader {
   Material material;               // at the shader's own defaults
   std::string words;               // of a command line that says the same
   std::vector<std::string> notes;  // sentences on how it was read
-  bool oriented = false;           // sees the tangent
+  bool oriented = false;           // reads the tangent
+  bool may_turn = true;            // light and viewer are not known to be free to turn together
   std::size_t operations = 0;      // of an evaluation, with all calls inlined
   // The source line that what a check found comes from (validate/subject.h).
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
@@ -39,6 +40,9 @@ struct LoadedShader {
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                             const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
       explain_jump;
+  std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined;
+  std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
+      in_more_digits;
 };
 
 // The choice that the options make, checked: none where --shader is not given. Throws as load does.

@@ -252,6 +252,25 @@ std::string undeclared(const Function& f) {
          "; give others with --param NAME=MIN:MAX or a line `//: param NAME MIN MAX DEFAULT`";
 }
 
+// A width across the tangent is one of two.
+void check_roles(const Function& f) {
+  const auto with = [&](Role role) {
+    return std::find_if(f.parameters.begin(), f.parameters.end(),
+                        [&](const Parameter& p) { return p.role == role; });
+  };
+  for (const auto& [along, across] : kAxisRoles) {
+    const auto alone = with(across);
+    if (alone == f.parameters.end() || with(along) != f.parameters.end()) continue;
+    const auto line = std::find_if(f.source.parameters.rbegin(), f.source.parameters.rend(),
+                                   [&](const Declared& d) { return d.role == across; });
+    const bool in_file = line != f.source.parameters.rend() && line->line > 0;
+    throw InputError(f.source.name + (in_file ? ":" + std::to_string(line->line) : "") + ": param " +
+                     alone->name + ": role " + std::string(name_of(across)) +
+                     " needs another parameter of role " + std::string(name_of(along)) +
+                     "; if there is one width only, give it that role");
+  }
+}
+
 std::string without_functions(const std::vector<LeftOut>& left_out) {
   std::vector<std::string> names;
   for (const LeftOut& f : left_out) names.push_back(f.name + "()");
@@ -313,6 +332,7 @@ Function function_of(Source source, const ShaderChoice& choice, const Compiled& 
   f.bindings = binder.bind(f.as_written);
   f.bindings_as_meant = binder.bind(f.as_meant);
   binder.check_declared();
+  check_roles(f);
   f.number = ++count;
   const auto read = read_slots(f.as_written);
   for (const Binding& b : f.bindings)

@@ -124,6 +124,8 @@ void ShaderReflectance::find_tables() {
   info_.lobes = lobes_;
   info_.mixes_channels = lobes_.empty() && !weights_.empty();
   info_.differentiable = true;
+  info_.outside = true;
+  info_.may_turn = function_.may_turn();
   info_.has_glsl = glsl_obstacle(function_).empty();
 }
 

@@ -14,6 +14,7 @@ struct Meaning {
 
 constexpr Meaning kMeanings[] = {
     {"finite", "Whether every value is a number, whatever the directions."},
+    {"undefined", "Whether a shader's value depends on what its language leaves undefined."},
     {"non_negative", "Whether no value is below 0."},
     {"reciprocity", "Whether light and viewer may change places without changing the value (Helmholtz)."},
     {"energy",

@@ -5,6 +5,7 @@
 #include "io/numbers.h"
 #include "io/text.h"
 #include "validate/checks.h"
+#include "validate/pair_search.h"
 #include "validate/search.h"
 
 namespace brdf::validate {
@@ -69,6 +70,14 @@ WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, 
   return worst;
 }
 
+// What is lost where at most this is reflected.
+constexpr double kNearlyAll = 0.01;
+
+// The other direction that a furnace may fix.
+Fixed other(Fixed fixed) {
+  return fixed == Fixed::light ? Fixed::viewer : Fixed::light;
+}
+
 WorstAlbedo over_channels(const Material& m, double theta, double phi, const AlbedoOptions& options) {
   WorstAlbedo worst;
   const auto results = directional_albedo(m, radians(theta), radians(phi), options);
@@ -81,8 +90,8 @@ WorstAlbedo over_channels(const Material& m, double theta, double phi, const Alb
 // Where the search looks: everywhere, or (tied) at equal widths, where the azimuth is without effect.
 class EnergySearch {
  public:
-  EnergySearch(const Subject& subject, const CheckOptions& options, bool tied)
-      : subject_(subject), options_(options), tied_(tied) {
+  EnergySearch(const Subject& subject, const CheckOptions& options, bool tied, Fixed fixed = Fixed::light)
+      : subject_(subject), options_(options), tied_(tied), fixed_(fixed) {
     linear_ = subject.of_form() && info(*subject.of_form()).fittable();
     parameters_ = (linear_ ? subject.shape_dimensions() : subject.dimensions()) - (tied ? 1 : 0);
     turns_ = subject.anisotropic() && !tied;
@@ -141,12 +150,14 @@ class EnergySearch {
     return elevation_at(point[parameters_], options_.max_theta);
   }
   double azimuth(std::span<const double> point) const {
-    return turns_ ? kPi / 2 * point[parameters_ + 1] : 0;
+    const OutsideFacts* facts = subject_.outside_facts();
+    return turns_ ? kPi / 2 * point[parameters_ + 1] * (facts && facts->may_turn ? 4 : 1) : 0;
   }
 
   WorstAlbedo albedo(std::span<const double> point, double tolerance, double lift = 1) {
     AlbedoOptions options;
     options.tolerance = tolerance;
+    options.fixed = fixed_;
     // What is only compared need not be known to the last digit, however narrow a lobe somebody's parameters make.
     if (subject_.is_outside() && tolerance > kExact) options.max_evaluations = kMostToCompare;
     const double theta = kPi / 2 - elevation(point) * lift;
@@ -174,14 +185,17 @@ class EnergySearch {
     w.parameters = subject_.parameters(at);
     w.angles = {{"theta", theta}, {"phi", phi}};
     w.channel = at.channels[worst.channel];
-    w.command = subject_.command(
-        "albedo", at, "--theta " + io::to_text(theta) + " --phi " + io::to_text(phi) + " --tolerance 1e-9");
+    w.command = subject_.command("albedo", at,
+                                 (fixed_ == Fixed::viewer ? "--fixed o " : "") + std::string("--theta ") +
+                                     io::to_text(theta) + " --phi " + io::to_text(phi) + " --tolerance 1e-9");
     finding.witness = w;
     finding.evaluations = evaluations_;
     if (!worst.is_known()) return unknown(std::move(finding), best.value);
     const std::string size = io::short_number(worst.value, 7) + " (+-" + io::short_number(worst.bound, 2) +
                              ") up to " + io::to_text(options_.max_theta) + " degrees";
     finding.conclude(!above, "albedo at most " + size, "reflects up to " + size);
+    if (subject_.is_outside() && worst.value < kNearlyAll)
+      finding.statement += "; nearly all light is lost, whatever the parameters";
     if (above) finding.statement += growth(point, worst.value);
     if (!worst.converged) finding.statement += "; the integral did not reach 1e-9";
     finding.evaluations = evaluations_;
@@ -214,6 +228,7 @@ class EnergySearch {
   const Subject& subject_;
   const CheckOptions& options_;
   const bool tied_;
+  const Fixed fixed_;
   bool linear_ = false, turns_ = false;
   std::size_t parameters_ = 0;
   long evaluations_ = 0;
@@ -221,8 +236,48 @@ class EnergySearch {
 
 }  // namespace
 
+namespace {
+
+// Whether light and viewer may not change places, at pairs of a cover.
+bool is_one_way(const Subject& subject, const CheckOptions& options) {
+  constexpr std::size_t kPairs = 400;
+  constexpr double kSeen = 1e-6;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const std::vector<double> point = cover_point(k, pair_dimensions(subject), options.seed);
+    const Material m = subject.at(point);
+    const Pair p = pair_of(subject, point);
+    if (std::min(p.wi.z, p.wo.z) < 0.01) continue;  // nearer to the horizon rounding may be larger
+    Values here(m.channels.size()), there(here.size());
+    eval(m, p.wi, p.wo, here);
+    eval(m, p.wo, p.wi, there);
+    for (std::size_t c = 0; c < here.size(); ++c)
+      if (difference(here[c], there[c], kFaintest) > kSeen) return true;
+  }
+  return false;
+}
+
+// Of code that is not reciprocal what is reflected depends on the direction that stays: both are searched. Integrals over
+// the viewer say how much of a light comes back; furnaces fix the viewer.
+Finding of_both_directions(Finding light, const Subject& subject, const CheckOptions& options) {
+  const Finding viewer = EnergySearch(subject, options, false, other(Fixed::light)).run();
+  const bool light_fails = light.outcome == Outcome::fail || viewer.outcome == Outcome::pass;
+  Finding finding = light_fails ? light : viewer;
+  finding.statement =
+      "with the light fixed it " + light.statement + "; with the viewer fixed it " + viewer.statement;
+  for (const std::string_view words : {"it albedo at most", "it reflects up to"})
+    for (std::size_t at; (at = finding.statement.find(words)) != std::string::npos;)
+      finding.statement.replace(at, words.size(),
+                                words.starts_with("it a") ? "reflects at most" : "reflects up to");
+  finding.evaluations = light.evaluations + viewer.evaluations;
+  return finding;
+}
+
+}  // namespace
+
 Finding check_energy(const Subject& subject, const CheckOptions& options) {
   Finding finding = EnergySearch(subject, options, false).run();
+  if (subject.is_outside() && is_one_way(subject, options))
+    finding = of_both_directions(std::move(finding), subject, options);
   // What only turns with its tangent has no widths that could be equal.
   if (!subject.of_form() || !info(*subject.of_form()).anisotropic()) return finding;
   // Many programs know one width only, so the worst of equal widths is told beside the worst of all.

@@ -4,6 +4,7 @@
 
 #include "io/parallel.h"
 #include "validate/checks.h"
+#include "validate/outside_checks.h"
 
 namespace brdf::validate {
 namespace {
@@ -17,6 +18,7 @@ struct NamedCheck {
 
 constexpr NamedCheck kChecks[] = {
     {"finite", check_finite, 0.1},
+    {"undefined", check_undefined, 1, true},
     {"non_negative", check_non_negative, 1.1},
     {"reciprocity", check_reciprocity, 1},
     {"energy", check_energy, 20},
@@ -81,6 +83,8 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
     return k;
   };
   io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
+  for (std::size_t s = 0; s < subjects.size(); ++s)
+    apply_voids(subjects[s], std::span(findings).subspan(s * kCount, kCount));
   std::vector<Finding> out;
   for (std::size_t k = 0; k < findings.size(); ++k)
     if (applies(k)) out.push_back(std::move(findings[k]));

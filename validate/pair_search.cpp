@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/samples.h"
 #include "io/text.h"
 #include "validate/degrees.h"
 
@@ -40,13 +41,21 @@ Pair pair_at(double a, double b, double turn_o, double turn_i) {
   return pair;
 }
 
+Pair pair_at_angles(double theta_i, double phi_i, double theta_o, double phi_o) {
+  return {io::unit_vector(theta_i, phi_i), io::unit_vector(theta_o, phi_o), theta_i, phi_i, theta_o, phi_o};
+}
+
 std::size_t pair_dimensions(const Subject& subject) {
   return subject.dimensions() + (subject.anisotropic() ? 4 : 3);
 }
 
 Pair pair_of(const Subject& subject, std::span<const double> point) {
   const std::size_t p = subject.dimensions();
-  return pair_at(point[p], point[p + 1], point[p + 2], subject.anisotropic() ? point[p + 3] : 0);
+  const OutsideFacts* facts = subject.outside_facts();
+  const double turn = facts && facts->may_turn ? 2 : 1;
+  const Pair pair =
+      pair_at(point[p], point[p + 1], turn * point[p + 2], subject.anisotropic() ? turn * point[p + 3] : 0);
+  return facts ? pair_at_angles(pair.theta_i, pair.phi_i, pair.theta_o, pair.phi_o) : pair;
 }
 
 double difference(double a, double b, double least) {

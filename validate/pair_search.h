@@ -19,8 +19,12 @@ Vec3<double> at_cosine(double z, double phi);
 // Cosines 10^(-6 a) and 10^(-6 b), the azimuth between them turn_o half turns.
 Pair pair_at(double a, double b, double turn_o, double turn_i);
 
+// The pair at these angles, degrees: the vectors that `brdf eval` makes of them, bit for bit.
+Pair pair_at_angles(double theta_i, double phi_i, double theta_o, double phi_o);
+
 // Coordinates: the subject's, then two cosines and the
-// azimuth between, then the azimuth of wi if anisotropic.
+// azimuth between, then the azimuth of wi if anisotropic. Of code that is not ours both azimuths go all the way round if it
+// may turn, and the vectors are those of pair_at_angles.
 std::size_t pair_dimensions(const Subject& subject);
 Pair pair_of(const Subject& subject, std::span<const double> point);
 
@@ -31,6 +35,8 @@ double difference(double a, double b, double least = 0);
 // 1/sr: differences of values below it are judged against it.
 inline constexpr double kFaintest = 0.01;
 
+// f of each channel at one pair, 1/sr.
+using Values = std::vector<double>;
 using PairMeasure = std::function<double(const Material&, const Pair&)>;
 
 // The largest value of the measure: a structured grid (corners and cover of the parameters, all pairs of

@@ -128,20 +128,49 @@ void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const std:
   report.plot(plot);
 }
 
+constexpr int kNoWidth = 6;
+
 // The parameters that say how wide the lobe is (two of an anisotropic form), or what comes nearest to that.
 std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
   if (const auto [along, across] = form.axes(); across >= 0) return {std::size_t(along), std::size_t(across)};
-  for (const Role role :
-       {Role::width, Role::exponent, Role::slope, Role::other, Role::index, Role::extinction})
-    if (const int k = form.shape_index(role); k >= 0) return {std::size_t(k)};
-  return {};
+  // Of the others the role that comes first below; a parameter that is a reflectance says nothing of the width.
+  const auto rank = [](Role role) {
+    switch (role) {
+      case Role::width:
+        return 0;
+      case Role::exponent:
+        return 1;
+      case Role::slope:
+        return 2;
+      case Role::other:
+        return 3;
+      case Role::index:
+        return 4;
+      case Role::extinction:
+        return 5;
+      case Role::diffuse:
+      case Role::specular:
+      case Role::f0:
+      case Role::width_across:
+      case Role::exponent_across:
+        return kNoWidth;
+    }
+    return kNoWidth;
+  };
+  const auto by_rank = [&](const ParameterInfo& a, const ParameterInfo& b) {
+    return rank(a.role) < rank(b.role);
+  };
+  const auto best = std::ranges::min_element(form.shape, by_rank);
+  if (best == form.shape.end() || rank(best->role) == kNoWidth) return {};
+  return {std::size_t(best - form.shape.begin())};
 }
 
 // White furnace: reflected fraction of uniform light against the lobe's width.
 void add_furnace(io::HtmlReport& report, const Subject& subject, const Material& m) {
-  if (!subject.of_form() || subject.shape_dimensions() == 0) return;
+  if (!subject.of_form()) return;
   const ReflectanceInfo& f = info(*subject.of_form());
   const std::vector<std::size_t> tied = width_parameters(f);
+  if (tied.empty()) return;  // no parameter is known to be a lobe's width
   const ParameterInfo& width = f.shape[tied.front()];
   io::Plot plot;
   plot.title = "White furnace: " + io::file_name(subject.name());

@@ -49,7 +49,7 @@ Subject Subject::outside(std::string name, const Material& material, OutsideFact
     if (std::find(known.begin(), known.end(), v.check) == known.end())
       throw InputError(s.name_ + ": //: violates " + std::string(v.check) + ": must be one of " +
                        io::joined(known));
-  s.anisotropic_ = s.anisotropic_ || facts.oriented;
+  s.anisotropic_ = s.anisotropic_ || facts.oriented || facts.may_turn;
   s.outside_ = std::move(facts);
   return s;
 }

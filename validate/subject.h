@@ -12,10 +12,13 @@
 
 namespace brdf::validate {
 
-// Of code that is not ours: what no form's name says.
+// Of code that is not ours: what no form's name says. Functions that are empty know nothing.
 struct OutsideFacts {
   std::string words;      // of a command line that says the same: "--shader FILE"
-  bool oriented = false;  // turns with its tangent, though it has no two widths
+  bool oriented = false;  // reads the tangent, though it has no two widths
+  // Nothing shows that the value stays when light and viewer turn together, or when the azimuth between them changes
+  // its sign: searches go all the way round with both.
+  bool may_turn = true;
   // Where in its source what a check found comes from, for one pair of directions; empty where that is not known.
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
@@ -24,6 +27,12 @@ struct OutsideFacts {
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                             const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
       explain_jump = {};
+  // What the language leaves undefined of the value, in double or in float, with its line; empty: it is defined.
+  std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined =
+      {};
+  // f of each channel in more digits than double has, 1/sr, for the unit directions that these stand for.
+  std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
+      in_more_digits = {};
 };
 
 struct Jump;
@@ -44,6 +53,7 @@ class Subject {
   // Coordinates of the shape, then of the weights; both 0 for a material.
   std::size_t shape_dimensions() const { return shape_dimensions_; }
   std::size_t dimensions() const { return shape_dimensions_ + weight_dimensions_; }
+  // Whether the azimuth of the light is searched, too.
   bool anisotropic() const { return anisotropic_; }
 
   // The material at a point (for a form of one channel, if it has none of its own).
@@ -62,6 +72,7 @@ class Subject {
   // The same for parameters that are chosen elsewhere.
   Material restricted(Material at) const;
   bool is_outside() const { return outside_.has_value(); }
+  const OutsideFacts* outside_facts() const { return outside_ ? &*outside_ : nullptr; }
   // "; " and what the code's source says of it; empty where nothing is known.
   std::string explained(std::string_view check, const Material& at, const Vec3<double>& wi,
                         const Vec3<double>& wo) const;

@@ -27,6 +27,10 @@ enum class Role {
   other
 };
 
+// Roles that go together: along and across the tangent.
+inline constexpr std::array<std::array<Role, 2>, 2> kAxisRoles{
+    {{Role::width, Role::width_across}, {Role::exponent, Role::exponent_across}}};
+
 template <>
 inline constexpr std::array<std::string_view, 11> kNames<Role>{
     "diffuse",         "specular", "f0",    "width",      "width_across", "exponent",
@@ -90,6 +94,13 @@ consteval bool table_is_sound() {
       for (std::size_t j = 0; j < i; ++j)
         if (fields[j].info.name == p.name || fields[j].member == fields[i].member) return false;
     }
+    const auto has = [&](Role role) {
+      for (const auto& field : fields)
+        if (field.info.role == role) return true;
+      return false;
+    };
+    for (const auto& [along, across] : kAxisRoles)
+      if (has(across) && !has(along)) return false;
   }
   return true;
 }

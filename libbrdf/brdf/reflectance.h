@@ -70,6 +70,10 @@ struct ReflectanceInfo {
   bool has_glsl = false;
   bool follows_lobe = false;  // sample() does more than the cosine
   Kink kink = Kink::unplaced;
+  // Of code that is not in the catalogue: integrals take nothing for granted that a few values suggest.
+  bool outside = false;
+  bool may_turn =
+      false;  // of such code: light and viewer are not known to be free to turn about the normal together
   const Accuracy* accuracy = nullptr;  // null: not measured
   const FacetFacts* facets = nullptr;  // null: it stands for no distribution of facets
   std::span<const ClosedAlbedo> albedos{};
@@ -84,7 +88,7 @@ struct ReflectanceInfo {
   int weight_index(std::string_view parameter) const;
   int shape_index(Role role) const;
   int weight_index(Role role) const;
-  // The widths (or exponents) along and across the tangent.
+  // The widths (or exponents) along and across the tangent: both, or neither.
   struct Axes {
     int along = -1, across = -1;
   };

@@ -54,10 +54,9 @@ int ReflectanceInfo::weight_index(Role role) const {
 }
 
 ReflectanceInfo::Axes ReflectanceInfo::axes() const {
-  if (const int across = shape_index(Role::width_across); across >= 0)
-    return {shape_index(Role::width), across};
-  if (const int across = shape_index(Role::exponent_across); across >= 0)
-    return {shape_index(Role::exponent), across};
+  for (const auto& [first, second] : kAxisRoles)
+    if (const Axes axes{shape_index(first), shape_index(second)}; axes.along >= 0 && axes.across >= 0)
+      return axes;
   return {};
 }
 

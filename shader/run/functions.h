@@ -15,7 +15,7 @@ namespace brdf::shader {
 
 // Of double and of types that have their own.
 template <class T>
-struct Functions {
+struct OwnFunctions {
   static T number(double x) { return T(x); }
   static T sqrt(const T& x) {
     using std::sqrt;
@@ -90,6 +90,22 @@ struct Functions {
   static double value(const T& x) { return double(x); }
   static std::uint32_t bits(const T& x) { return std::bit_cast<std::uint32_t>(float(x)); }
   static T from_bits(std::uint32_t bits) { return T(double(std::bit_cast<float>(bits))); }
+};
+
+template <class T>
+struct Functions : OwnFunctions<T> {};
+
+// The processor's extended type has no kernels of its own.
+template <>
+struct Functions<long double> : OwnFunctions<long double> {
+  using T = long double;
+  static T log1p(const T& x, const T& rest) { return std::log1p(x + rest); }
+  // Beyond 100 exp(x^2) overflows.
+  static T erfcx(const T& x) {
+    constexpr T kRootPi = 1.7724538509055160273L;
+    return x > 100 ? 1 / (x * kRootPi) : std::exp(x * x) * std::erfc(x);
+  }
+  static T angle(const T& sine, const T& cosine) { return std::atan2(sine, cosine); }
 };
 
 template <>

@@ -14,6 +14,8 @@ namespace brdf::integrals {
 namespace {
 
 constexpr int kFine = 10, kOpen = 7, kClosed = 8;
+// Evaluations of one cell.
+constexpr long kPerCell = kFine * (kFine + 2 * kOpen + 2 * kClosed) + kClosed * kClosed;
 constexpr double kGain = 4;     // no half is believed to be better than its whole was, by more than this
 constexpr double kCaution = 8;  // what all rules miss alike: a lobe's edge through a corner, say
 
@@ -44,7 +46,7 @@ class Adaptive {
       }
       cells.push(std::move(cell));
     };
-    for (Cell& cell : first_cells()) insert(measure(cell));
+    for (Cell& cell : first_cells(std::size_t(max_evaluations / kPerCell))) insert(measure(cell));
     const auto met = [&] {
       for (std::size_t k = 0; k < outputs; ++k)
         if (error[k] > tolerance * std::abs(total[k])) return false;
@@ -90,7 +92,7 @@ class Adaptive {
     for (AlbedoResult& r : found) {
       r.error_bound += rounding * std::abs(r.value);
       r.evaluations = evaluations_;
-      r.converged = r.error_bound <= tolerance * std::abs(r.value);
+      r.converged = !coarse_ && r.error_bound <= tolerance * std::abs(r.value);
       r.rule = Rule::adaptive;
     }
     return found;
@@ -106,7 +108,8 @@ class Adaptive {
 
   // Halves a cell until it is small beside the lobe's width or its distance from the lobe: then no lobe is
   // missed, however narrow, nor the wide one that grazing light draws together.
-  void cover(Cell cell, int depth, std::vector<Cell>& cells) const {
+  // Where that takes more than `most` cells the rest stays coarse, and no error of it is believed.
+  void cover(Cell cell, int depth, std::size_t most, std::vector<Cell>& cells) {
     const double t = (cell.t0 + cell.t1) / 2, phi = (cell.phi0 + cell.phi1) / 2;
     const auto apart = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
     const auto centre = in_widths(t, phi);
@@ -116,7 +119,9 @@ class Adaptive {
         std::max(apart(centre, in_widths(t, cell.phi0)), apart(centre, in_widths(t, cell.phi1)));
     const double size = along_t + along_phi;
     const double from_lobe = std::max(0.0, std::hypot(centre[0], centre[1]) - size);
-    if (depth == 0 || size < 0.7 + from_lobe / 2) {
+    const bool small = size < 0.7 + from_lobe / 2, full = cells.size() >= most;
+    coarse_ = coarse_ || (full && !small);
+    if (depth == 0 || small || full) {
       cells.push_back(cell);
       return;
     }
@@ -125,18 +130,18 @@ class Adaptive {
       low.t1 = high.t0 = t;
     else
       low.phi1 = high.phi0 = phi;
-    cover(low, depth - 1, cells);
-    cover(high, depth - 1, cells);
+    cover(low, depth - 1, most, cells);
+    cover(high, depth - 1, most, cells);
   }
 
-  std::vector<Cell> first_cells() const {
+  std::vector<Cell> first_cells(std::size_t most) {
     const double mirror = std::sqrt(elevation_ * 2 / kPi);
     const bool anisotropic = integrand_.features().anisotropic();
     std::vector<Cell> cells;
     for (const auto& [t0, t1] : {std::pair{0.0, mirror}, std::pair{mirror, 1.0}}) {
       if (!(t1 > t0)) continue;
-      cover({t0, t1, 0, kPi, {}, {}}, 60, cells);
-      if (anisotropic) cover({t0, t1, -kPi, 0, {}, {}}, 60, cells);
+      cover({t0, t1, 0, kPi, {}, {}}, 60, most, cells);
+      if (anisotropic) cover({t0, t1, -kPi, 0, {}, {}}, 60, most, cells);
     }
     return cells;
   }
@@ -212,6 +217,7 @@ class Adaptive {
   const double elevation_, phi_;
   Vec3<double> fixed_{};
   long evaluations_ = 0;
+  bool coarse_ = false;  // the first cells do not close in on the lobe
 };
 
 }  // namespace

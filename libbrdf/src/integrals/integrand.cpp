@@ -42,6 +42,8 @@ double Integrand::sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) 
 
 // A column that has one and the same value at seven unrelated pairs of directions is taken for constant.
 void Integrand::find_constants() {
+  constants_.assign(columns_, NAN);
+  if (info(form_).outside) return;
   constexpr std::array<std::array<double, 4>, 7> kPairs{{{0, 0, 0, 0},
                                                          {0.3, 0.1, 0.35, 3.2},
                                                          {0.9, 2.0, 0.85, 5.1},
@@ -60,7 +62,6 @@ void Integrand::find_constants() {
       same[c] = same[c] && std::abs(f - first[c]) <= 4e-16 * std::abs(first[c]);
     }
   }
-  constants_.assign(columns_, NAN);
   for (std::size_t c = 0; c < columns_; ++c)
     if (same[c]) constants_[c] = first[c];
 }
@@ -121,7 +122,8 @@ void Integrand::look() {
   for (double* width : {&features_.width_x, &features_.width_y})
     *width = std::max(*width, kLeastWidth);  // a table may allow 0
   features_.root_at_horizon = measured_root();
-  features_.oriented = f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation();
+  features_.oriented =
+      f.may_turn || (f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation());
   features_.mirror_lobe = f.kink == Kink::mirror_edge;
   // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
   features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;
