@@ -4,12 +4,14 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brdf/geometry.h"
 #include "brdf/parameter.h"
+#include "shader/choice.h"
 #include "shader/front/compile.h"
 #include "shader/front/roles.h"
 #include "shader/front/source.h"
@@ -74,7 +76,12 @@ struct Function {
   std::size_t values = 0;  // of all parameters
   Returns returns = Returns::f;
   std::vector<std::string> notes;
-  bool oriented = false;  // reads the tangent
+  std::vector<std::string> unread;  // parameters that are declared and on which the value does not depend
+  std::vector<std::string>
+      asked_macros;                // that #if, #ifdef or #ifndef of the text ask for and that nothing defines
+  std::optional<double> constant;  // its value, where that depends on nothing that it is given
+  bool zero_where_asked = false;   // it is 0 at all of many places chosen at random (of a ShaderReflectance)
+  bool oriented = false;           // reads the tangent
   Symmetry symmetry, symmetry_as_meant;
 
   template <class T>
@@ -95,16 +102,14 @@ struct Function {
   std::uint64_t number = 0;  // of this function, for caches: no two share one
 };
 
-// Compiles and flattens. `parameters` are --param's texts; `entry` and `returns` win over the file's where they are not empty.
-// Throws InputError.
-struct ShaderChoice {
-  std::string file;
-  std::vector<std::string> parameters = {};
-  std::string entry = {}, returns = {};
-};
+// Compiles and flattens. Throws InputError.
 Function make_function(const ShaderChoice& choice);
 Function make_function(Source source, const ShaderChoice& choice = {});
 Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler);
+
+// What is said of a function that is 0 or does not depend on all that the file declares, with the macros that may be the reason; empty:
+// nothing.
+std::string said_of_unread(const Function& function);
 
 // What an integer or a truth that is bound to a parameter of value v holds.
 inline std::uint32_t integer_of(const Binding& b, double v) {
