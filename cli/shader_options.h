@@ -8,6 +8,9 @@
 
 #include "brdf/material.h"
 #include "io/settings.h"
+#ifdef BRDF_HAS_SHADER
+#include "shader/choice.h"
+#endif
 
 namespace CLI {
 class App;
@@ -19,10 +22,16 @@ struct ShaderOptions {
   std::string file = {};
   std::vector<std::string> parameters;
   std::string entry, returns;
+  std::vector<std::string> defines, include_folders;
 };
 
-// --shader, --param, --entry, --returns.
+// --shader, --param, --entry, --returns, --define, -I.
 void add_shader_options(CLI::App& verb, ShaderOptions& options);
+
+#ifdef BRDF_HAS_SHADER
+// The same for the room that reads shaders.
+shader::ShaderChoice choice_of(const ShaderOptions& options);
+#endif
 
 // What a verb needs of a shader's file.
 struct LoadedShader {

@@ -59,11 +59,10 @@ Exit run_check(const ProveCall& o) {
 void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options& how,
                   std::vector<prove::Proof>& proofs) {
 #ifdef BRDF_HAS_PROVE_SHADER
-  const auto model = shader::load_shader({options.file, options.parameters, options.entry, options.returns});
+  const auto model = shader::load_shader(choice_of(options));
   for (const std::string& note : model->function().notes)
     if (!quiet) Note() << "brdf prove: " << options.file << ": " << note;
-  const std::string words =
-      " " + shader::command_words({options.file, options.parameters, options.entry, options.returns});
+  const std::string words = " " + shader::command_words(choice_of(options));
   for (prove::Proof& p : prove::prove(*model, model->material(model), words, how))
     proofs.push_back(std::move(p));
 #else
