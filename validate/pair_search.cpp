@@ -54,15 +54,25 @@ double difference(double a, double b, double least) {
   return scale < kTiny ? 0 : std::abs(a - b) / std::max(scale, least);
 }
 
+std::size_t parameter_cover(const CheckOptions& options) {
+  return options.effort == Effort::full ? 48 : 12;
+}
+
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options) {
+  return worst_pair(subject, measure, options,
+                    parameter_points(subject.dimensions(), parameter_cover(options), options.seed));
+}
+
+Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options,
+                const std::vector<std::vector<double>>& parameters) {
   const bool full = options.effort == Effort::full;
   std::vector<std::vector<double>> grid;
   const std::vector<double> cosines{0, 0.05, 0.15, 0.3, 0.5, 0.75, 1};
-  for (const auto& parameters : parameter_points(subject.dimensions(), full ? 48 : 12, options.seed))
+  for (const auto& at : parameters)
     for (const double a : cosines)
       for (const double b : cosines)
         for (const double turn : {0.0, 0.2, 0.5, 0.8, 1.0}) {
-          std::vector<double> point = parameters;
+          std::vector<double> point = at;
           point.insert(point.end(), {a, b, turn});
           if (subject.anisotropic()) point.push_back(0.15);
           grid.push_back(std::move(point));

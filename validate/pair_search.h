@@ -36,6 +36,11 @@ using PairMeasure = std::function<double(const Material&, const Pair&)>;
 // The largest value of the measure: a structured grid (corners and cover of the parameters, all pairs of
 // graded cosines, the mirror plane among the azimuths), a cover, and climbs from the best.
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options);
+// The same where only part of the parameters counts: the grid has these, of the others the measure says so by a value below 0.
+Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options,
+                const std::vector<std::vector<double>>& parameters);
+// How many points of a cover of the parameters the grid takes besides their corners.
+std::size_t parameter_cover(const CheckOptions& options);
 
 // With the command that prints f there, and with light and viewer exchanged if both orders are asked for, or at another pair as well.
 Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders = false,
