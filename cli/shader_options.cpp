@@ -80,12 +80,19 @@ void add_shader_options(CLI::App& verb, ShaderOptions& options) {
   offer(verb.add_option("--returns", options.returns,
                         "What the function returns: f (default), f*cos_i or f*cos_o (of --shader)"),
         {"f", "f*cos_i", "f*cos_o"});
+  add_repeated_option(
+      verb, "--define", options.defines,
+      "A macro that is defined before the file's first line, NAME=VALUE, NAME (then 1) or NAME= (then "
+      "nothing) (of --shader)");
+  add_repeated_option(verb, "-I,--include-folder", options.include_folders,
+                      "A folder whose files may be included, after the file's own folder (of --shader)");
 }
 
 bool is_given(const ShaderOptions& options) {
   for (const auto& [name, given] :
        {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
-        std::pair("--returns", !options.returns.empty())})
+        std::pair("--returns", !options.returns.empty()), std::pair("--define", !options.defines.empty()),
+        std::pair("-I", !options.include_folders.empty())})
     if (given && options.file.empty()) throw InputError(std::string(name) + ": goes with --shader FILE");
 #ifndef BRDF_HAS_SHADER
   if (!options.file.empty())
@@ -94,10 +101,17 @@ bool is_given(const ShaderOptions& options) {
   return !options.file.empty();
 }
 
+#ifdef BRDF_HAS_SHADER
+shader::ShaderChoice choice_of(const ShaderOptions& options) {
+  return {options.file,    options.parameters, options.entry,
+          options.returns, options.defines,    options.include_folders};
+}
+#endif
+
 std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet) {
   if (!is_given(options)) return std::nullopt;
 #ifdef BRDF_HAS_SHADER
-  const shader::ShaderChoice choice{options.file, options.parameters, options.entry, options.returns};
+  const shader::ShaderChoice choice = choice_of(options);
   const auto model = shader::load_shader(choice);
   LoadedShader loaded{Reflectance(model),
                       model->material(model),
@@ -105,6 +119,7 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
                       model->function().notes,
                       model->function().oriented,
                       model->function().may_turn(),
+                      model->function().all_round(),
                       model->function().as_written.size(),
                       [model](std::string_view check, const Material& at, const Vec3<double>& wi,
                               const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); },

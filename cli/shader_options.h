@@ -8,6 +8,9 @@
 
 #include "brdf/material.h"
 #include "io/settings.h"
+#ifdef BRDF_HAS_SHADER
+#include "shader/choice.h"
+#endif
 
 namespace CLI {
 class App;
@@ -19,10 +22,16 @@ struct ShaderOptions {
   std::string file = {};
   std::vector<std::string> parameters;
   std::string entry, returns;
+  std::vector<std::string> defines, include_folders;
 };
 
-// --shader, --param, --entry, --returns.
+// --shader, --param, --entry, --returns, --define, -I.
 void add_shader_options(CLI::App& verb, ShaderOptions& options);
+
+#ifdef BRDF_HAS_SHADER
+// The same for the room that reads shaders.
+shader::ShaderChoice choice_of(const ShaderOptions& options);
+#endif
 
 // What a verb needs of a shader's file.
 struct LoadedShader {
@@ -32,6 +41,7 @@ struct LoadedShader {
   std::vector<std::string> notes;  // sentences on how it was read
   bool oriented = false;           // reads the tangent
   bool may_turn = true;            // light and viewer are not known to be free to turn together
+  bool all_round = true;           // half of the azimuths is not known to stand for all
   std::size_t operations = 0;      // of an evaluation, with all calls inlined
   // The source line that what a check found comes from (validate/subject.h).
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,

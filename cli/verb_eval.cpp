@@ -1,14 +1,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
 #include "cli/shader_options.h"
+#include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "io/error.h"
 #include "io/output.h"
 #include "io/provenance.h"
 #include "io/samples.h"
+#include "io/text.h"
 
 namespace brdf::cli {
 namespace {
@@ -47,6 +50,20 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   }
 }
 
+// How many of the values from column `first` on are no finite numbers, said on stderr with the first row that has one.
+std::size_t report_not_finite(const io::SampleTable& table, std::size_t first) {
+  std::size_t count = 0, row = 0, column = 0;
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    for (std::size_t c = first; c < table.channels.size(); ++c)
+      if (!std::isfinite(table.values[c][k]) && count++ == 0) row = k, column = c;
+  if (count == 0) return 0;
+  const std::size_t all = table.rows() * (table.channels.size() - first);
+  Note() << "brdf eval: " << count << " of " << all << (count == 1 ? " values is" : " values are")
+         << " no finite number; the first: " << table.where(row) << ": " << table.channels[column] << " "
+         << (std::isnan(table.values[column][row]) ? "nan" : io::to_text(table.values[column][row]));
+  return count;
+}
+
 }  // namespace
 
 void add_eval(CLI::App& app) {
@@ -63,6 +80,8 @@ void add_eval(CLI::App& app) {
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
   verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
   verb->footer(
+      "Exit code 1 where a value is no finite number: all rows are written, such values as nan, inf or "
+      "-inf.\n"
       "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
       "          brdf eval --material fitted.json --cos directions.csv\n"
       "          brdf eval --shader ggx.glsl --entry \"ggx(L, V, N, alpha)\" --param alpha=0.01:1:0.3:log "
@@ -72,14 +91,15 @@ void add_eval(CLI::App& app) {
                       {options->material.material, options->material.shader.file, options->directions});
     const Material material = choose_material(options->material, "eval");
     io::SampleTable table = io::read_directions(options->directions);
+    const std::size_t measured = table.channels.size();
     add_values(table, material, options->cosine);
     for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));
     const std::string_view quantity = options->cosine ? "f_r*cos_i" : "f_r";
     if (options->output.empty())
-      io::write_samples(std::cout, table, quantity);
+      io::write_samples(std::cout, table, quantity, io::Origin::computed);
     else
-      io::write_samples(options->output, table, quantity);
-    return Exit::good;
+      io::write_samples(options->output, table, quantity, io::Origin::computed);
+    return report_not_finite(table, measured) == 0 ? Exit::good : Exit::failed;
   });
 }
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -54,8 +55,11 @@ void print_list() {
 void print_form(const ReflectanceInfo& form) {
   PlainText out;
   out << form.name << " (family " << form.family << (form.fittable() ? ", fittable" : "") << ")\n";
-  const auto print = [&out](const ParameterInfo& p, const char* kind) {
-    out << "  " << std::left << std::setw(10) << p.name << std::setw(7) << kind << std::setw(25)
+  std::size_t longest = 9;
+  for (const auto table : {form.weights, form.shape})
+    for (const ParameterInfo& p : table) longest = std::max(longest, p.name.size());
+  const auto print = [&](const ParameterInfo& p, const char* kind) {
+    out << "  " << std::left << std::setw(int(longest) + 1) << p.name << std::setw(7) << kind << std::setw(25)
         << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
         << (io::to_text(p.initial) + (p.unit.empty() ? "" : " " + std::string(p.unit))) << ' ' << p.doc
         << '\n';

@@ -12,7 +12,7 @@
 #include "io/output.h"
 #include "io/settings.h"
 #include "io/text.h"
-#include "prove/check/certificate.h"
+#include "prove/check/judge.h"
 #include "prove/report.h"
 #ifdef BRDF_HAS_PROVE_SHADER
 #include "prove/shader/shader_proof.h"
@@ -30,40 +30,57 @@ struct ProveCall {
   ShaderOptions shader;
 };
 
-std::vector<prove::Property> properties_of(const std::string& option, const std::vector<std::string>& names) {
-  std::vector<prove::Property> properties;
-  for (const std::string& name : names) {
-    const auto found = find_named<prove::Property>(name);
-    if (!found) throw InputError(option + " " + name + ": must be one of " + known_names<prove::Property>());
-    properties.push_back(*found);
-  }
-  return properties;
+// What has no effect beside --check may not stand beside it: a user would believe that it had one.
+void refuse_beside_check(const CLI::App& verb) {
+  if (verb.count("--check") == 0) return;
+  for (const char* other : {"--output", "--seconds", "--gap", "--shader", "--param", "--entry", "--returns"})
+    if (verb.count(other) > 0)
+      throw InputError(std::string(other == std::string_view("--output") ? "-o" : other) +
+                       ": has no effect beside --check: leave it out");
 }
 
 Exit run_check(const ProveCall& o) {
-  if (o.all || !o.forms.empty() || !o.materials.empty() || is_given(o.shader))
-    throw InputError("--check " + o.check + ": takes no material, no --form, no --shader and no --all");
-  const prove::Checked checked = prove::check(io::read_content(o.check));
+  prove::Asked asked;
+  asked.required = prove::properties_named("--require", o.require);
+  asked.properties = prove::properties_named("--property", o.properties);
+  if (o.all || !o.forms.empty())
+    for (const Reflectance& form : forms_of(o.forms, o.all)) asked.forms.emplace_back(form.info().name);
+  for (const std::string& file : o.materials) asked.materials.push_back({file, io::read_material(file)});
+  const prove::Judged judged = prove::judge(io::read_content(o.check), asked);
   if (o.json) {
     io::Json json = io::to_json(io::provenance());
-    json["checked"] = {{"results", checked.results}, {"leaves", checked.leaves}, {"faults", checked.faults}};
+    json["checked"] = prove::to_json(judged);
     std::cout << io::to_text(json) << '\n';
   } else {
-    for (const std::string& fault : checked.faults) std::cout << io::printable(fault) << '\n';
-    std::cout << checked.results << " results, " << checked.leaves
-              << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';
+    prove::print(std::cout, judged);
   }
-  return checked.faults.empty() ? Exit::good : Exit::failed;
+  return judged.good ? Exit::good : Exit::failed;
+}
+
+// A certificate is of what the check can enclose again.
+void check_certificate_target(const ProveCall& o, const std::vector<prove::NamedMaterial>& materials) {
+  if (o.output.empty()) return;
+  if (is_given(o.shader))
+    throw InputError("-o " + o.output + ": a certificate is of forms and of materials, not of a shader (" +
+                     o.shader.file + "): leave -o out; --json has the same results");
+  for (std::size_t k = 0; k < materials.size(); ++k) {
+    const auto& [file, material] = materials[k];
+    for (std::size_t j = 0; j < k; ++j)
+      if (materials[j].file == file) throw InputError("-o " + o.output + ": " + file + " is named twice");
+    for (const Term& term : material.terms)
+      if (catalogue_index(term.form) < 0)
+        throw InputError("-o " + o.output + ": a certificate is of forms of the catalogue, and " + file +
+                         " has " + std::string(term.form.info().name));
+  }
 }
 
 void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options& how,
                   std::vector<prove::Proof>& proofs) {
 #ifdef BRDF_HAS_PROVE_SHADER
-  const auto model = shader::load_shader({options.file, options.parameters, options.entry, options.returns});
+  const auto model = shader::load_shader(choice_of(options));
   for (const std::string& note : model->function().notes)
     if (!quiet) Note() << "brdf prove: " << options.file << ": " << note;
-  const std::string words =
-      " " + shader::command_words({options.file, options.parameters, options.entry, options.returns});
+  const std::string words = " " + shader::command_words(choice_of(options));
   for (prove::Proof& p : prove::prove(*model, model->material(model), words, how))
     proofs.push_back(std::move(p));
 #else
@@ -73,30 +90,24 @@ void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options
 
 Exit run_prove(const ProveCall& o) {
   if (!o.check.empty()) return run_check(o);
-  io::check_targets({{"-o", o.output}});
+  io::check_targets({{"-o", o.output}}, {o.materials.begin(), o.materials.end()});
   prove::Options options;
-  const auto required = properties_of("--require", o.require);
-  if (!o.properties.empty()) options.properties = properties_of("--property", o.properties);
+  const auto required = prove::properties_named("--require", o.require);
+  if (!o.properties.empty()) options.properties = prove::properties_named("--property", o.properties);
   for (const prove::Property p : required)
     if (std::ranges::find(options.properties, p) == options.properties.end()) options.properties.push_back(p);
   if (o.seconds && !(*o.seconds > 0)) throw InputError("--seconds: must be above 0");
   if (!(o.gap > 0)) throw InputError("--gap: must be above 0");
   options.search.seconds = o.seconds.value_or(20);
   options.gap = o.gap;
-  if (!o.output.empty() && !o.materials.empty())
-    throw InputError("-o " + o.output + ": a certificate is of forms, not of materials (" +
-                     o.materials.front() + ")");
-  if (!o.output.empty() && is_given(o.shader))
-    throw InputError("-o " + o.output + ": a certificate is of forms, not of a shader (" + o.shader.file +
-                     ")");
-  std::vector<Material> materials;
-  for (const std::string& file : o.materials) materials.push_back(io::read_material(file));
+  std::vector<prove::NamedMaterial> materials;
+  for (const std::string& file : o.materials) materials.push_back({file, io::read_material(file)});
+  check_certificate_target(o, materials);
   prove::Options of_materials = options;
   of_materials.search.seconds = o.seconds.value_or(60);
   std::vector<prove::Proof> proofs;
-  for (std::size_t k = 0; k < materials.size(); ++k)
-    for (prove::Proof& p : prove::prove(materials[k], o.materials[k], of_materials))
-      proofs.push_back(std::move(p));
+  for (const prove::NamedMaterial& m : materials)
+    for (prove::Proof& p : prove::prove(m.material, m.file, of_materials)) proofs.push_back(std::move(p));
   std::vector<Reflectance> forms;
   if (is_given(o.shader)) prove_shader(o.shader, o.json, options, proofs);
   if (o.all || !o.forms.empty() || (materials.empty() && proofs.empty())) forms = forms_of(o.forms, o.all);
@@ -105,7 +116,7 @@ Exit run_prove(const ProveCall& o) {
     for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
     progress(int(&form - forms.data()) + 1, int(forms.size()));
   }
-  if (!o.output.empty()) io::write_file_atomically(o.output, prove::to_certificate(proofs));
+  if (!o.output.empty()) io::write_file_atomically(o.output, prove::to_certificate(proofs, materials));
   if (o.json)
     std::cout << io::to_text(prove::to_json(proofs)) << '\n';
   else
@@ -140,19 +151,26 @@ void add_prove(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
       ->capture_default_str();
-  verb->add_option("-o,--output", o->output, "certificate of what is proved (JSON)");
-  verb->add_option("--check", o->check, "a certificate to verify, without any search");
+  verb->add_option("-o,--output", o->output, "certificate of what is proved of forms and materials (JSON)");
+  verb->add_option(
+      "--check", o->check,
+      "a certificate to verify, without any search; with --require, --property, --form, --all and MATERIALS: "
+      "what it must show");
   verb->add_flag("--json", o->json, "JSON on stdout");
   verb->footer(
-      "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected.\n"
+      "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected, "
+      "is empty or does not show what is asked for.\n"
       "Examples: brdf prove --all --property finite,non_negative -o certificate.json\n"
-      "          brdf prove --check certificate.json\n"
+      "          brdf prove --check certificate.json --require finite\n"
       "          brdf prove --form oren_nayar --property energy --gap 1e-3\n"
-      "          brdf prove material.json --property energy\n"
+      "          brdf prove material.json --property energy -o energy.json\n"
       "          brdf prove --form cook_torrance --property rounding\n"
       "          brdf prove --shader paint.glsl --property finite,non_negative\n"
       "          brdf prove --form ward --require finite,reciprocity --seconds 5 --json");
-  on_run(*verb, [o] { return run_prove(*o); });
+  on_run(*verb, [o, verb] {
+    refuse_beside_check(*verb);
+    return run_prove(*o);
+  });
 }
 
 }  // namespace brdf::cli

@@ -55,8 +55,8 @@ std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
 
 // A shader's function, with what its source says of what is found.
 validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
-  validate::OutsideFacts facts{shader.words,        shader.oriented,  shader.may_turn,      shader.explain,
-                               shader.explain_jump, shader.undefined, shader.in_more_digits};
+  validate::OutsideFacts facts{shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
+                               shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
   return validate::Subject::outside(file, shader.material, std::move(facts));
 }
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <ostream>
 
 #include "io/output.h"
@@ -6,9 +7,20 @@
 #include "io/text.h"
 
 namespace brdf::io {
+namespace {
 
-void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity) {
-  check_table(table);
+// The sign of what is no number says nothing.
+void append_value(std::string& text, double value) {
+  if (std::isnan(value))
+    text += "nan";
+  else
+    append_number(text, value);
+}
+
+}  // namespace
+
+void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity, Origin origin) {
+  check_table(table, origin);
   std::string text;
   for (const Comment& comment : table.metadata) text += "# " + comment_text(comment) + '\n';
   (((text += "# ") += kQuantityKey) += ": ") += quantity;
@@ -24,7 +36,7 @@ void write_samples(std::ostream& out, const SampleTable& table, std::string_view
       text += ',';
     }
     for (const auto& column : table.values) {
-      append_number(text, column[k]);
+      append_value(text, column[k]);
       text += ',';
     }
     for (const auto& column : table.sigma) {
@@ -41,8 +53,9 @@ void write_samples(std::ostream& out, const SampleTable& table, std::string_view
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
-void write_samples(const std::filesystem::path& path, const SampleTable& table, std::string_view quantity) {
-  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table, quantity); });
+void write_samples(const std::filesystem::path& path, const SampleTable& table, std::string_view quantity,
+                   Origin origin) {
+  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table, quantity, origin); });
 }
 
 }  // namespace brdf::io

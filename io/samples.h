@@ -70,12 +70,17 @@ SampleTable read_samples(Content content, const Supplied& supplied = {});
 SampleTable read_directions(const std::filesystem::path& path);
 SampleTable read_directions(Content content);
 
+// Where a table's values come from: measured ones are finite, which is a rule of the format; computed ones are what a function gave,
+// written as nan, inf and -inf where they are no finite numbers. A table with such values is not read back as samples.
+enum class Origin { measured, computed };
+
 // Writes CSV that reads back to exactly the same table (shortest decimals that round-trip). Throws InputError
 // where the table breaks a rule of the format. `quantity` is what the values are, if not f_r: f_r*cos_i or
 // f_r*cos_o.
 void write_samples(const std::filesystem::path& path, const SampleTable& table,
-                   std::string_view quantity = "f_r");
-void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity = "f_r");
+                   std::string_view quantity = "f_r", Origin origin = Origin::measured);
+void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity = "f_r",
+                   Origin origin = Origin::measured);
 
 // Unit vectors of all rows in the local frame (normal +z, tangent +x).
 DirectionArrays<double> unit_directions(const SampleTable& table);

@@ -65,7 +65,7 @@ void check_channel_names(const std::vector<std::string>& names, const std::strin
   }
 }
 
-void check_table(const SampleTable& table) {
+void check_table(const SampleTable& table, Origin origin) {
   check_channel_names(table.channels, table.name());
   check_comments(table);
   const auto refuse = [&](std::size_t row, std::string_view column, double value, const std::string& rule) {
@@ -80,7 +80,7 @@ void check_table(const SampleTable& table) {
       if (!(std::abs(angles[a]) <= kLargestAzimuth))
         refuse(k, kAngleNames[a], angles[a], "must be between -1e6 and 1e6 degrees");
     for (std::size_t c = 0; c < table.channels.size(); ++c) {
-      if (!std::isfinite(table.values[c][k]))
+      if (origin == Origin::measured && !std::isfinite(table.values[c][k]))
         refuse(k, table.channels[c], table.values[c][k], "must be finite");
       if (table.has_sigma(c) && !(table.sigma[c][k] > 0 && std::isfinite(table.sigma[c][k])))
         refuse(k, std::string(kSigmaPrefix) + table.channels[c], table.sigma[c][k],

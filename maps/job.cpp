@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "io/content.h"
+#include "io/digest.h"
 #include "io/error.h"
 #include "io/json.h"
 #include "io/output.h"
 #include "io/provenance.h"
 #include "io/text.h"
-#include "maps/digest.h"
 #include "maps/stack_fit.h"
 
 namespace brdf::maps {
@@ -60,7 +60,7 @@ Json content_of(const Plan& plan) {
 }
 
 std::string key_of(const Plan& plan) {
-  return sha256(io::to_line(content_of(plan)));
+  return io::sha256(io::to_line(content_of(plan)));
 }
 
 // Two whole numbers.
@@ -94,7 +94,8 @@ Plan plan_in(const JsonPlace& root) {
 // A unit's file: a line that says whose it is and what all that follows must be, then each file that it holds: a line
 // with the lengths of name and content, and these.
 std::string head_of(const Plan& plan, std::size_t unit, std::string_view rest) {
-  return std::string(kUnitFormat) + " " + plan.key + " " + std::to_string(unit) + " " + sha256(rest) + "\n";
+  return std::string(kUnitFormat) + " " + plan.key + " " + std::to_string(unit) + " " + io::sha256(rest) +
+         "\n";
 }
 
 std::string packed(const std::vector<UnitFile>& files) {
@@ -159,7 +160,7 @@ Plan completed(Plan plan, const std::vector<std::string>& inputs) {
                      std::to_string(kMostUnits));
   for (const std::string& file : inputs) {
     if (!fs::is_regular_file(file)) throw InputError(file + ": no such file");
-    plan.inputs.push_back({file, fs::file_size(file), sha256_of_file(file)});
+    plan.inputs.push_back({file, fs::file_size(file), io::sha256_of_file(file)});
   }
   plan.version = io::provenance().version;
   plan.key = key_of(plan);
@@ -193,7 +194,7 @@ void check_input(const Input& input, bool content) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(input.file, error);
   if (error) throw InputError(input.file + ": cannot be read: " + error.message());
-  if (bytes != input.bytes || (content && sha256_of_file(input.file) != input.sha256))
+  if (bytes != input.bytes || (content && io::sha256_of_file(input.file) != input.sha256))
     throw InputError(input.file + ": is not what it was when the work was planned");
 }
 

@@ -13,10 +13,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Views views_of(const Box& box) {
-  return {box[0], box.size() > 1 ? box[1] : Bounds{0, 0}};
-}
-
 // Of a grid of views, the one that is likely to reflect most.
 Views brightest(const SumOfAlbedos& albedo) {
   constexpr std::size_t kTurns = 64, kAzimuths = 4;
@@ -36,8 +32,8 @@ Views brightest(const SumOfAlbedos& albedo) {
 
 // How well ever finer cells know the albedo of one view.
 struct Steps {
-  static constexpr std::array<double, 4> accuracies{8e-3, 2e-3, 5e-4, 1.25e-4};
-  std::array<double, 4> widths{};
+  static constexpr auto accuracies = SumOfAlbedos::kAccuracies;
+  std::array<double, accuracies.size()> widths{};
   double low = 0;  // that it reflects at least
 
   Steps(const SumOfAlbedos& albedo, const Views& view) {
@@ -53,7 +49,31 @@ struct Region {
   Box box;
   Bounds bounds{};
   std::size_t cut = 0;  // the variable that more of its width is of
+  double accuracy = 0;
+  std::size_t node = 0;  // of the tree
   bool operator<(const Region& other) const { return bounds.hi < other.bounds.hi; }
+};
+
+// A tree of regions that grows wherever its leaves are cut; in the order of a cover only when it is done.
+struct GrowingTree {
+  struct Node {
+    Cover::Node node;
+    std::size_t first = 0;  // of its halves, where it was cut: the second follows
+  };
+  std::vector<Node> nodes{Node{}};
+
+  void cut(std::size_t k, int variable, double at) {
+    nodes[k].node.variable = variable;
+    nodes[k].node.cut = at;
+    nodes[k].first = nodes.size();
+    nodes.insert(nodes.end(), 2, Node{});
+  }
+  void put(std::vector<Cover::Node>& out, std::size_t k = 0) const {
+    out.push_back(nodes[k].node);
+    if (nodes[k].node.variable < 0) return;
+    put(out, nodes[k].first);
+    put(out, nodes[k].first + 1);
+  }
 };
 
 // As few cells as it takes to decide, or to see that finer ones would not: a step gains less than the one before it.
@@ -61,9 +81,10 @@ Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box
   constexpr double kMostlyCells = 3, kNear = 0.1, kSmall = 1.0 / 64;
   const auto size = [&](std::size_t k) { return box[k].hi - box[k].lo; };
   AlbedoBounds found;
-  double before = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity(), accuracy = 0;
   for (std::size_t k = 0; k < steps.widths.size(); ++k) {
-    found = albedo(views_of(box), steps.accuracies[k]);
+    accuracy = steps.accuracies[k];
+    found = albedo(SumOfAlbedos::views_of(box), accuracy);
     const auto [low, high] = found.value;
     const double width = high - low;
     const bool apart =
@@ -71,7 +92,7 @@ Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box
     if (high <= most || apart || high - (before - width) > most) break;
     before = width;
   }
-  Region r{box, {found.value.lo, std::min(found.value.hi, std::numeric_limits<double>::max())}, 0};
+  Region r{box, SumOfAlbedos::within_range(found.value), 0, accuracy};
   if (box.size() > 1)
     r.cut = (found.reach[0] == found.reach[1] ? size(0) >= size(1) : found.reach[0] > found.reach[1]) ? 0 : 1;
   return r;
@@ -82,16 +103,21 @@ Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box
 LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, const SearchOptions& options) {
   const Clock::time_point start = Clock::now();
   LargestAlbedo found;
-  found.domain.variables.push_back({"turn_from_normal", 0, 1, Variable::Cut::middle});
-  if (albedo.turns()) found.domain.variables.push_back({"turn_from_first_axis", 0, 1, Variable::Cut::middle});
-  const Steps steps(albedo, brightest(albedo));
+  found.domain = albedo.domain();
+  found.low_at = brightest(albedo);
+  const Steps steps(albedo, found.low_at);
   found.low = steps.low;
   const double most = found.low + 2 * half_width;
 
   std::priority_queue<Region> open;
   double decided = 0;  // the most of what needs no more
+  GrowingTree tree;
   const auto keep = [&](Region r) {
     ++found.cover.boxes;
+    Cover::Node& leaf = tree.nodes[r.node].node;
+    leaf.bounds = r.bounds;
+    leaf.accuracy = r.accuracy;
+    leaf.open = r.bounds.hi > most;
     if (r.bounds.hi <= most)
       decided = std::max(decided, r.bounds.hi);
     else
@@ -104,19 +130,26 @@ LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, const Se
   };
   while (!open.empty() && !exhausted()) {
     std::vector<Box> halves;
+    std::vector<std::size_t> nodes;
     for (std::size_t k = 0; k < 4 && !open.empty(); ++k, open.pop()) {
       const Region& r = open.top();
       const double at = cut_of(found.domain.variables[r.cut], r.box[r.cut]);
       halves.insert(halves.end(), 2, r.box);
       halves.end()[-2][r.cut].hi = halves.end()[-1][r.cut].lo = at;
+      tree.cut(r.node, int(r.cut), at);
+      nodes.insert(nodes.end(), {tree.nodes.size() - 2, tree.nodes.size() - 1});
     }
     std::vector<Region> parts(halves.size());
     io::parallel_for(halves.size(),
                      [&](std::size_t k) { parts[k] = examined(albedo, steps, most, halves[k]); });
-    for (Region& r : parts) keep(std::move(r));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      parts[k].node = nodes[k];
+      keep(std::move(parts[k]));
+    }
   }
   found.cover.range = {found.low, std::max(open.empty() ? decided : open.top().bounds.hi, found.low)};
   found.cover.open = long(open.size());
+  tree.put(found.cover.nodes);
   for (; !open.empty() && found.cover.left.size() < Cover::kListed; open.pop())
     found.cover.left.push_back(open.top().box);
   return found;

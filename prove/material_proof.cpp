@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 
-#include "brdf/integrals.h"
 #include "io/numbers.h"
 #include "io/parallel.h"
 #include "io/text.h"
@@ -17,44 +16,16 @@ namespace {
 
 constexpr double kHalfWidth = 1e-3;  // of the largest albedo's interval
 
-// A value as double has it and, for claims of float, as float rounds it.
-Bounds as_stored(double x, Precision precision) {
-  const double rounded = precision == Precision::float_type ? double(float(x)) : x;
-  return {std::min(x, rounded), std::max(x, rounded)};
-}
-
-// Whether the form mixes channels: the first channel's weights are variables of its own, then.
-bool takes_first(const Channel& c) {
-  return domain_of(catalogue_index(c.term.form)).variables.size() ==
-         c.shape().size() + 2 * c.weights().size() + 4;
-}
-
-// The form's domain with the channel's parameters in place of their tables' ranges.
-Domain domain_at(const Channel& c, const Claim& claim) {
-  Domain domain = *domain_of(claim);
-  std::vector<double> values(c.shape().begin(), c.shape().end());
-  values.insert(values.end(), c.weights().begin(), c.weights().end());
-  if (takes_first(c)) values.insert(values.end(), c.term.weights[0].begin(), c.term.weights[0].end());
-  for (std::size_t k = 0; k < std::min(values.size(), domain.variables.size()); ++k) {
-    const Bounds at = as_stored(values[k], claim.precision);
-    domain.variables[k].low = at.lo;
-    domain.variables[k].high = at.hi;
-  }
-  return domain;
-}
-
 void at_parameters(Proof& p, const Channel& c, const Options& options) {
   p.domain = domain_at(c, p.claim);
-  p.arithmetic = "as rounded in " + std::string(name_of(p.claim.precision));
+  p.arithmetic = arithmetic_of(p.claim);
   p.cover = cover(
       *p.domain, [&](const Box& box) { return enclose(p.claim, box); },
       [&](Bounds b) { return settles(p.claim.property, b, 0); }, options.search);
   p.low = p.cover.range.lo;
   p.high = p.cover.range.hi;
   p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
-  const bool finite = p.claim.property == Property::finite;
-  p.statement =
-      finite ? "no overflow, no division by 0 and no domain error on the way to f" : "f is nowhere below 0";
+  p.statement = statement_of(p.claim.property);
   if (p.cover.open > 0) p.statement = std::to_string(p.cover.open) + " boxes are open: not known there";
 }
 
@@ -69,16 +40,11 @@ std::optional<Witness> gain_of(const Channels& terms, const std::string& file) {
   std::optional<Witness> worst;
   for (const double phi : turns ? std::vector<double>{0, 30, 60, 90} : std::vector<double>{0})
     for (const double theta : angles) {
-      double value = 0, error = 0;
-      for (const Channel& c : terms) {
-        const AlbedoResult found = directional_albedo(c.term, c.index, degrees(theta), degrees(phi));
-        value += found.value;
-        error += (found.converged ? 1 : 10) * found.error_bound;
-      }
-      if (!(value - error > 1) || (worst && worst->value >= value)) continue;
+      const MeasuredAlbedo found = measured_albedo(terms, theta, phi);
+      if (!(found.least > 1) || (worst && worst->value >= found.value)) continue;
       worst = Witness{{},
                       {{"theta", theta}, {"phi", phi}},
-                      value,
+                      found.value,
                       "brdf albedo --material " + file + " --theta " + io::to_text(theta) +
                           (phi > 0 ? " --phi " + io::to_text(phi) : "")};
     }
@@ -91,14 +57,17 @@ void state_largest(Proof& p, const SumOfAlbedos& albedo, const Options& options)
   p.cover = found.cover;
   p.low = found.low;
   p.high = found.cover.range.hi;
+  p.low_at = found.low_at;
   p.statement = "the largest albedo is in [" + io::short_number(p.low, 6) + ", " +
                 io::short_number(p.high, 6) + "], all directions";
   if (p.cover.open > 0) p.statement += "; search stopped: " + std::to_string(p.cover.open) + " boxes open";
-  p.verdict = p.high <= 1 + kRoundedConstants ? Verdict::proved : Verdict::bounded;
+  p.verdict = p.high <= 1 + kRoundedConstants ? Verdict::proved
+              : p.low > 1 + kRoundedConstants ? Verdict::refuted
+                                              : Verdict::bounded;
 }
 
 void largest_albedo(Proof& p, const Channels& terms, const std::string& file, const Options& options) {
-  p.arithmetic = "exact";
+  p.arithmetic = kExact;
   const SumOfAlbedos albedo(terms);
   if (albedo.known())
     state_largest(p, albedo, options);
@@ -138,7 +107,11 @@ Proof of_term(const Channel& c, const Claim& claim, const Options& options) {
 
 // What is known of every term: all that is computed beside the terms is their sum.
 Proof of_sum(std::vector<Proof> parts) {
-  if (parts.size() == 1) return std::move(parts.front());
+  if (parts.size() == 1) {
+    Proof alone = parts.front();
+    alone.terms = std::move(parts);
+    return alone;
+  }
   Proof sum = parts.front();
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const Proof& p = parts[k];
@@ -155,16 +128,14 @@ Proof of_sum(std::vector<Proof> parts) {
   sum.domain.reset();
   sum.cover = {};
   sum.lobes.clear();
-  const double largest = sum.claim.precision == Precision::float_type
-                             ? double(std::numeric_limits<float>::max())
-                             : std::numeric_limits<double>::max();
   if (sum.claim.property == Property::rounding) {
     sum.verdict = Verdict::no_method;
     sum.statement = "nothing is known to the prover of the rounding of a sum of terms";
-  } else if (sum.claim.property == Property::finite && sum.high > 0.5 * largest) {
+  } else if (sum.claim.property == Property::finite && may_overflow(sum.high, sum.claim.precision)) {
     sum.verdict = Verdict::bounded;
     sum.statement = "an overflow of the sum is not excluded";
   }
+  sum.terms = std::move(parts);
   return sum;
 }
 
@@ -173,8 +144,7 @@ Proof of_sum(std::vector<Proof> parts) {
 std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options) {
   const auto about = [&](std::size_t channel, Property property, Precision precision) {
     const auto start = std::chrono::steady_clock::now();
-    Channels terms;
-    for (const Term& term : material.terms) terms.push_back({term, channel});
+    const Channels terms = channels_of(material, channel);
     std::vector<Proof> parts;
     for (const Channel& c : terms)
       parts.push_back(of_term(c, {catalogue_index(c.term.form), property, precision}, options));

@@ -26,7 +26,7 @@ Proof about(const Reflectance& form, const Claim& claim) {
 Proof by_boxes(const Reflectance& form, const Claim& claim, const Options& options, double most) {
   Proof p = about(form, claim);
   p.domain = domain_of(claim);
-  p.arithmetic = "as rounded in " + std::string(name_of(claim.precision));
+  p.arithmetic = arithmetic_of(claim);
   p.cover = cover(
       *p.domain, [&](const Box& box) { return enclose(claim, box); },
       [&](Bounds b) { return settles(claim.property, b, most); }, options.search);
@@ -38,9 +38,8 @@ Proof by_boxes(const Reflectance& form, const Claim& claim, const Options& optio
 
 Proof finite(const Reflectance& form, const Claim& claim, const Options& options) {
   Proof p = by_boxes(form, claim, options, 0);
-  p.statement = p.verdict == Verdict::proved
-                    ? "no overflow, no division by 0 and no domain error on the way to f"
-                    : open_boxes(p.cover) + ": an overflow is not excluded there";
+  p.statement = p.verdict == Verdict::proved ? std::string(statement_of(claim.property))
+                                             : open_boxes(p.cover) + ": an overflow is not excluded there";
   return p;
 }
 
@@ -48,7 +47,7 @@ Proof non_negative(const Reflectance& form, const Claim& claim, const Options& o
   Options brief = options;
   if (form.info().violates(name_of(Property::non_negative))) brief.search.leaves = 1;  // its witness is known
   Proof p = by_boxes(form, claim, brief, 0);
-  p.statement = p.verdict == Verdict::proved ? "f is nowhere below 0"
+  p.statement = p.verdict == Verdict::proved ? std::string(statement_of(claim.property))
                                              : open_boxes(p.cover) + ": f may be below 0 there";
   if (p.verdict == Verdict::proved) return p;
   if (auto witness = find_negative(form)) {
@@ -66,7 +65,7 @@ Proof reciprocity(const Reflectance& form, const Claim& claim) {
   p.cover.boxes = bits.cases;
   if (bits.same || record_both_orders(claim.form, Rules::exact).same) {
     p.verdict = Verdict::proved;
-    p.arithmetic = bits.same ? "every IEEE precision, bit for bit" : "exact";
+    p.arithmetic = arithmetic_of(claim, bits.same);
     p.statement = bits.same ? "f(wi, wo) and f(wo, wi) are the same operations"
                             : "f(wi, wo) and f(wo, wi) are the same sums and products in another order";
   } else {
@@ -88,11 +87,10 @@ Proof energy(const Reflectance& form, const Claim& claim, const Options& options
   const bool tied = method != nullptr &&
                     std::ranges::any_of(method->domain.variables, [](const Variable& v) { return v.tied; });
   Proof p = about(form, claim);
-  p.arithmetic = "exact, of the constants as rounded";
+  p.arithmetic = arithmetic_of(claim);
   if (method != nullptr) {
     const double most = witness && !tied ? witness->value + options.gap : 1 + kRoundedConstants;
     p = by_boxes(form, claim, options, most);
-    p.arithmetic = "exact, of the constants as rounded";
     p.statement =
         (p.cover.open == 0 ? "the albedo is at most " + io::short_number(p.high, 8) : open_boxes(p.cover)) +
         ": " + method->why + (tied ? ", for equal widths" : "");

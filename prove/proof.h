@@ -10,13 +10,10 @@
 #include "prove/growth_proof.h"
 #include "prove/scalar/claim.h"
 #include "prove/scalar/rounding.h"
+#include "prove/scalar/views.h"
 #include "prove/search.h"
 
 namespace brdf::prove {
-
-// proved: over the whole domain. bounded: within [low, high], some boxes are open. refuted: the witness violates it.
-// no_method: nothing is claimed.
-enum class Verdict { proved, bounded, refuted, no_method };
 
 // Where the property fails, as the program's other verbs show it.
 struct Witness {
@@ -24,6 +21,7 @@ struct Witness {
   std::vector<std::pair<std::string, double>> angles;      // degrees, by name
   double value = 0;                                        // what `command` prints there
   std::string command;
+  int violation = -1;  // of a form of the catalogue: which of those that it declares
 };
 
 struct Proof {
@@ -39,6 +37,8 @@ struct Proof {
   std::optional<Witness> witness{};
   std::vector<LobeRounding> lobes{};  // of rounding
   std::optional<Growth> growth{};     // of a refuted energy
+  std::vector<Proof> terms{};         // of a material: each term alone
+  std::optional<Views> low_at{};      // of a material's energy: the view that has `low`
   double seconds = 0;
 };
 
@@ -67,6 +67,3 @@ std::optional<Witness> find_gain(const Reflectance& form);
 template <>
 inline constexpr std::array<std::string_view, 3> brdf::kNames<brdf::prove::LobeRounding::Beside>{
     "value", "peak", "nothing"};
-template <>
-inline constexpr std::array<std::string_view, 4> brdf::kNames<brdf::prove::Verdict>{"proved", "bounded",
-                                                                                    "refuted", "no_method"};

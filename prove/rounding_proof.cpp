@@ -77,7 +77,7 @@ std::string in_words(const std::vector<LobeRounding>& lobes) {
 void prove_rounding(Proof& p, const SearchOptions& search) {
   SearchOptions few = search;
   few.leaves = std::min(few.leaves, kLeaves);
-  p.arithmetic = "as rounded in " + std::string(name_of(p.claim.precision)) + ", beside exact";
+  p.arithmetic = arithmetic_of(p.claim);
   p.cover = smallest(p, few);
   Box box = whole(*p.domain);
   std::size_t at = 0;

@@ -15,8 +15,9 @@ struct Cover {
   struct Node {
     int variable = -1;
     double cut = 0;
-    Bounds bounds{};    // of a leaf: what was enclosed there
-    bool open = false;  // a leaf that is not decided
+    Bounds bounds{};      // of a leaf: what was enclosed there
+    bool open = false;    // a leaf that is not decided
+    double accuracy = 0;  // of a material's albedo: that of the cells its bounds are from
   };
   std::vector<Node> nodes;
   long boxes = 0;  // evaluated

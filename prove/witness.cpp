@@ -6,6 +6,7 @@
 #include "io/samples.h"
 #include "io/settings.h"
 #include "io/text.h"
+#include "prove/check/channel.h"
 #include "prove/proof.h"
 
 namespace brdf::prove {
@@ -22,9 +23,9 @@ struct Declared {
 Declared declared(const Reflectance& form, const Violation& v) {
   std::vector<std::string_view> fields;
   io::split_blanks(v.witness, fields);
-  Declared d{make_material(form, {"fr"}), {}, " --form " + std::string(form.info().name)};
+  Declared d{declared_material(form, v), {}, " --form " + std::string(form.info().name)};
+  d.witness.violation = int(&v - form.info().violations.data());
   const auto settings = io::parse_settings({fields.begin(), fields.end()}, "witness");
-  io::apply_settings(d.material, settings);
   for (const io::Setting& s : settings) {
     d.witness.parameters.emplace_back(s.name, s.values.front());
     d.options += " --set " + s.name + "=" + io::to_text(s.values.front());

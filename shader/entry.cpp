@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <glslang/SPIRV/spirv.hpp>
-#include <regex>
 #include <set>
 
 #include "io/error.h"
@@ -100,12 +99,48 @@ std::string listed(const Module& module, const std::vector<const Function*>& fun
   return io::joined(words, "; ");
 }
 
-// Of overloads the one that the others are called by, else the one with the most arguments.
-const Function* outermost(const std::vector<const Function*>& same, const std::set<spirv::Id>& called) {
-  return *std::max_element(same.begin(), same.end(), [&](const Function* a, const Function* b) {
-    return std::pair(!called.contains(a->id), a->parameters.size()) <
-           std::pair(!called.contains(b->id), b->parameters.size());
-  });
+// "brdf(L, V, N, kd)", as --entry takes it.
+std::string entry_words(const Module& module, const Function& function) {
+  std::vector<std::string> words;
+  for (const spirv::Id parameter : function.parameters) words.push_back(module.name(parameter));
+  return function.name + "(" + io::joined(words) + ")";
+}
+
+// Those of the functions that are so; all where none is.
+template <class Is>
+std::vector<const Function*> those(const std::vector<const Function*>& of, Is&& is) {
+  std::vector<const Function*> out;
+  std::copy_if(of.begin(), of.end(), std::back_inserter(out), is);
+  return out.empty() ? of : out;
+}
+
+// Of overloads the one whose arguments the entry's line names, else the only one that takes directions and that no other function calls.
+// `note` says which it is. Throws InputError where nothing tells them apart.
+const Function* meant_overload(const Module& module, const Source& source,
+                               const std::vector<const Function*>& all, const std::set<spirv::Id>& called,
+                               const std::vector<std::string>& free, std::string& note) {
+  if (all.size() == 1) return all[0];
+  std::vector<const Function*> left = all;
+  if (source.entry && source.entry->arguments) {
+    const std::vector<std::string>& words = *source.entry->arguments;
+    left = those(left, [&](const Function* f) { return f->parameters.size() == words.size(); });
+    left = those(left, [&](const Function* f) {
+      for (std::size_t k = 0; k < words.size() && k < f->parameters.size(); ++k)
+        if (module.name(f->parameters[k]) != words[k]) return false;
+      return true;
+    });
+    if (left.size() == 1) return left[0];
+  }
+  left = those(left, [&](const Function* f) { return !called.contains(f->id); });
+  left = those(left, [&](const Function* f) { return takes_directions(module, *f, free); });
+  if (left.size() > 1)
+    throw InputError(source.name + ": has " + std::to_string(all.size()) + " functions " + all[0]->name +
+                     ": " + listed(module, all) + "; say which is the reflectance with --entry '" +
+                     entry_words(module, *left[0]) + "' or a line `//: entry " +
+                     entry_words(module, *left[0]) + "`, or give it another name");
+  note = "of " + std::to_string(all.size()) + " functions " + all[0]->name + " the reflectance is " +
+         signature(module, *left[0]);
+  return left[0];
 }
 
 bool is_called_brdf(const std::string& function) {
@@ -120,17 +155,22 @@ void require_compiled(std::span<const LeftOut> left_out, Is&& is) {
     if (is(f.name)) throw InputError(f.why);
 }
 
-// What a function of the file's that does not compile calls is part of it: a line that says so, where its name is a reflectance's.
-void require_whole(const Source& source, std::span<const LeftOut> left_out, const std::string& chosen) {
-  const std::string text = without_comments(source.text);
-  for (const Definition& d : definitions_of(text)) {
-    const auto out =
-        std::find_if(left_out.begin(), left_out.end(), [&](const LeftOut& f) { return f.name == d.name; });
-    if (out == left_out.end() || !is_called_brdf(d.name)) continue;
-    const std::string body = text.substr(d.begin, d.end - d.begin);
-    if (std::regex_search(body, std::regex("\\b" + chosen + "\\s*\\(")))
-      throw InputError(out->why + "; or take a function that it calls, with --entry " + chosen);
+// What a function that does not compile calls is part of it: a line that says so, where its name is a reflectance's.
+void require_whole(std::span<const LeftOut> left_out, const std::string& chosen) {
+  for (const LeftOut& out : left_out) {
+    if (!is_called_brdf(out.name)) continue;
+    const std::vector<Token> tokens = tokens_of(out.text);
+    for (std::size_t k = 0; k + 1 < tokens.size(); ++k)
+      if (tokens[k].is(chosen) && tokens[k + 1].is("("))
+        throw InputError(out.why + "; or take a function that it calls, with --entry " + chosen);
   }
+}
+
+// Macros that the text asks for: what it has may stand behind one of them.
+std::string asked_for(const Compiled& compiled) {
+  if (compiled.asked.empty()) return "";
+  return "; the text asks for macros that are not defined (" + io::joined(compiled.asked) +
+         "): --define NAME or NAME=VALUE defines one";
 }
 
 constexpr const char* kHelp =
@@ -149,7 +189,10 @@ std::string signature(const Module& module, const Function& f) {
 }
 
 std::vector<std::string> free_directions(const Module& module, const Source& source) {
-  const std::string text = without_comments(source.text);
+  const std::vector<Token> tokens = tokens_of(source.whole);
+  std::set<std::string_view> set;  // names that stand between a type and a value
+  for (std::size_t k = 1; k + 1 < tokens.size(); ++k)
+    if (is_word(tokens[k - 1].text[0]) && tokens[k + 1].is("=")) set.insert(tokens[k].text);
   std::vector<std::string> out;
   for (const auto& [id, global] : module.globals) {
     if (!global.variable || module.type(global.instruction.type).storage != spv::StorageClassPrivate)
@@ -158,12 +201,13 @@ std::vector<std::string> free_directions(const Module& module, const Source& sou
     const spirv::Type& t = module.type(pointee(module, global.instruction.type));
     const auto meaning = meaning_of(name, t.kind == Kind::vector && t.count == 3);
     if (!meaning || meaning->kind == Meaning::Kind::white) continue;
-    if (!std::regex_search(text, std::regex("\\w\\s+" + name + "\\s*="))) out.push_back(name);
+    if (!set.contains(name)) out.push_back(name);
   }
   return out;
 }
 
-Chosen choose_entry(const Module& module, const Source& source, std::span<const LeftOut> left_out) {
+Chosen choose_entry(const Module& module, const Source& source, const Compiled& compiled) {
+  const std::vector<LeftOut>& left_out = compiled.left_out;
   const std::vector<const Function*> all = own_functions(module);
   const std::set<spirv::Id> called = called_by_others(module);
   const std::vector<std::string> free = free_directions(module, source);
@@ -195,8 +239,10 @@ Chosen choose_entry(const Module& module, const Source& source, std::span<const 
                        "() takes no directions and returns no reflectance" + kHelp);
     if (same.empty())
       throw InputError(source.name + ": has no function " + source.entry->name +
-                       (all.empty() ? "" : " (it has " + listed(module, all) + ")"));
-    return with_results(outermost(same, called));
+                       (all.empty() ? "" : " (it has " + listed(module, all) + ")") + asked_for(compiled));
+    std::string note;
+    const Function* const meant = meant_overload(module, source, same, called, free, note);
+    return with_results(meant, note);
   }
   const auto gives = [&](const Function* f) {
     const Results results = results_of(module, *f, source);
@@ -205,9 +251,14 @@ Chosen choose_entry(const Module& module, const Source& source, std::span<const 
   };
   require_compiled(left_out, [](const std::string& name) { return io::lower_case(name) == "brdf"; });
   const auto exact = named([&](const Function* f) {
-    return io::lower_case(f->name) == "brdf" && !results_of(module, *f, source).parts.empty();
+    const Results results = results_of(module, *f, source);
+    return io::lower_case(f->name) == "brdf" && (!results.parts.empty() || !results.several.empty());
   });
-  if (!exact.empty()) return with_results(outermost(exact, called));
+  if (!exact.empty()) {
+    std::string note;
+    const Function* const meant = meant_overload(module, source, exact, called, free, note);
+    return with_results(meant, note);
+  }
   // A factor of one is none, whatever it takes.
   const auto is_factor = [&](const Function* f) {
     const std::string name = io::lower_case(f->name);
@@ -238,7 +289,7 @@ Chosen choose_entry(const Module& module, const Source& source, std::span<const 
     std::erase_if(by_name, [&](const Function* f) { return !is_called_brdf(f->name); });
     if (by_name.size() == 1) likely = by_name;
   }
-  if (likely.size() == 1) require_whole(source, left_out, likely[0]->name);
+  if (likely.size() == 1) require_whole(left_out, likely[0]->name);
   if (likely.size() == 1)
     return with_results(likely[0], "the reflectance is " + signature(module, *likely[0]) +
                                        ", by its name and arguments; --entry NAME takes another");
@@ -248,10 +299,14 @@ Chosen choose_entry(const Module& module, const Source& source, std::span<const 
                      "a line `//: entry NAME`: " +
                      listed(module, likely));
   require_compiled(left_out, [](const std::string&) { return true; });
-  const bool has_main = without_comments(source.text).find("main") != std::string::npos;
+  const std::vector<Token> tokens = tokens_of(source.whole);
+  const bool has_main = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+    return t.is("brdf_own_main") || t.is("mainImage");
+  });
   std::string what = source.name + ": has ";
   what += has_main ? "main() and no function brdf of directions" : "no function brdf of directions";
-  throw InputError(what + kHelp + (all.empty() ? "" : "; the file has " + listed(module, all)));
+  throw InputError(what + kHelp + (all.empty() ? "" : "; the file has " + listed(module, all)) +
+                   asked_for(compiled));
 }
 
 }  // namespace brdf::shader

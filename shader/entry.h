@@ -1,11 +1,10 @@
 // Which of a file's functions is the reflectance.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
-#include "shader/front/glslang.h"
+#include "shader/front/compile.h"
 #include "shader/front/source.h"
 #include "shader/results.h"
 #include "shader/spirv/module.h"
@@ -19,10 +18,9 @@ struct Chosen {
 };
 
 // The one that `entry` names; else the only one called brdf or BRDF; else the only one that takes directions and that no other one
-// calls. Throws InputError that lists what there is.
-// `left_out`: functions that are not there because they do not compile.
-Chosen choose_entry(const spirv::Module& module, const Source& source,
-                    std::span<const LeftOut> left_out = {});
+// calls. Of several of one name the one whose arguments `entry` names, else the only one that no other one calls. Throws InputError that
+// lists what there is.
+Chosen choose_entry(const spirv::Module& module, const Source& source, const Compiled& compiled);
 
 // Global variables that are directions by their names and that the text declares without a value: what a file around this one would
 // set.

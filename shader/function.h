@@ -4,12 +4,14 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brdf/geometry.h"
 #include "brdf/parameter.h"
+#include "shader/choice.h"
 #include "shader/front/compile.h"
 #include "shader/front/roles.h"
 #include "shader/front/source.h"
@@ -59,6 +61,8 @@ struct Symmetry {
   std::uint32_t line =
       0;  // of the source, where the argument fails; 0: it does not fail, or the line is unknown
   std::vector<std::vector<Turning>> steps = {};  // of each step of each stretch; empty unless isotropic
+  // The result stays when both directions are reflected at the plane of the tangent, and at that of the bitangent.
+  bool reflects = false;
   // Operations from the coordinates to a closing step, at most. Rounding changes the closing sum by at most about that
   // many units of the sum of the absolute values of its terms.
   int depth = 0;
@@ -74,7 +78,12 @@ struct Function {
   std::size_t values = 0;  // of all parameters
   Returns returns = Returns::f;
   std::vector<std::string> notes;
-  bool oriented = false;  // reads the tangent
+  std::vector<std::string> unread;  // parameters that are declared and on which the value does not depend
+  std::vector<std::string>
+      asked_macros;                // that #if, #ifdef or #ifndef of the text ask for and that nothing defines
+  std::optional<double> constant;  // its value, where that depends on nothing that it is given
+  bool zero_where_asked = false;   // it is 0 at all of many places chosen at random (of a ShaderReflectance)
+  bool oriented = false;           // reads the tangent
   Symmetry symmetry, symmetry_as_meant;
 
   template <class T>
@@ -89,22 +98,24 @@ struct Function {
   const Symmetry& turning() const {
     return std::is_same_v<T, float> ? symmetry : symmetry_as_meant;
   }
-  // Nothing shows that the value stays when light and viewer turn together: light has to be turned, too.
-  bool may_turn() const { return !symmetry.mirrored || !symmetry_as_meant.mirrored; }
+  // Nothing shows that the value stays when light and viewer turn together: the light has to be turned, too.
+  bool may_turn() const { return !symmetry.isotropic || !symmetry_as_meant.isotropic; }
+  // Nothing shows that half of the azimuths stands for all: neither the sign of the azimuth between light and viewer nor
+  // both reflections of an anisotropic function.
+  bool all_round() const { return needs_all(symmetry) || needs_all(symmetry_as_meant); }
   std::vector<double> defaults() const;
+  static bool needs_all(const Symmetry& s) { return !s.reflects && !(s.isotropic && s.mirrored); }
   std::uint64_t number = 0;  // of this function, for caches: no two share one
 };
 
-// Compiles and flattens. `parameters` are --param's texts; `entry` and `returns` win over the file's where they are not empty.
-// Throws InputError.
-struct ShaderChoice {
-  std::string file;
-  std::vector<std::string> parameters = {};
-  std::string entry = {}, returns = {};
-};
+// Compiles and flattens. Throws InputError.
 Function make_function(const ShaderChoice& choice);
 Function make_function(Source source, const ShaderChoice& choice = {});
 Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler);
+
+// What is said of a function that is 0 or does not depend on all that the file declares, with the macros that may be the reason; empty:
+// nothing.
+std::string said_of_unread(const Function& function);
 
 // What an integer or a truth that is bound to a parameter of value v holds.
 inline std::uint32_t integer_of(const Binding& b, double v) {

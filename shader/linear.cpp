@@ -5,6 +5,7 @@
 
 #include "brdf/directions.h"
 #include "brdf/random.h"
+#include "io/numbers.h"
 
 namespace brdf::shader {
 namespace {
@@ -54,6 +55,15 @@ class Probe {
   }
   // With light and viewer exchanged.
   double exchanged() { return evaluate<double>(f_, runner_, values_, wo_, wi_, 0); }
+  // "light (0.1, 0, 0.995), viewer (...), a=0.3".
+  std::string place() const {
+    const auto words = [](const Vec3<double>& w) {
+      return "(" + io::short_number(w.x) + ", " + io::short_number(w.y) + ", " + io::short_number(w.z) + ")";
+    };
+    std::vector<std::string> out{"light " + words(wi_), "viewer " + words(wo_)};
+    for (const Parameter& p : f_.parameters) out.push_back(p.name + "=" + io::short_number(values_[p.first]));
+    return io::joined(out);
+  }
   double cos_i() const { return wi_.z; }
   double cos_o() const { return wo_.z; }
   double uniform() { return random_.uniform(); }
@@ -76,30 +86,54 @@ bool same(double a, double b, double scale) {
   return std::abs(a - b) <= kSame * scale;
 }
 
-// f(x) is a straight line in the parameter; `seen`: it changes with it somewhere.
-bool is_affine(const Function& f, std::size_t parameter, bool& seen) {
+// Looks at kProbes places where `look` finds values, which it says with true or false; nothing where it has none there. False once it says
+// so, or where there are too few such places.
+template <class Look>
+bool holds_at_places(const Function& f, Look&& look) {
+  constexpr int kMostTried = 10 * kProbes, kEnough = kProbes / 3;
   Probe probe(f);
-  seen = false;
-  for (int k = 0; k < kProbes; ++k) {
+  int seen = 0;
+  for (int k = 0; k < kMostTried && seen < kProbes; ++k) {
     probe.move();
-    double y[4];
-    for (int j = 0; j < 4; ++j) {
-      probe.set(parameter, j / 4.0);
-      y[j] = probe.value();
-    }
-    const double scale = std::max({std::abs(y[0]), std::abs(y[1]), std::abs(y[2]), std::abs(y[3])});
-    if (!std::isfinite(scale)) return false;
-    if (!same(y[2] - y[1], y[1] - y[0], scale) || !same(y[3] - y[2], y[2] - y[1], scale)) return false;
-    seen = seen || !same(y[3], y[0], scale);
+    const std::optional<bool> said = look(probe);
+    if (said && !*said) return false;
+    seen += said.has_value();
   }
-  return seen;
+  return seen >= kEnough;
+}
+
+// The largest size of the numbers; nothing where one of them is none or infinite.
+std::optional<double> scale_of(std::initializer_list<double> numbers) {
+  double scale = 0;
+  for (const double x : numbers) {
+    if (!std::isfinite(x)) return std::nullopt;
+    scale = std::max(scale, std::abs(x));
+  }
+  return scale;
+}
+
+// f(x) is a straight line in the parameter, and changes with it somewhere.
+bool is_affine(const Function& f, std::size_t parameter) {
+  bool changes = false;
+  return holds_at_places(f,
+                         [&](Probe& probe) -> std::optional<bool> {
+                           double y[4];
+                           for (int j = 0; j < 4; ++j) {
+                             probe.set(parameter, j / 4.0);
+                             y[j] = probe.value();
+                           }
+                           const auto scale = scale_of({y[0], y[1], y[2], y[3]});
+                           if (!scale) return std::nullopt;
+                           changes = changes || !same(y[3], y[0], *scale);
+                           return same(y[2] - y[1], y[1] - y[0], *scale) &&
+                                  same(y[3] - y[2], y[2] - y[1], *scale);
+                         }) &&
+         changes;
 }
 
 // No term holds both.
 bool is_separate(const Function& f, std::size_t a, std::size_t b) {
-  Probe probe(f);
-  for (int k = 0; k < kProbes; ++k) {
-    probe.move();
+  return holds_at_places(f, [&](Probe& probe) -> std::optional<bool> {
     double y[2][2];
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
@@ -107,29 +141,29 @@ bool is_separate(const Function& f, std::size_t a, std::size_t b) {
         probe.set(b, 0.3 + 0.6 * j);
         y[i][j] = probe.value();
       }
-    const double scale =
-        std::max({std::abs(y[0][0]), std::abs(y[0][1]), std::abs(y[1][0]), std::abs(y[1][1])});
-    if (!same(y[1][1] - y[1][0], y[0][1] - y[0][0], scale)) return false;
-  }
-  return true;
+    const auto scale = scale_of({y[0][0], y[0][1], y[1][0], y[1][1]});
+    if (!scale) return std::nullopt;
+    return same(y[1][1] - y[1][0], y[0][1] - y[0][0], *scale);
+  });
 }
 
 // Whether nothing is left where all weights but one are 0, and f0 does not matter there.
 bool vanishes(const Function& f, const Linear& linear, int but) {
-  Probe probe(f);
-  for (int k = 0; k < kProbes; ++k) {
-    probe.move();
+  return holds_at_places(f, [&](Probe& probe) -> std::optional<bool> {
     for (std::size_t j = 0; j < linear.weights.size(); ++j)
       if (int(j) != linear.f0) probe.set(linear.weights[j], int(j) == but ? 0.5 : 0);
-    if (but < 0 && probe.value() != 0) return false;
-    if (but >= 0 && linear.f0 >= 0) {
-      probe.set(linear.weights[std::size_t(linear.f0)], 0);
-      const double without = probe.value();
-      probe.set(linear.weights[std::size_t(linear.f0)], 1);
-      if (!same(probe.value(), without, std::abs(without))) return false;
+    if (but < 0) {
+      const double value = probe.value();
+      return std::isfinite(value) ? std::optional(value == 0) : std::nullopt;
     }
-  }
-  return true;
+    if (linear.f0 < 0) return true;
+    probe.set(linear.weights[std::size_t(linear.f0)], 0);
+    const double without = probe.value();
+    probe.set(linear.weights[std::size_t(linear.f0)], 1);
+    const double with = probe.value();
+    if (!scale_of({without, with})) return std::nullopt;
+    return same(with, without, std::abs(without));
+  });
 }
 
 // The others are separate from one another, and the f0 from all but one of them.
@@ -165,9 +199,8 @@ std::optional<Linear> linear_parameters(const Function& f) {
   std::vector<std::size_t> affine;
   for (std::size_t k = 0; k < f.parameters.size(); ++k) {
     const Parameter& p = f.parameters[k];
-    bool seen = false;
-    const bool is = !p.boolean && !p.whole && p.role != Role::width && p.role != Role::width_across &&
-                    is_affine(f, k, seen);
+    const bool is =
+        !p.boolean && !p.whole && p.role != Role::width && p.role != Role::width_across && is_affine(f, k);
     if (is)
       affine.push_back(k);
     else if (p.colour)
@@ -203,6 +236,30 @@ std::optional<Linear> linear_parameters(const Function& f) {
   return std::nullopt;
 }
 
+std::string said_of_holes(const Function& f) {
+  Probe probe(f);
+  int holes = 0;
+  std::string first;
+  for (int k = 0; k < kProbes; ++k) {
+    probe.move();
+    if (std::isfinite(probe.value())) continue;
+    if (++holes == 1) first = probe.place();
+  }
+  if (holes == 0) return "";
+  return "it has no finite value at " + std::to_string(holes) + " of " + std::to_string(kProbes) +
+         " places at which it was asked, as for " + first + "; whether it is linear is told from others";
+}
+
+bool is_zero_where_asked(const Function& f) {
+  Probe probe(f);
+  for (int k = 0; k < 2 * kProbes; ++k) {
+    probe.move();
+    for (const std::size_t c : {0, 1, 2})
+      if (probe.value(c) != 0) return false;
+  }
+  return true;
+}
+
 bool keeps_channels(const Function& f) {
   Probe probe(f);
   for (int k = 0; k < kProbes; ++k) {
@@ -217,17 +274,18 @@ bool keeps_channels(const Function& f) {
 
 bool holds_cosine(const Function& f) {
   constexpr double kReciprocal = 1e-6, kSeen = 1e-2;
-  Probe probe(f);
   bool seen = false;
-  for (int k = 0; k < kProbes; ++k) {
-    probe.move();
-    const double here = probe.value(), there = probe.exchanged(), i = probe.cos_i(), o = probe.cos_o();
-    if (!std::isfinite(here) || !std::isfinite(there)) return false;
-    const double size = std::max(std::abs(here / i), std::abs(there / o));
-    if (std::abs(here / i - there / o) > kReciprocal * size) return false;
-    seen = seen || std::abs(here - there) > kSeen * std::max(std::abs(here), std::abs(there));
-  }
-  return seen;
+  return holds_at_places(f,
+                         [&](Probe& probe) -> std::optional<bool> {
+                           const double here = probe.value(), there = probe.exchanged();
+                           const auto scale = scale_of({here, there});
+                           if (!scale) return std::nullopt;
+                           const double of_i = here / probe.cos_i(), of_o = there / probe.cos_o();
+                           seen = seen || std::abs(here - there) > kSeen * *scale;
+                           return std::abs(of_i - of_o) <=
+                                  kReciprocal * std::max(std::abs(of_i), std::abs(of_o));
+                         }) &&
+         seen;
 }
 
 bool same_in_all_channels(const Function& f) {

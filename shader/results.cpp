@@ -98,10 +98,63 @@ std::string last_of(const std::string& name) {
 constexpr std::array<std::string_view, 11> kOther{"indirect", "ambient", "transmi", "throughput",
                                                   "pdf",      "emissi",  "normal",  "weight",
                                                   "halfway",  "albedo",  "dir_"};
-constexpr std::array<std::string_view, 4> kLobes{"diffuse", "specular", "clearcoat", "sheen"};
+constexpr std::array<std::string_view, 8> kLobes{"diff", "spec",  "coat",       "sheen",
+                                                 "fuzz", "retro", "subsurface", "sss"};
+// What a number that belongs to a lobe may be besides its value.
+constexpr std::array<std::string_view, 13> kOfLobes{"rough", "power", "expon",  "occl",  "f90",
+                                                    "f0",    "ior",   "factor", "stren", "shin",
+                                                    "gloss", "level", "prob"};
 constexpr std::array<std::string_view, 14> kValues{"f",        "fr",          "brdf",     "bsdf",  "bxdf",
                                                    "result",   "value",       "response", "color", "colour",
                                                    "radiance", "reflectance", "eval",     "rgb"};
+
+std::vector<std::string> names_of(const std::vector<Leaf>& leaves) {
+  std::vector<std::string> out;
+  for (const Leaf& l : leaves) out.push_back(l.name);
+  return out;
+}
+
+bool is_lobe(const Leaf& l) {
+  return has_any(io::lower_case(l.name), kLobes);
+}
+bool is_value(const Leaf& l) {
+  return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
+}
+
+// Which of them are the reflectance: the only one there is, the one that its name tells, or all parts of it. What is no part by its name
+// stops it where the others are parts, and is said elsewhere.
+void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Results& out) {
+  const std::vector<std::string> all = names_of(leaves);
+  const auto keep = [&](auto&& is) {
+    std::vector<Leaf> kept;
+    std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(kept), is);
+    if (!kept.empty()) leaves = std::move(kept);
+  };
+  keep([](const Leaf& l) { return !has_any(io::lower_case(l.name), kOther); });
+  // A number beside colours is one of their parameters, unless it is a lobe by its name.
+  const bool colours =
+      std::any_of(leaves.begin(), leaves.end(), [](const Leaf& l) { return l.part.count == 3; });
+  if (colours)
+    keep([](const Leaf& l) {
+      return l.part.count == 3 || (is_lobe(l) && !has_any(io::lower_case(l.name), kOfLobes));
+    });
+  out.named =
+      std::any_of(leaves.begin(), leaves.end(), [](const Leaf& l) { return is_lobe(l) || is_value(l); });
+  const bool parts = std::any_of(leaves.begin(), leaves.end(), is_lobe);
+  if (leaves.size() > 1 && !parts) keep(is_value);
+  if (leaves.size() > 1 && !std::all_of(leaves.begin(), leaves.end(), is_lobe)) {
+    out.several = io::joined(names_of(leaves));
+    return;
+  }
+  for (const Leaf& l : leaves) out.parts.push_back(l.part);
+  const std::vector<std::string> names = names_of(leaves);
+  if (all.size() < 2 || names.empty()) return;
+  std::vector<std::string> others;
+  for (const std::string& name : all)
+    if (std::find(names.begin(), names.end(), name) == names.end()) others.push_back(name);
+  out.note = "the reflectance is " + io::joined(names, " + ") + " of what " + function + " gives" +
+             (others.empty() ? "" : ", without " + io::joined(others));
+}
 
 }  // namespace
 
@@ -109,13 +162,22 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
   Results out;
   std::vector<Leaf> leaves;
   const spirv::Type& returned = m.type(f.type);
-  const Written declared = declared_out(m, f, without_comments(source.text));
+  const Written declared = declared_out(m, f, source.whole);
   out.written = declared.all;
   out.accumulated = declared.accumulated;
   if (returned.kind != Kind::nothing) {
     add_leaves(m, f.type, "", -1, 0, leaves);
     if (returned.kind != Kind::structure && !leaves.empty()) {
       out.parts = {leaves[0].part};
+      std::vector<Leaf> beside;
+      for (const int k : out.written) {
+        const spirv::Id type = f.parameter_types[std::size_t(k)];
+        if (m.type(type).kind == Kind::pointer)
+          add_leaves(m, m.type(type).element, m.name(f.parameters[std::size_t(k)]), k, 0, beside);
+      }
+      std::erase_if(beside, [](const Leaf& l) { return !is_lobe(l) && !is_value(l); });
+      if (!beside.empty())
+        out.note = "the reflectance is what " + f.name + " returns, without " + io::joined(names_of(beside));
       return out;
     }
   }
@@ -127,33 +189,7 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
     for (const int k : out.written)
       add_leaves(m, m.type(f.parameter_types[std::size_t(k)]).element, m.name(f.parameters[std::size_t(k)]),
                  k, 0, leaves);
-  const auto keep = [&](auto&& is) {
-    std::vector<Leaf> kept;
-    std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(kept), is);
-    if (!kept.empty()) leaves = std::move(kept);
-  };
-  keep([](const Leaf& l) { return l.part.count == 3; });
-  const std::size_t all = leaves.size();
-  keep([](const Leaf& l) { return !has_any(io::lower_case(l.name), kOther); });
-  const auto is_lobe = [](const Leaf& l) { return has_any(io::lower_case(l.name), kLobes); };
-  const auto is_value = [](const Leaf& l) {
-    return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
-  };
-  out.named =
-      std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& l) { return is_lobe(l) || is_value(l); });
-  if (leaves.size() > 1 && std::any_of(leaves.begin(), leaves.end(), is_lobe))
-    keep(is_lobe);
-  else if (leaves.size() > 1)
-    keep(is_value);
-  std::vector<std::string> names;
-  for (const Leaf& l : leaves) names.push_back(l.name);
-  if (leaves.size() > 1 && !std::all_of(leaves.begin(), leaves.end(), is_lobe)) {
-    out.several = io::joined(names);
-    return out;
-  }
-  for (const Leaf& l : leaves) out.parts.push_back(l.part);
-  if (all > 1 && !names.empty())
-    out.note = "the reflectance is " + io::joined(names, " + ") + " of what " + f.name + " gives";
+  choose_leaves(std::move(leaves), f.name, out);
   return out;
 }
 

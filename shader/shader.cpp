@@ -5,7 +5,6 @@
 
 #include "io/error.h"
 #include "io/numbers.h"
-#include "io/shell.h"
 #include "io/text.h"
 #include "shader/glsl.h"
 #include "shader/linear.h"
@@ -112,6 +111,9 @@ void ShaderReflectance::find_tables() {
         "its value is reciprocal once it is divided by the cosine to the light: if it returns f times that "
         "cosine, say "
         "--returns 'f*cos_i' or `//: returns f*cos_i`");
+  function_.zero_where_asked = is_zero_where_asked(function_);
+  for (const std::string& note : {said_of_unread(function_), said_of_holes(function_)})
+    if (!note.empty()) function_.notes.push_back(note);
   if (!same_in_all_channels(function_)) channels_ = {"r", "g", "b"};
   for (const KnownViolation& v : function_.source.violations)
     violations_.push_back({v.check, v.statement, "", v.theta, 0});
@@ -125,7 +127,7 @@ void ShaderReflectance::find_tables() {
   info_.mixes_channels = lobes_.empty() && !weights_.empty();
   info_.differentiable = true;
   info_.outside = true;
-  info_.may_turn = function_.may_turn();
+  info_.all_round = !function_.symmetry.mirrored || !function_.symmetry_as_meant.mirrored;
   info_.has_glsl = glsl_obstacle(function_).empty();
 }
 
@@ -387,14 +389,6 @@ Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> se
 
 std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice) {
   return std::make_shared<const ShaderReflectance>(make_function(choice));
-}
-
-std::string command_words(const ShaderChoice& choice) {
-  std::string words = "--shader " + io::shell_file(choice.file);
-  for (const std::string& p : choice.parameters) words += " --param " + io::shell_word(p);
-  if (!choice.entry.empty()) words += " --entry " + io::shell_word(choice.entry);
-  if (!choice.returns.empty()) words += " --returns " + io::shell_word(choice.returns);
-  return words;
 }
 
 }  // namespace brdf::shader

@@ -74,7 +74,4 @@ class ShaderReflectance final : public ReflectanceModel {
 // The file as a reflectance. Throws InputError.
 std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice);
 
-// The words of a command line that say the same.
-std::string command_words(const ShaderChoice& choice);
-
 }  // namespace brdf::shader

@@ -12,7 +12,7 @@ namespace brdf::validate {
 namespace {
 
 constexpr double kExact = 1e-9;  // tolerance of the albedo that is told
-constexpr long kMostToCompare = 20000;
+constexpr long kMostToCompare = 100'000;
 // An albedo of exactly 1 may come out this much above; of code in float, whose constants are rounded to it, by more.
 constexpr double kSlack = 1e-9, kOutsideSlack = 1e-6;
 
@@ -151,7 +151,7 @@ class EnergySearch {
   }
   double azimuth(std::span<const double> point) const {
     const OutsideFacts* facts = subject_.outside_facts();
-    return turns_ ? kPi / 2 * point[parameters_ + 1] * (facts && facts->may_turn ? 4 : 1) : 0;
+    return turns_ ? kPi / 2 * point[parameters_ + 1] * (facts && facts->all_round ? 4 : 1) : 0;
   }
 
   WorstAlbedo albedo(std::span<const double> point, double tolerance, double lift = 1) {

@@ -141,7 +141,7 @@ std::optional<Jump> largest_jump(const Subject& subject, const CheckOptions& opt
       const std::vector<double> at = cover_point(drawn++, 4, options.seed);
       Arc arc{{}, int(drawn % 3)};
       arc.base.theta_i = kLargestTheta * at[0], arc.base.theta_o = kLargestTheta * at[1];
-      const bool all_round = subject.outside_facts() && subject.outside_facts()->may_turn;
+      const bool all_round = subject.outside_facts() && subject.outside_facts()->all_round;
       arc.base.phi_i = subject.anisotropic() ? (all_round ? 360 : 90) * at[2] : 0;
       arc.base.phi_o = arc.base.phi_i + (all_round ? 360 : 180) * at[3];
       if (auto jump = ArcSearch(m, arc, evaluations).run(largest ? largest->value : least))

@@ -52,7 +52,7 @@ std::size_t pair_dimensions(const Subject& subject) {
 Pair pair_of(const Subject& subject, std::span<const double> point) {
   const std::size_t p = subject.dimensions();
   const OutsideFacts* facts = subject.outside_facts();
-  const double turn = facts && facts->may_turn ? 2 : 1;
+  const double turn = facts && facts->all_round ? 2 : 1;
   const Pair pair =
       pair_at(point[p], point[p + 1], turn * point[p + 2], subject.anisotropic() ? turn * point[p + 3] : 0);
   return facts ? pair_at_angles(pair.theta_i, pair.phi_i, pair.theta_o, pair.phi_o) : pair;
@@ -63,15 +63,25 @@ double difference(double a, double b, double least) {
   return scale < kTiny ? 0 : std::abs(a - b) / std::max(scale, least);
 }
 
+std::size_t parameter_cover(const CheckOptions& options) {
+  return options.effort == Effort::full ? 48 : 12;
+}
+
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options) {
+  return worst_pair(subject, measure, options,
+                    parameter_points(subject.dimensions(), parameter_cover(options), options.seed));
+}
+
+Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options,
+                const std::vector<std::vector<double>>& parameters) {
   const bool full = options.effort == Effort::full;
   std::vector<std::vector<double>> grid;
   const std::vector<double> cosines{0, 0.05, 0.15, 0.3, 0.5, 0.75, 1};
-  for (const auto& parameters : parameter_points(subject.dimensions(), full ? 48 : 12, options.seed))
+  for (const auto& at : parameters)
     for (const double a : cosines)
       for (const double b : cosines)
         for (const double turn : {0.0, 0.2, 0.5, 0.8, 1.0}) {
-          std::vector<double> point = parameters;
+          std::vector<double> point = at;
           point.insert(point.end(), {a, b, turn});
           if (subject.anisotropic()) point.push_back(0.15);
           grid.push_back(std::move(point));

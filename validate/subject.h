@@ -16,9 +16,9 @@ namespace brdf::validate {
 struct OutsideFacts {
   std::string words;      // of a command line that says the same: "--shader FILE"
   bool oriented = false;  // reads the tangent, though it has no two widths
-  // Nothing shows that the value stays when light and viewer turn together, or when the azimuth between them changes
-  // its sign: searches go all the way round with both.
-  bool may_turn = true;
+  bool may_turn = true;   // nothing shows that the value stays when light and viewer turn together
+  // Nothing shows that half of the azimuths stands for all: searches go all the way round.
+  bool all_round = true;
   // Where in its source what a check found comes from, for one pair of directions; empty where that is not known.
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>

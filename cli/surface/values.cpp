@@ -62,6 +62,8 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--shader", Value::file},
     {"--param", Value::text},
     {"--entry", Value::text},
+    {"--define", Value::text},
+    {"--include-folder", Value::folder},
     {"--against", Value::form},
     {"--map", Value::text},
     {"--such-that", Value::text},

@@ -1,46 +1,101 @@
-// brdf_check CERTIFICATE: the check of `brdf prove --check` as a program of its own, which holds no search. Exit code 0: every
-// result holds; 1: one does not; 2: bad input.
+// brdf_check CERTIFICATE: the check of `brdf prove --check` as a program of its own, which holds no search.
 #include <cstring>
 #include <iostream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/error.h"
+#include "io/settings.h"
 #include "io/text.h"
-#include "prove/check/certificate.h"
+#include "prove/check/judge.h"
 
 namespace {
 
-constexpr const char* kUsage = "usage: brdf_check [--help | --version] CERTIFICATE\n";
+constexpr const char* kUsage =
+    "usage: brdf_check [--help | --version] [--require PROPERTIES] [--property PROPERTIES] [--form FORM] "
+    "CERTIFICATE\n";
 constexpr const char* kHelp =
     "\n"
     "Verifies a certificate of `brdf prove -o`: encloses every box again, and asks whether it settles what "
     "is claimed and whether\n"
-    "the boxes cover the whole domain. No search is in this program.\n"
+    "the boxes cover the whole domain; says of each result what its numbers show. No search is in this "
+    "program.\n"
     "\n"
-    "Exit code: 0 every result holds, 1 one does not, 2 bad input.\n"
-    "Example: brdf prove --all -o certificate.json; brdf_check certificate.json\n";
+    "  --require PROPERTIES   must be there and proved, of every form and channel that is asked about; "
+    "separated by commas\n"
+    "  --property PROPERTIES  the same, and nothing is said of others\n"
+    "  --form FORM            asks about this form (repeat it for more); default: all that is in it\n"
+    "\n"
+    "Exit code: 0 every result holds and is a proof, and all that is asked for is there; 1 else; 2 bad "
+    "input.\n"
+    "Example: brdf prove --form phong -o certificate.json; brdf_check --require energy certificate.json\n";
+
+struct Words {
+  std::vector<std::string> required, properties, forms;
+  std::string file;
+};
+
+void add_names(std::vector<std::string>& names, std::string_view text) {
+  std::vector<std::string_view> fields;
+  brdf::io::split(text, ',', fields);
+  names.insert(names.end(), fields.begin(), fields.end());
+}
+
+// Nothing where these are no words of the program.
+std::optional<Words> read(int argc, char** argv) {
+  Words words;
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (!word.starts_with("--")) {
+      if (!std::exchange(words.file, word).empty()) return std::nullopt;
+      continue;
+    }
+    const std::size_t equals = word.find('=');
+    const std::string_view name = word.substr(0, equals);
+    if (equals == word.npos && k + 1 == argc) return std::nullopt;
+    const std::string_view value = equals == word.npos ? argv[++k] : word.substr(equals + 1);
+    if (name == "--require")
+      add_names(words.required, value);
+    else if (name == "--property")
+      add_names(words.properties, value);
+    else if (name == "--form")
+      words.forms.emplace_back(value);
+    else
+      return std::nullopt;
+  }
+  if (words.file.empty()) return std::nullopt;
+  return words;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto asked = [&](const char* word) { return argc == 2 && std::strcmp(argv[1], word) == 0; };
-  if (asked("--help") || asked("-h")) {
+  const auto alone = [&](const char* word) { return argc == 2 && std::strcmp(argv[1], word) == 0; };
+  if (alone("--help") || alone("-h")) {
     std::cout << kUsage << kHelp;
     return 0;
   }
-  if (asked("--version")) {
+  if (alone("--version")) {
     std::cout << "brdf_check " BRDF_VERSION << '\n';
     return 0;
   }
-  if (argc != 2) {
+  const std::optional<Words> words = read(argc, argv);
+  if (!words) {
     std::cerr << kUsage;
     return 2;
   }
   try {
-    const brdf::prove::Checked checked = brdf::prove::check(brdf::io::read_content(argv[1]));
-    for (const std::string& fault : checked.faults) std::cout << brdf::io::printable(fault) << '\n';
-    std::cout << checked.results << " results, " << checked.leaves
-              << " leaves: " << (checked.faults.empty() ? "all hold" : "rejected") << '\n';
-    return checked.faults.empty() ? 0 : 1;
+    brdf::prove::Asked asked;
+    asked.required = brdf::prove::properties_named("--require", words->required);
+    asked.properties = brdf::prove::properties_named("--property", words->properties);
+    for (const std::string& form : words->forms)
+      asked.forms.emplace_back(brdf::io::require_form(form).info().name);
+    const brdf::prove::Judged judged = brdf::prove::judge(brdf::io::read_content(words->file), asked);
+    brdf::prove::print(std::cout, judged);
+    return judged.good ? 0 : 1;
   } catch (const brdf::InputError& error) {
     std::cerr << "brdf_check: " << brdf::io::printable(error.what()) << '\n';
     return 2;

@@ -9,12 +9,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <new>
+#include <optional>
 
 #include "io/error.h"
-#include "io/text.h"
 #include "shader/front/glslang.h"
+#include "shader/front/packed.h"
 
 namespace brdf::shader {
 namespace {
@@ -57,24 +60,33 @@ void write_all(int to, const char* bytes, std::size_t count) {
   }
 }
 
-// 'S' with the note, the functions left out and the words, or 'E' with the messages; texts end with 0, the last with an empty one.
-std::string answer_of(const Source& source) {
-  const Translated t = translate(source);
-  std::string answer(1, t.spirv.empty() ? 'E' : 'S');
-  answer += (t.spirv.empty() ? t.messages : t.note) + '\0';
+std::string answer_of(const Translated& t) {
+  std::string out;
+  put(out, t.spirv.empty() ? t.messages : "");
+  put(out, t.note);
+  std::vector<std::string> left_out;
   for (const LeftOut& f : t.left_out)
-    if (!t.spirv.empty() && !f.is_declaration) answer += f.name + '\0' + f.why + '\0';
-  answer += '\0';
-  return answer.append(reinterpret_cast<const char*>(t.spirv.data()), t.spirv.size() * sizeof t.spirv[0]);
+    if (!t.spirv.empty() && !f.is_declaration) left_out.insert(left_out.end(), {f.name, f.why, f.text});
+  for (const std::vector<std::string>& list : {left_out, t.missing, t.asked, t.unmentioned}) put(out, list);
+  put(out, t.whole);
+  put(out, std::string(reinterpret_cast<const char*>(t.spirv.data()), t.spirv.size() * sizeof t.spirv[0]));
+  return out;
 }
 
-[[noreturn]] void child(const Source& source, int to) {
+constexpr int kOutOfMemory = 3;  // exit codes of the process
+constexpr int kThrew = 4;
+
+// Runs until it ends the process. Whatever cannot be had ends it with the code that says so: the compiler handles no exceptions.
+template <class Work>
+[[noreturn]] void run_in_process(Work&& work) {
   limit_resources();
-  limit_time();
+  std::set_new_handler([] { _exit(kOutOfMemory); });
   try {
-    const std::string answer = answer_of(source);
-    write_all(to, answer.data(), answer.size());
-  } catch (...) {  // out of memory: an empty answer says so
+    work();
+  } catch (const std::bad_alloc&) {
+    _exit(kOutOfMemory);
+  } catch (...) {
+    _exit(kThrew);
   }
   _exit(0);
 }
@@ -99,41 +111,73 @@ bool read_until(int from, std::string& answer, std::size_t most) {
   return true;
 }
 
-// What the process wrote.
-Compiled compiled_of(const Source& source, const std::string& answer) {
-  std::size_t at = 1;
-  bool whole = !answer.empty();
-  const auto text = [&] {
-    const std::size_t stop = whole ? answer.find('\0', at) : answer.npos;
-    whole = stop != answer.npos;
-    const std::string out = whole ? answer.substr(at, stop - at) : "";
-    at = stop + 1;
-    return out;
-  };
-  Compiled out;
-  const std::string first = text();
-  while (whole) {
-    const std::string name = text();
-    if (name.empty()) break;
-    const std::string why = text();
-    out.left_out.push_back({name, why});
-  }
-  if (!whole)
+// How a process ended that did not answer.
+struct Ending {
+  enum class Kind { crashed, slow, large } kind = Kind::crashed;
+  std::string how = {};  // of a crash
+};
+
+Ending ending_of(int status, bool in_time) {
+  if (!in_time || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)) return {Ending::Kind::slow};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory) return {Ending::Kind::large};
+  if (WIFSIGNALED(status))
+    return {Ending::Kind::crashed,
+            "signal " + std::to_string(WTERMSIG(status)) + ", " + strsignal(WTERMSIG(status))};
+  return {Ending::Kind::crashed, "it gives no answer"};
+}
+
+[[noreturn]] void refuse(const Source& source, const Ending& ending) {
+  const std::string advice = "; leave out of the file what the reflectance does not need";
+  if (ending.kind == Ending::Kind::slow)
     throw InputError(source.name + ": the shader compiler needs more than " + std::to_string(kSeconds) +
-                     " s or 1 GiB for this text, or fails on it");
-  if (answer[0] == 'E') throw InputError(first);
-  out.spirv.resize((answer.size() - at) / sizeof(std::uint32_t));
-  std::memcpy(out.spirv.data(), answer.data() + at, out.spirv.size() * sizeof(std::uint32_t));
-  if (!first.empty()) out.notes.push_back(first);
+                     " s for this text: it is too slow" + advice);
+  if (ending.kind == Ending::Kind::large)
+    throw InputError(source.name +
+                     ": the shader compiler needs more than 1 GiB for this text: it is too large" + advice);
+  throw InputError(source.name + ": the shader compiler crashes on this text (" + ending.how + ")" + advice);
+}
+
+// What the process wrote; nothing where it did not write all of it.
+std::optional<Compiled> compiled_of(const std::string& answer) {
+  Taken taken(answer);
+  const std::string messages = taken.text(), note = taken.text();
+  Compiled out;
+  const std::vector<std::string> left_out = taken.list();
+  for (std::size_t k = 0; k + 2 < left_out.size(); k += 3)
+    out.left_out.push_back({left_out[k], left_out[k + 1], left_out[k + 2]});
+  out.missing = taken.list();
+  out.asked = taken.list();
+  out.unmentioned = taken.list();
+  out.whole = taken.text();
+  const std::string spirv = taken.text();
+  if (!taken.whole()) return std::nullopt;
+  if (!messages.empty()) throw InputError(messages);
+  out.spirv.resize(spirv.size() / sizeof(std::uint32_t));
+  std::memcpy(out.spirv.data(), spirv.data(), out.spirv.size() * sizeof(std::uint32_t));
+  if (!note.empty()) out.notes.push_back(note);
   return out;
 }
 
-// A number and as many bytes.
-void write_sized(int to, const std::string& bytes) {
-  const std::uint64_t size = bytes.size();
-  write_all(to, reinterpret_cast<const char*>(&size), sizeof size);
-  write_all(to, bytes.data(), bytes.size());
+// The text is tried with less and less information on places as long as that crashes the compiler. `attempt` gives the answer, or how
+// the process ended.
+template <class AttemptWith>
+Compiled compile_somehow(const Source& source, AttemptWith&& attempt) {
+  Ending first;
+  for (const Places places : {Places::scopes, Places::lines, Places::none}) {
+    std::string answer;
+    const Ending ending = attempt(places, answer);
+    if (std::optional<Compiled> compiled = compiled_of(answer)) {
+      if (places == Places::none)
+        compiled->notes.push_back(
+            "the shader compiler crashes where it is asked for the lines of this text, so none are named");
+      return *std::move(compiled);
+    }
+    if (places == Places::scopes) first = ending;
+    if (ending.kind != Ending::Kind::crashed) refuse(source, ending);
+  }
+  refuse(source, first);
 }
+
 bool read_sized(int from, std::string& bytes) {
   std::string head;
   std::uint64_t size = 0;
@@ -142,30 +186,47 @@ bool read_sized(int from, std::string& bytes) {
   bytes.clear();
   return size < kLargestAnswer && read_until(from, bytes, size) && bytes.size() == size;
 }
+void write_sized(int to, const std::string& bytes) {
+  std::string sized;
+  put(sized, bytes);
+  write_all(to, sized.data(), sized.size());
+}
+
+std::string question_of(const Source& source, Places places) {
+  std::string out;
+  const std::string kind{char(source.language), char(source.compute), char(places)};
+  for (const std::string& text : {source.name, source.folder.string(), kind, source.text, source.bare})
+    put(out, text);
+  put(out, source.defines);
+  put(out, source.include_folders);
+  return out;
+}
 
 // Until there is nothing more to compile.
-[[noreturn]] void serve(int from, int to) {
-  limit_resources();
-  Source source;
-  std::string folder, kind;
+void serve(int from, int to) {
+  std::string question;
   const auto waits = [&] {  // however long
     pollfd waiting{from, POLLIN, 0};
     while (poll(&waiting, 1, -1) < 0 && errno == EINTR) {
     }
-    return read_sized(from, source.name) && read_sized(from, folder) && read_sized(from, kind) &&
-           read_sized(from, source.text) && kind.size() == 2;
+    return read_sized(from, question);
   };
-  try {
-    while (waits()) {
-      source.folder = folder;
-      source.language = Language(kind[0]);
-      source.compute = kind[1] != 0;
-      limit_time();
-      write_sized(to, answer_of(source));
-    }
-  } catch (...) {
+  while (waits()) {
+    Taken taken(question);
+    Source source;
+    source.name = taken.text();
+    source.folder = taken.text();
+    const std::string kind = taken.text();
+    source.text = taken.text();
+    source.bare = taken.text();
+    source.defines = taken.list();
+    source.include_folders = taken.list();
+    if (!taken.whole() || kind.size() != 3) return;
+    source.language = Language(kind[0]);
+    source.compute = kind[1] != 0;
+    limit_time();
+    write_sized(to, answer_of(translate(source, Places(kind[2]))));
   }
-  _exit(0);
 }
 
 }  // namespace
@@ -182,7 +243,7 @@ void Compiler::start() {
   process_ = fork();
   if (process_ == 0) {
     close(there[1]), close(back[0]);
-    serve(there[0], back[1]);
+    run_in_process([&] { serve(there[0], back[1]); });
   }
   close(there[0]), close(back[1]);
   to_ = there[1], from_ = back[0];
@@ -192,55 +253,62 @@ void Compiler::start() {
   throw EnvironmentError("cannot start the shader compiler: " + std::string(std::strerror(errno)));
 }
 
-void Compiler::stop() {
-  if (process_ == 0) return;
+// How the process ended, if it had by itself.
+int Compiler::stop() {
+  if (process_ == 0) return 0;
   close(to_), close(from_);
-  kill(process_, SIGKILL);
+  kill(process_, SIGKILL);  // one that has ended keeps its status
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = 0;
+  return status;
 }
 
 Compiled Compiler::compile(const Source& source) {
-  if (process_ == 0) start();
-  // A process that has ended meanwhile must not end this one.
-  const auto ignored = signal(SIGPIPE, SIG_IGN);
-  for (const std::string& part : {source.name, source.folder.string(),
-                                  std::string{char(source.language), char(source.compute)}, source.text})
-    write_sized(to_, part);
-  signal(SIGPIPE, ignored);
-  std::string answer;
-  if (!read_sized(from_, answer)) {
+  return compile_somehow(source, [&](Places places, std::string& answer) {
+    if (process_ == 0) start();
+    // A process that has ended meanwhile must not end this one.
+    const auto ignored = signal(SIGPIPE, SIG_IGN);
+    write_sized(to_, question_of(source, places));
+    signal(SIGPIPE, ignored);
+    const auto begin = std::chrono::steady_clock::now();
+    if (read_sized(from_, answer)) return Ending{};
     answer.clear();
-    stop();
-  }
-  return compiled_of(source, answer);
+    const bool in_time = std::chrono::steady_clock::now() - begin < std::chrono::seconds(2 * kSeconds);
+    return ending_of(stop(), in_time);
+  });
 }
 
-Compiled compile(const Source& source) {
+Compiled compile(const Source& source, Translate by) {
   prepare_translation();
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-    throw EnvironmentError("cannot start the shader compiler: " + std::string(std::strerror(errno)));
-  const pid_t process = fork();
-  if (process < 0) {
-    close(ends[0]), close(ends[1]);
-    throw EnvironmentError("cannot start the shader compiler: " + std::string(std::strerror(errno)));
-  }
-  if (process == 0) {
+  return compile_somehow(source, [&](Places places, std::string& answer) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw EnvironmentError("cannot start the shader compiler: " + std::string(std::strerror(errno)));
+    const pid_t process = fork();
+    if (process < 0) {
+      close(ends[0]), close(ends[1]);
+      throw EnvironmentError("cannot start the shader compiler: " + std::string(std::strerror(errno)));
+    }
+    if (process == 0) {
+      close(ends[0]);
+      run_in_process([&] {
+        limit_time();
+        const std::string own = answer_of(by(source, places));
+        write_all(ends[1], own.data(), own.size());
+      });
+    }
+    close(ends[1]);
+    const bool in_time = read_until(ends[0], answer, kLargestAnswer);
     close(ends[0]);
-    child(source, ends[1]);
-  }
-  close(ends[1]);
-  std::string answer;
-  const bool ended = read_until(ends[0], answer, kLargestAnswer) && answer.size() < kLargestAnswer;
-  close(ends[0]);
-  if (!ended) kill(process, SIGKILL);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return compiled_of(source, ended ? answer : "");
+    if (!in_time) kill(process, SIGKILL);
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (!in_time) answer.clear();
+    return answer.size() < kLargestAnswer ? ending_of(status, in_time) : Ending{Ending::Kind::large};
+  });
 }
 
 }  // namespace brdf::shader

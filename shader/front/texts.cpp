@@ -5,6 +5,7 @@
 #include <set>
 
 #include "io/numbers.h"
+#include "io/text.h"
 #include "shader/front/definitions.h"
 #include "shader/front/usual.h"
 
@@ -23,13 +24,6 @@ const std::set<std::string>& builtins() {
       "frac",      "rsqrt",    "noise"};
   return names;
 }
-
-// Old spellings of what 4.50 calls otherwise, and names that a fragment shader has without declaring them.
-constexpr const char* kOldWords =
-    "#define varying in\n#define attribute in\n#define texture2D texture\n#define textureCube texture\n"
-    "#define texture2DLod textureLod\n#define textureCubeLod textureLod\n#define gl_FragColor "
-    "brdf_fragment_colour\n"
-    "vec4 brdf_fragment_colour;\n";
 
 // What only Vulkan's dialect lets a layout say; blanks in its place.
 std::string without_vulkan(const std::string& text) {
@@ -57,58 +51,75 @@ std::string without_vulkan(const std::string& text) {
 
 }  // namespace
 
-std::vector<Shadow> shadowed_builtins(const Source& source) {
+std::vector<Shadow> shadowed_builtins(const Files& files) {
   std::vector<Shadow> found;
-  for (const Definition& d : definitions_of(without_comments(source.text)))
-    if (builtins().contains(d.name) &&
-        std::none_of(found.begin(), found.end(), [&](const Shadow& s) { return s.name == d.name; }))
-      found.push_back({d.name, d.first_line});
+  for (const auto& [path, file] : files.all())
+    for (const Definition& d : definitions_of(file.bare))
+      if (builtins().contains(d.name) &&
+          std::none_of(found.begin(), found.end(), [&](const Shadow& s) { return s.name == d.name; }))
+        found.push_back({d.name, path.empty() ? "" : file.shown, d.first_line});
   return found;
 }
 
-std::vector<Attempt> attempts(const Source& source) {
-  const bool hlsl = source.language == Language::hlsl;
+std::string common_preamble(const Source& source) {
+  std::string out =
+      source.language == Language::hlsl ? "" : "#extension GL_GOOGLE_include_directive : enable\n";
+  for (const std::string& define : source.defines) {
+    const std::size_t equals = define.find('=');
+    out += "#define " + define.substr(0, equals) + " " +
+           (equals == define.npos ? "1" : define.substr(equals + 1)) + "\n";
+  }
+  return out + "#define main brdf_own_main\n";
+}
+
+std::vector<int> versions_of(const Source& source) {
+  if (source.language == Language::hlsl) return {500};
   std::vector<int> versions;
-  std::smatch match;
-  static const std::regex version(R"(#\s*version\s+(\d{3})(?!\s*es))");
-  const std::string text = without_comments(source.text);
-  if (!hlsl && text.find("version") != text.npos && std::regex_search(text, match, version)) {
-    const int number = std::stoi(match[1]);
-    if (number >= 330 && number <= 460) versions.push_back(number);
+  const std::vector<Token> tokens = tokens_of(source.bare, true);
+  for (std::size_t k = 0; k + 2 < tokens.size(); ++k) {
+    if (!tokens[k].is("#") || !tokens[k + 1].is("version") ||
+        (k + 3 < tokens.size() && tokens[k + 3].is("es")))
+      continue;
+    double number = 0;
+    if (io::parse_number(tokens[k + 2].text, number) && number >= 330 && number <= 460)
+      versions.push_back(int(number));
+    break;
   }
   for (const int number : {450, 330})
     if (std::find(versions.begin(), versions.end(), number) == versions.end()) versions.push_back(number);
-  if (hlsl) versions = {500};
+  return versions;
+}
+
+std::vector<Attempt> attempts(const Files& files, const Source& source, const std::string& whole) {
+  const std::vector<int> versions = versions_of(source);
   std::string renames, named;
-  for (const Shadow& s : shadowed_builtins(source)) {
+  for (const Shadow& s : shadowed_builtins(files)) {
     renames += "#define " + s.name + " brdf_own_" + s.name + "\n";
-    named += (named.empty() ? "line " : ", line ") + std::to_string(s.line) + ": " + s.name + "()";
+    named += std::string(named.empty() ? "" : ", ") + (s.file.empty() ? "line " : s.file + ":") +
+             std::to_string(s.line) + ": " + s.name + "()";
   }
-  const std::string own =
+  std::string note =
       named.empty() ? ""
                     : named + " shadows the built-in function of that name; here the file's own is called";
-  const std::string base = std::string("#define main brdf_own_main\n") + (hlsl ? "" : kOldWords);
-  std::vector<Attempt> out;
-  // What the file leaves to others, as usual; a file that it includes may have it.
-  const Usual known = usual_of(text, source.language);
-  if (!known.names.empty() && text.find("include") != text.npos)
-    for (const int v : versions) out.push_back({v, base + renames, own});
-  std::string note = own;
+  const std::string base = common_preamble(source);
+  const Usual known = usual_of(whole, source.language);
   if (!known.names.empty())
-    note += (own.empty() ? "" : "; ") + io::joined(known.names) +
+    note += (note.empty() ? "" : "; ") + io::joined(known.names) +
             (known.names.size() > 1 ? ", which the file does not define, are"
                                     : ", which the file does not define, is") +
             " taken as usual";
-  for (const int v : versions) out.push_back({v, base + renames + known.preamble, note, true});
+  std::vector<Attempt> out;
+  for (const int v : versions) out.push_back({v, base + renames + known.preamble, note});
   if (!renames.empty())
-    for (const int v : versions) out.push_back({v, base + known.preamble, note});
+    for (const int v : versions) out.push_back({v, base + known.preamble, note, true});
   return out;
 }
 
-std::string with_entry(const Source& source) {
-  if (source.language == Language::hlsl)
-    return source.text + "\nfloat4 brdf_main() : SV_Target { return float4(0.0, 0.0, 0.0, 0.0); }\n";
-  return without_vulkan(source.text) + "\n#undef main\nvoid main() {}\n";
+std::string with_entry(const std::string& text, Language language) {
+  if (language == Language::hlsl)
+    return text + "\nfloat4 brdf_main() : SV_Target { return float4(0.0, 0.0, 0.0, 0.0); }\n";
+  // The body is not empty, so that what globals begin with can be put there.
+  return without_vulkan(text) + "\n#undef main\nvoid main() { float brdf_nothing = 0.0; }\n";
 }
 
 }  // namespace brdf::shader

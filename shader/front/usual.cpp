@@ -61,46 +61,44 @@ constexpr Known kOfThePage[] = {{"iTime", "float", Of::glsl},
                                 {"iFrame", "int", Of::glsl},
                                 {"iTimeDelta", "float", Of::glsl}};
 
-// The text's words, and those of them that it defines: macros, constants, variables and functions.
+// Spellings of older GLSL, and names that a fragment shader has without declaring them.
+constexpr Known kOldWords[] = {
+    {"varying", " in", Of::glsl},
+    {"attribute", " in", Of::glsl},
+    {"texture2D", " texture", Of::glsl},
+    {"textureCube", " texture", Of::glsl},
+    {"texture2DLod", " textureLod", Of::glsl},
+    {"textureCubeLod", " textureLod", Of::glsl},
+    {"gl_FragColor", " brdf_fragment_colour\nvec4 brdf_fragment_colour;", Of::glsl}};
+
+// The text's words, and those of them that it defines: constants, variables and functions, which stand behind a type or before a value.
 struct Words {
   std::set<std::string_view> used = {}, defined = {};
 };
 
-// "float", "half3", "min16float3", "define": what stands before a name that is defined.
-bool declares(std::string_view word) {
-  while (!word.empty() && ((word.back() >= '0' && word.back() <= '9') || word.back() == 'x'))
-    word.remove_suffix(1);
-  for (const std::string_view end : {"define", "float", "half", "real", "vec", "mat", "int", "bool", "FLOAT"})
-    if (word.ends_with(end)) return true;
-  return false;
-}
-
 Words words_of(const std::string& text) {
   Words out;
-  std::string_view before;
-  for (std::size_t at = 0; at < text.size();) {
-    if (!is_word(text[at])) {
-      if (text[at] != ' ' && text[at] != '\n' && text[at] != '\t') before = {};
-      ++at;
-      continue;
-    }
-    const std::size_t begin = at;
-    while (at < text.size() && is_word(text[at])) ++at;
-    const auto word = std::string_view(text).substr(begin, at - begin);
-    out.used.insert(word);
-    const std::size_t next = text.find_first_not_of(" \n\t", at);
-    const bool is_set = next != text.npos && text[next] == '=' && text.compare(next, 2, "==") != 0;
-    if (declares(before) || is_set) out.defined.insert(word);
-    before = word;
+  const std::vector<Token> tokens = tokens_of(text);
+  const auto is = [&](std::size_t k, std::string_view word) {
+    return k < tokens.size() && tokens[k].is(word);
+  };
+  const auto types = [&](std::size_t k) {  // may stand before a name that it declares
+    return is_word(tokens[k].text[0]) && !tokens[k].is("return") && !tokens[k].is("case") &&
+           !tokens[k].is("else");
+  };
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    if (!is_word(tokens[k].text[0])) continue;
+    out.used.insert(tokens[k].text);
+    if ((k > 0 && types(k - 1)) || (is(k + 1, "=") && !is(k + 2, "="))) out.defined.insert(tokens[k].text);
   }
   return out;
 }
 
 }  // namespace
 
-Usual usual_of(const std::string& text, Language language) {
+Usual usual_of(const std::string& whole, Language language) {
   Usual out;
-  const Words words = words_of(text);
+  const Words words = words_of(whole);
   const auto wanted = [&](const Known& k) {
     const bool other = k.of == (language == Language::hlsl ? Of::glsl : Of::hlsl);
     return !other && words.used.contains(k.name) && !words.defined.contains(k.name);
@@ -110,6 +108,8 @@ Usual usual_of(const std::string& text, Language language) {
     out.preamble += std::string("#define ") + k.name + k.rest + "\n";
     out.names.push_back(k.name);
   }
+  for (const Known& k : kOldWords)
+    if (wanted(k)) out.preamble += std::string("#define ") + k.name + k.rest + "\n";
   for (const Known& k : kOfThePage)
     if (wanted(k)) out.preamble += std::string(k.rest) + " " + k.name + ";\n";
   return out;

@@ -12,7 +12,7 @@ constexpr std::size_t kMostWords = 1u << 22, kMostScalars = 1u << 14;
 
 class Parser {
  public:
-  explicit Parser(std::span<const std::uint32_t> words) : words_(words) {}
+  Parser(std::span<const std::uint32_t> words, const std::string& own) : words_(words), own_(own) {}
 
   Module run() {
     if (words_.size() < 5 || words_.size() > kMostWords || words_[0] != spv::MagicNumber)
@@ -57,8 +57,11 @@ class Parser {
         word(w, 1);
         module_.member_names[w[0]][w[1]] = text(w, 2);
         return;
+      case spv::OpString:
+        files_[word(w, 0)] = text(w, 1);
+        return;
       case spv::OpLine:
-        line_ = word(w, 1);
+        line_ = is_own(word(w, 0)) ? word(w, 1) : 0;
         return;
       case spv::OpNoLine:
         line_ = 0;
@@ -82,13 +85,21 @@ class Parser {
       global(code, w);
   }
 
-  // DebugLine says where the next instructions stand, by a constant's id.
+  // Whether that string is the file whose lines are told.
+  bool is_own(Id file) const {
+    const auto found = files_.find(file);
+    return own_.empty() || found == files_.end() || found->second.empty() || found->second == own_;
+  }
+
+  // DebugLine says where the next instructions stand, by a constant's id, in a file that DebugSource says.
   void debug(Words w) {
-    constexpr std::uint32_t kDebugLine = 103;
+    constexpr std::uint32_t kDebugSource = 35, kDebugLine = 103;
+    if (word(w, 3) == kDebugSource) sources_[w[1]] = word(w, 4);
     if (word(w, 3) != kDebugLine) return;
     const auto line = module_.globals.find(word(w, 5));
-    if (line != module_.globals.end() && !line->second.instruction.words.empty())
-      line_ = line->second.instruction.words[0];
+    if (line == module_.globals.end() || line->second.instruction.words.empty()) return;
+    const auto source = sources_.find(w[4]);
+    line_ = source == sources_.end() || is_own(source->second) ? line->second.instruction.words[0] : 0;
   }
 
   static bool is_type(std::uint32_t code) { return code >= spv::OpTypeVoid && code <= spv::OpTypeFunction; }
@@ -214,6 +225,9 @@ class Parser {
   }
 
   Words words_;
+  const std::string& own_;
+  std::map<Id, std::string> files_;
+  std::map<Id, Id> sources_;  // their files
   Module module_;
   Function* function_ = nullptr;
   std::uint32_t line_ = 0;
@@ -283,8 +297,8 @@ std::string Module::spelled(Id id) const {
   }
 }
 
-Module parse(std::span<const std::uint32_t> words) {
-  return Parser(words).run();
+Module parse(std::span<const std::uint32_t> words, const std::string& own) {
+  return Parser(words, own).run();
 }
 
 }  // namespace brdf::shader::spirv

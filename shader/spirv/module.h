@@ -77,7 +77,8 @@ struct Module {
   std::string spelled(Id type) const;
 };
 
-// Throws InputError where it is no module, or one of which something is left open.
-Module parse(std::span<const std::uint32_t> words);
+// Lines are those of the file `own`: what stands in another one has none, nor has it a line where `own` is not given and the module says
+// nothing. Throws InputError where it is no module, or one of which something is left open.
+Module parse(std::span<const std::uint32_t> words, const std::string& own = "");
 
 }  // namespace brdf::shader::spirv

@@ -1,6 +1,6 @@
 // Planned work: plans and units with keys and hashes that fit, so that what is inside is looked at.
+#include "io/digest.h"
 #include "io/json.h"
-#include "maps/digest.h"
 #include "maps/job.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -14,7 +14,7 @@ const Registered plans("plan", [](std::string_view input) {
   if (given.is_object()) {
     given.erase("key");
     given["brdf_version"] = io::provenance().version;
-    given["key"] = maps::sha256(io::to_line(given));
+    given["key"] = io::sha256(io::to_line(given));
   }
   const maps::Plan plan = maps::read_plan(folder_with("job", "plan.json", io::to_text(given)));
   const std::vector<texel::Region> units = plan.units();
@@ -31,8 +31,8 @@ const Registered plans("plan", [](std::string_view input) {
 const Registered units("unit", [](std::string_view input) {
   maps::Plan plan;
   plan.width = plan.height = plan.unit_width = plan.unit_height = 1;
-  plan.key = maps::sha256("plan");
-  const std::string head = "brdf-unit 1 " + plan.key + " 0 " + maps::sha256(input) + "\n";
+  plan.key = io::sha256("plan");
+  const std::string head = "brdf-unit 1 " + plan.key + " 0 " + io::sha256(input) + "\n";
   const fs::path job = folder_with("job", "units/000/00000.unit", head + std::string(input));
   const auto files = maps::read_unit(job, plan, 0);
   require((maps::state_of(job, plan, 0) == maps::UnitState::done) == files.has_value(),

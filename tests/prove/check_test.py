@@ -31,8 +31,18 @@ with tempfile.TemporaryDirectory() as folder:
         numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", said)]
         assert any(abs(n - w["value"]) <= 1e-9 * abs(w["value"]) for n in numbers), (w, said)
 
-    assert run(checker, "c.json", cwd=folder).returncode == 0
-    assert run(brdf, "prove", "--check", "c.json", cwd=folder).returncode == 0
+    # Both programs judge alike: what is refuted is no proof, and what is asked for must be there.
+    for asked, code in (([], 1), (["--require", "energy"], 1), (["--property", "finite,reciprocity"], 0),
+                        (["--property", "finite", "--require", "reciprocity"], 0), (["--property", "rounding", "--form", "oren_nayar"], 0),
+                        (["--property", "finite", "--form", "lambert"], 1), (["--property", "beauty"], 2), (["--form", "beauty"], 2)):
+        told = [run(*words, "c.json", *asked, cwd=folder) for words in ([checker], [brdf, "prove", "--check"])]
+        assert [done.returncode for done in told] == [code, code], (asked, told)
+        assert told[0].stdout == told[1].stdout, asked
+    told = run(checker, "--require=energy", "c.json", cwd=folder).stdout
+    assert "energy of oren_nayar: refuted, not proved: the albedo is 1.01518" in told, told
+    for words in (["-o", "x.json"], ["--seconds", "3"], ["--gap", "1e-4"], ["--shader", "x.glsl"]):
+        done = run(brdf, "prove", "--check", "c.json", *words, cwd=folder)
+        assert done.returncode == 2 and "has no effect beside --check" in done.stderr, (words, done)
     text = pathlib.Path(folder, "c.json").read_text()
     pathlib.Path(folder, "changed.json").write_text(re.sub(r"0\.3(\d)", lambda m: f"0.3{9 - int(m[1])}", text, count=1))
     assert pathlib.Path(folder, "changed.json").read_text() != text
@@ -44,7 +54,7 @@ with tempfile.TemporaryDirectory() as folder:
 done = run(checker, "--help")
 assert done.returncode == 0 and done.stdout.startswith("usage: brdf_check") and "Example:" in done.stdout, done.stdout
 assert re.fullmatch(r"brdf_check \d+\.\d+\.\d+\n", run(checker, "--version").stdout)
-for words in ([], ["--beauty"], ["a", "b"]):
+for words in ([], ["--beauty"], ["a", "b"], ["a", "--require"]):
     assert run(checker, *words).returncode == 2, words
 
 assert run(brdf, "prove", "--form", "ward", "--property", "finite", "--require", "reciprocity").returncode == 0
@@ -57,7 +67,21 @@ with tempfile.TemporaryDirectory() as folder:
     said = json.loads(done.stdout)["results"]
     assert [r["verdict"] for r in said] == ["proved", "refuted"] and [r["channel"] for r in said] == ["r", "g"]
     assert all(abs(r["high"] - v) < 1e-3 and r["low"] <= v <= r["high"] + 1e-15 for r, v in zip(said, (0.25, 2)))
-    assert "-o" in run(brdf, "prove", white, "-o", "c.json", cwd=folder).stderr and run(brdf, "prove", white, "-o", "c.json", cwd=folder).returncode == 2
+    # Its certificate says the same of each channel, and is of no other material.
+    assert run(brdf, "prove", white, "-o", "c.json", cwd=folder).returncode == 1
+    told = run(checker, "c.json", "--require", "energy", cwd=folder)
+    assert told.returncode == 1 and "energy of " in told.stdout and " g: refuted, not proved" in told.stdout and " r: " not in told.stdout, told.stdout
+    assert run(brdf, "prove", "--check", "c.json", white, "--property", "finite,non_negative,reciprocity", cwd=folder).returncode == 0
+    grey = pathlib.Path(folder, "grey.json")
+    grey.write_text(white.read_text().replace("0.25", "0.26"))
+    told = run(brdf, "prove", "--check", "c.json", grey, "--property", "finite", cwd=folder)
+    assert told.returncode == 1 and "is of no material with these parameters" in told.stdout, told.stdout
+    assert run(brdf, "prove", white, "-o", white).returncode == 2
+    nothing = run(brdf, "prove", "--form", "ward", "--property", "rounding", "--seconds", "1e-9", "-o", "n.json", cwd=folder)
+    assert nothing.returncode == 0, nothing.stderr
+    pathlib.Path(folder, "empty.json").write_text('{"format":"brdf-proof","version":1,"seal":"a301b20c69a2aea0","results":[]}')
+    told = run(checker, "empty.json", cwd=folder)
+    assert told.returncode == 1 and "holds no result: it shows nothing" in told.stdout, told.stdout
 # A shader's proofs: sound, and with a fault whose witness its command repeats. Exit code 3: this build has no compiler of shaders.
 with tempfile.TemporaryDirectory() as folder:
     sound = pathlib.Path(folder, "sound.glsl")
@@ -89,6 +113,6 @@ said = json.loads(run(brdf, "validate", *forms, "--json").stdout)["findings"]
 proof = {(f["subject"], f["check"]): f.get("proof") for f in said}
 for (form, check), verdict in expected.items():
     assert proof[form, check] == verdict, (form, check, proof[form, check])
-for words in (["--form", "ward", "--property", "beauty"], ["--all", "--check", "x"], [], ["--form", "ward", "--seconds", "0"]):
+for words in (["--form", "ward", "--property", "beauty"], [], ["--form", "ward", "--seconds", "0"]):
     assert run(brdf, "prove", *words).returncode == 2, words
 print("certificates, witnesses and exit codes hold")

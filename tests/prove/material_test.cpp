@@ -7,10 +7,10 @@
 #include "brdf/integrals.h"
 #include "brdf/quadrature.h"
 #include "brdf/targets.h"
+#include "prove/check/sum_of_albedos.h"
 #include "prove/proof.h"
 #include "prove/scalar/energy.h"
 #include "prove/scalar/lemmas.h"
-#include "prove/sum_of_albedos.h"
 
 namespace brdf::prove {
 namespace {

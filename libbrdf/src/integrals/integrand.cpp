@@ -123,7 +123,7 @@ void Integrand::look() {
     *width = std::max(*width, kLeastWidth);  // a table may allow 0
   features_.root_at_horizon = measured_root();
   features_.oriented =
-      f.may_turn || (f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation());
+      f.all_round || (f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation());
   features_.mirror_lobe = f.kink == Kink::mirror_edge;
   // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
   features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;

@@ -1,6 +1,8 @@
-#include "prove/sum_of_albedos.h"
+#include "prove/check/sum_of_albedos.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "prove/scalar/interval.h"
 
@@ -43,19 +45,19 @@ Views stretched(const Views& views, const std::array<double, 2>& by) {
 
 }  // namespace
 
-bool is_of_catalogue(const Channel& c) {
-  return catalogue_index(c.term.form) >= 0;
-}
-
 SumOfAlbedos::SumOfAlbedos(const Channels& terms) {
   std::array<double, 2> narrowest{1, 1};
+  Angle tangent{};  // of the terms that turn
   for (const Channel& c : terms) {
     const EnergyMethod* method = is_of_catalogue(c) ? albedo_method(catalogue_index(c.term.form)) : nullptr;
     known_ = known_ && method != nullptr;
     if (!known_) return;
     Part p{method, points(c.shape()), points(c.weights())};
     if (method->stretch != nullptr) p.stretch = method->stretch(p.shape);
-    turns_ = turns_ || p.stretch[0] != p.stretch[1];
+    const bool turns = p.stretch[0] != p.stretch[1];
+    known_ = known_ && !(turns && turns_ && c.term.tangent_phi != tangent);
+    if (turns) tangent = c.term.tangent_phi;
+    turns_ = turns_ || turns;
     if (p.stretch[0] * p.stretch[1] < narrowest[0] * narrowest[1]) narrowest = p.stretch;
     parts_.push_back(std::move(p));
   }
@@ -75,6 +77,22 @@ AlbedoBounds SumOfAlbedos::operator()(const Views& views, double accuracy) const
   }
   all.value = {sum.lo, sum.hi};
   return all;
+}
+
+Bounds SumOfAlbedos::within_range(Bounds b) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  return {std::clamp(b.lo, -kMost, kMost), std::isnan(b.hi) ? kMost : std::clamp(b.hi, -kMost, kMost)};
+}
+
+Domain SumOfAlbedos::domain() const {
+  Domain views;
+  views.variables.push_back({"turn_from_normal", 0, 1, Variable::Cut::middle});
+  if (turns_) views.variables.push_back({"turn_from_first_axis", 0, 1, Variable::Cut::middle});
+  return views;
+}
+
+Views SumOfAlbedos::views_of(std::span<const Bounds> box) {
+  return {box[0], box.size() > 1 ? box[1] : Bounds{0, 0}};
 }
 
 }  // namespace brdf::prove

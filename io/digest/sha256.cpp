@@ -1,4 +1,4 @@
-#include "maps/digest.h"
+#include "io/digest.h"
 
 #include <openssl/evp.h>
 
@@ -13,7 +13,7 @@
 #include "io/content.h"
 #include "io/error.h"
 
-namespace brdf::maps {
+namespace brdf::io {
 namespace {
 
 class Digest {
@@ -53,13 +53,13 @@ std::string sha256(std::string_view bytes) {
 
 std::string sha256_of_file(const std::filesystem::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rbe"), &std::fclose);
-  if (!in) io::cannot_be_read(file.string(), errno);
+  if (!in) cannot_be_read(file.string(), errno);
   Digest digest;
   std::vector<char> block(std::size_t{1} << 20);
   while (const std::size_t read = std::fread(block.data(), 1, block.size(), in.get()))
     digest.add({block.data(), read});
-  if (std::ferror(in.get())) io::cannot_be_read(file.string(), errno);
+  if (std::ferror(in.get())) cannot_be_read(file.string(), errno);
   return digest.digits();
 }
 
-}  // namespace brdf::maps
+}  // namespace brdf::io

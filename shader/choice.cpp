@@ -1,0 +1,55 @@
+#include "shader/choice.h"
+
+#include <algorithm>
+
+#include "io/error.h"
+#include "io/shell.h"
+#include "io/text.h"
+#include "shader/front/definitions.h"
+
+namespace brdf::shader {
+namespace {
+
+// "NAME", "NAME=" and "NAME=VALUE" as "NAME=VALUE".
+std::string parse_define(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  if (name.empty() || !std::all_of(name.begin(), name.end(), is_word) || (name[0] >= '0' && name[0] <= '9') ||
+      name == "defined" || text.find_first_of("\n\r") != text.npos)
+    throw InputError("--define " + io::shown(text) +
+                     ": must be NAME, NAME= or NAME=VALUE, with a name of a macro");
+  return equals == text.npos ? text + "=1" : text;
+}
+
+}  // namespace
+
+void choose(Source& source, const ShaderChoice& choice) {
+  if (!choice.entry.empty()) source.entry = parse_entry(choice.entry);
+  if (!choice.returns.empty()) source.returns = parse_returns(choice.returns);
+  for (const std::string& text : choice.parameters) source.parameters.push_back(parse_parameter(text));
+  for (const std::string& text : choice.defines) {
+    const std::string define = parse_define(text), name = define.substr(0, define.find('=') + 1);
+    for (const std::string& before : source.defines)
+      if (before.starts_with(name) && before != define)
+        throw InputError("--define " + io::shown(text) + ": another one says " + io::shown(before));
+    source.defines.push_back(define);
+  }
+  for (const std::string& folder : choice.include_folders) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+      throw InputError("-I " + io::shown(folder) + ": is no folder");
+    source.include_folders.push_back(std::filesystem::absolute(folder).string());
+  }
+}
+
+std::string command_words(const ShaderChoice& choice) {
+  std::string words = "--shader " + io::shell_file(choice.file);
+  for (const std::string& p : choice.parameters) words += " --param " + io::shell_word(p);
+  if (!choice.entry.empty()) words += " --entry " + io::shell_word(choice.entry);
+  if (!choice.returns.empty()) words += " --returns " + io::shell_word(choice.returns);
+  for (const std::string& d : choice.defines) words += " --define " + io::shell_word(d);
+  for (const std::string& folder : choice.include_folders) words += " -I " + io::shell_file(folder);
+  return words;
+}
+
+}  // namespace brdf::shader

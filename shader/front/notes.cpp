@@ -1,0 +1,177 @@
+#include "shader/front/notes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/text.h"
+#include "shader/front/definitions.h"
+
+namespace brdf::shader {
+namespace {
+
+double number_of(std::string_view word, const std::string& where) {
+  double value;
+  if (!io::parse_number(word, value) || !std::isfinite(value))
+    throw InputError(where + io::shown(word) + " is not a finite number");
+  return value;
+}
+
+std::optional<Role> role_of(std::string_view word) {
+  return find_named<Role>(std::string(word));
+}
+
+// Words after a parameter's name: numbers, then "log" and "role ROLE".
+struct Words {
+  std::vector<double> numbers;
+  bool log_scale = false;
+  Role role = Role::other;
+};
+Words read_words(std::span<const std::string_view> words, const std::string& where) {
+  Words out;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] == "log") {
+      out.log_scale = true;
+    } else if (words[k] == "role") {
+      const auto role = k + 1 < words.size() ? role_of(words[k + 1]) : std::nullopt;
+      if (!role) throw InputError(where + "role must be one of " + known_names<Role>());
+      out.role = *role;
+      ++k;
+    } else {
+      out.numbers.push_back(number_of(words[k], where));
+    }
+  }
+  return out;
+}
+
+void check(const Declared& p, const std::string& where) {
+  if (p.min && p.max && !(*p.min <= *p.max))
+    throw InputError(where + p.name + ": its least value is above its largest");
+  for (const double value : p.initial)
+    if ((p.min && value < *p.min) || (p.max && value > *p.max))
+      throw InputError(where + p.name + ": its default is out of its range");
+  if (p.log_scale && p.max && !(*p.max > 0))
+    throw InputError(where + p.name + ": a log scale needs values above 0");
+}
+
+// "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
+KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line,
+                              const std::string& where) {
+  if (words.empty()) throw InputError(where + "violates what? The name of a check, as energy or reciprocity");
+  KnownViolation v{std::string(words[0]), "", 0, line};
+  words = words.subspan(1);
+  if (words.size() > 1 && words[0] == "at") {
+    v.theta = number_of(words[1], where);
+    words = words.subspan(2);
+  }
+  for (const std::string_view word : words)
+    v.statement += (v.statement.empty() ? "" : " ") + std::string(word);
+  return v;
+}
+
+}  // namespace
+
+// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", the last two also as
+// "param NAME bool 0|1" and "param NAME color r g b", and BRDF Explorer's "float NAME MIN MAX DEFAULT".
+Declared read_declared(std::string_view kind, std::span<const std::string_view> words, std::uint32_t line,
+                       const std::string& where) {
+  if (words.empty()) throw InputError(where + "the parameter's name is missing");
+  if (kind == "param" && words.size() > 1 && (words[1] == "color" || words[1] == "bool")) {
+    std::vector<std::string_view> rest(words.begin(), words.end());
+    rest.erase(rest.begin() + 1);
+    return read_declared(words[1], rest, line, where);
+  }
+  const Words w = read_words(words.subspan(1), where);
+  Declared p{std::string(words[0])};
+  p.line = line;
+  p.log_scale = w.log_scale;
+  p.role = w.role;
+  const std::size_t count = w.numbers.size();
+  if (kind == "bool") {
+    if (count > 1) throw InputError(where + "a bool has one default, 0 or 1");
+    p.min = 0, p.max = 1;
+    p.boolean = true;
+    p.initial = {count == 1 && w.numbers[0] != 0 ? 1.0 : 0.0};
+  } else if (kind == "color") {
+    if (count != 3 && count != 1) throw InputError(where + "a color has three numbers");
+    p.min = 0, p.max = std::max(1.0, *std::max_element(w.numbers.begin(), w.numbers.end()));
+    p.initial = w.numbers;
+  } else {
+    if (count != 2 && count != 3) throw InputError(where + "must be NAME MIN MAX DEFAULT [log]");
+    p.min = w.numbers[0], p.max = w.numbers[1];
+    if (count == 3) p.initial = {w.numbers[2]};
+  }
+  check(p, where);
+  return p;
+}
+
+// A line that begins with //: says something to this program.
+void read_note(Source& source, std::string_view line, std::uint32_t number) {
+  const std::string where = source.name + ":" + std::to_string(number) + ": ";
+  std::vector<std::string_view> words;
+  io::split_blanks(io::trimmed(line), words);
+  if (words.empty()) return;
+  const std::string rest(io::trimmed(io::trimmed(line).substr(words[0].size())));
+  if (words[0] == "param" || words[0] == "bool" || words[0] == "color")
+    source.parameters.push_back(
+        read_declared(words[0], std::span<const std::string_view>(words).subspan(1), number, where));
+  else if (words[0] == "entry")
+    source.entry = parse_entry(rest);
+  else if (words[0] == "returns")
+    source.returns = parse_returns(rest);
+  else if (words[0] == "violates")
+    source.violations.push_back(
+        read_violation(std::span<const std::string_view>(words).subspan(1), number, where));
+  else
+    throw InputError(where + "//: " + std::string(words[0]) +
+                     ": must be param, bool, color, entry, returns or violates");
+}
+
+Declared parse_parameter(const std::string& text) {
+  const std::string where = "--param '" + text + "': ";
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || equals == 0)
+    throw InputError(where + "must be NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, with :log for a log scale");
+  std::vector<std::string_view> fields;
+  io::split(std::string_view(text).substr(equals + 1), ':', fields);
+  Declared p{std::string(io::trimmed(std::string_view(text).substr(0, equals)))};
+  if (!fields.empty() && fields.back() == "log") {
+    p.log_scale = true;
+    fields.pop_back();
+  }
+  if (fields.size() < 2 || fields.size() > 3)
+    throw InputError(where + "must be NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, with :log for a log scale");
+  p.min = number_of(fields[0], where), p.max = number_of(fields[1], where);
+  if (fields.size() == 3) p.initial = {number_of(fields[2], where)};
+  check(p, where);
+  return p;
+}
+
+EntryLine parse_entry(const std::string& text) {
+  EntryLine entry{std::string(io::trimmed(text))};
+  const std::size_t open = text.find('(');
+  if (open != text.npos) {
+    const std::size_t close = text.find(')', open);
+    if (close == text.npos) throw InputError("entry '" + text + "': must be NAME or NAME(L, V, N, ...)");
+    entry.name = io::trimmed(std::string_view(text).substr(0, open));
+    std::vector<std::string_view> fields;
+    io::split(std::string_view(text).substr(open + 1, close - open - 1), ',', fields);
+    entry.arguments.emplace();
+    for (const std::string_view field : fields)
+      if (!field.empty()) entry.arguments->emplace_back(field.substr(field.find_last_of(" \t") + 1));
+  }
+  if (entry.name.empty() || !std::all_of(entry.name.begin(), entry.name.end(), is_word))
+    throw InputError("entry '" + text + "': must be NAME or NAME(L, V, N, ...)");
+  return entry;
+}
+
+Returns parse_returns(const std::string& text) {
+  std::string word;
+  for (const char c : text)
+    if (c != ' ') word += c;
+  const auto found = find_named<Returns>(word);
+  if (!found) throw InputError("returns '" + text + "': must be one of " + known_names<Returns>());
+  return *found;
+}
+
+}  // namespace brdf::shader
