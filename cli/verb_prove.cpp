@@ -15,6 +15,7 @@
 #include "prove/check/judge.h"
 #include "prove/report.h"
 #ifdef BRDF_HAS_PROVE_SHADER
+#include "prove/shader/self_test.h"
 #include "prove/shader/shader_proof.h"
 #endif
 
@@ -27,8 +28,21 @@ struct ProveCall {
   std::optional<double> seconds;
   double gap = prove::Options().gap;
   std::string output, check;
+  bool self_test = false;
+  std::uint64_t seed = 1;
   ShaderOptions shader;
 };
+
+// The self-test makes its own shaders.
+void refuse_beside_self_test(const CLI::App& verb) {
+  if (verb.count("--seed") > 0 && verb.count("--self-test") == 0)
+    throw InputError("--seed: goes with --self-test");
+  if (verb.count("--self-test") == 0) return;
+  for (const char* other : {"--output", "--check", "--gap", "--shader", "--param", "--entry", "--returns",
+                            "--define", "-I", "--form", "--all", "--property", "--require", "MATERIALS"})
+    if (verb.count(other) > 0)
+      throw InputError(std::string(other) + ": has no effect beside --self-test: leave it out");
+}
 
 // What has no effect beside --check may not stand beside it: a user would believe that it had one.
 void refuse_beside_check(const CLI::App& verb) {
@@ -88,8 +102,47 @@ void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options
 #endif
 }
 
+#ifdef BRDF_HAS_PROVE_SHADER
+Exit run_self_test(const ProveCall& o) {
+  prove::SelfTestOptions options;
+  options.seed = o.seed;
+  if (o.seconds) options.seconds = *o.seconds;
+  const prove::SelfTest t = prove::self_test(options, progress_line("brdf prove: random shaders"));
+  if (o.json) {
+    io::Json json = io::to_json(io::provenance());
+    json["self_test"] = {{"seed", o.seed},
+                         {"planted", t.planted},
+                         {"falsely_proved", t.falsely_proved},
+                         {"sound", t.sound},
+                         {"sound_proved", t.sound_proved},
+                         {"samples_float", t.samples_float},
+                         {"samples_double", t.samples_double},
+                         {"outside", t.outside},
+                         {"undefined_inside", t.undefined_inside},
+                         {"faults", t.faults}};
+    std::cout << io::to_text(json) << '\n';
+  } else {
+    std::cout << t.planted << " random shaders with a planted violation: " << t.falsely_proved
+              << " verdicts that it contradicts\n"
+              << t.sound << " sound random shaders: " << t.sound_proved << " proved in both precisions\n"
+              << t.samples_float << " samples in float and " << t.samples_double
+              << " in double: " << t.outside << " outside their enclosure, " << t.undefined_inside
+              << " undefined where it is finite\nseed " << o.seed << '\n';
+    for (const std::string& fault : t.faults) std::cout << fault << '\n';
+  }
+  return t.good() ? Exit::good : Exit::failed;
+}
+#endif
+
 Exit run_prove(const ProveCall& o) {
   if (!o.check.empty()) return run_check(o);
+  if (o.self_test) {
+#ifdef BRDF_HAS_PROVE_SHADER
+    return run_self_test(o);
+#else
+    throw EnvironmentError("--self-test: this build has no shader compiler (glslang)");
+#endif
+  }
   io::check_targets({{"-o", o.output}}, {o.materials.begin(), o.materials.end()});
   prove::Options options;
   const auto required = prove::properties_named("--require", o.require);
@@ -156,6 +209,11 @@ void add_prove(CLI::App& app) {
       "--check", o->check,
       "a certificate to verify, without any search; with --require, --property, --form, --all and MATERIALS: "
       "what it must show");
+  verb->add_flag(
+      "--self-test", o->self_test,
+      "attack the prover: random shaders with planted violations, of which no verdict may be proved, "
+      "and a million samples of enclosures (a minute)");
+  verb->add_option("--seed", o->seed, "of --self-test")->capture_default_str();
   verb->add_flag("--json", o->json, "JSON on stdout");
   verb->footer(
       "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected, "
@@ -166,9 +224,11 @@ void add_prove(CLI::App& app) {
       "          brdf prove material.json --property energy -o energy.json\n"
       "          brdf prove --form cook_torrance --property rounding\n"
       "          brdf prove --shader paint.glsl --property finite,non_negative\n"
+      "          brdf prove --self-test --seed 7\n"
       "          brdf prove --form ward --require finite,reciprocity --seconds 5 --json");
   on_run(*verb, [o, verb] {
     refuse_beside_check(*verb);
+    refuse_beside_self_test(*verb);
     return run_prove(*o);
   });
 }

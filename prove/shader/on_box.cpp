@@ -394,7 +394,9 @@ class ShaderOnBox {
     const Whole a = w.integers[s.a], b = count > 1 ? w.integers[s.b] : Whole{},
                 c = count > 2 ? w.integers[s.c] : Whole{};
     const Comparison before = w.said[s.a];
-    const std::optional<Undefined> own = undefined_integer(s, a, b);
+    std::optional<Undefined> own = undefined_integer(s, a, b);
+    if ((s.op == Op::imin || s.op == Op::umin) && s.c > 0 && !(w.integers[s.c - 1].hi <= b.lo))
+      own = Undefined::clamp;
     const std::uint32_t reason = s.op == Op::iselect ? reason_of_choice(w, s, a) : reason_of(w, s, own);
     w.write_integer(s.r, own ? Whole::any() : whole_op(s.op, a, b, c), reason);
     if (s.op == Op::icopy) w.said[s.r] = before;

@@ -49,6 +49,8 @@ const std::map<std::uint32_t, Op>& componentwise() {
                                                {GLSLstd450SMax, Op::imax},
                                                {GLSLstd450FClamp, Op::clamp},
                                                {GLSLstd450NClamp, Op::clamp},
+                                               {GLSLstd450SClamp, Op::imin},
+                                               {GLSLstd450UClamp, Op::umin},
                                                {GLSLstd450FMix, Op::mix},
                                                {GLSLstd450Step, Op::step},
                                                {GLSLstd450SmoothStep, Op::smoothstep},
@@ -94,8 +96,13 @@ Slots Lowering::function(Frame& frame, const spirv::Instruction& i) {
       if (operands[operand].size() != operands[0].size()) refuse("a value has two types");
       return operands[operand][k];
     };
-    if (found->second == Op::clamp) {  // so that each of its two halves is an operation of its own
-      out.push_back(emit(Op::min, emit(Op::max, at(0), at(1)), at(2), at(1) + 1));
+    // Each half of a clamp is an operation of its own; the upper one keeps the lower limit (Step::c).
+    if (operands.size() == 3 && which != GLSLstd450FMix && which != GLSLstd450SmoothStep &&
+        which != GLSLstd450Fma) {
+      const auto [least, most] = found->second == Op::clamp  ? std::pair(Op::max, Op::min)
+                                 : found->second == Op::imin ? std::pair(Op::imax, Op::imin)
+                                                             : std::pair(Op::umax, Op::umin);
+      out.push_back(emit(most, emit(least, at(0), at(1)), at(2), at(1) + 1));
       continue;
     }
     out.push_back(

@@ -115,9 +115,11 @@ enum class Op : std::uint8_t {
 
 struct Step {
   Op op;
-  std::uint32_t r = 0, a = 0, b = 0,
-                c = 0;  // of a pow: its exponent, where that is a constant from 1 to 16; of a min that ends a
-                        // clamp: the slot of the lower limit, and 1
+  std::uint32_t
+      r = 0,
+      a = 0, b = 0,
+      c = 0;  // of a pow: its exponent, where that is a constant from 1 to 16; of a min (imin, umin) that ends a
+              // clamp: the slot of the lower limit, and 1
   std::uint32_t line = 0;  // of the source, from 1; 0: unknown
 };
 

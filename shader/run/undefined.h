@@ -48,6 +48,10 @@ std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&
       [[fallthrough]];
     case Op::max:
       return if_so(number(s.a) != number(s.a) || number(s.b) != number(s.b), Undefined::min_max);
+    case Op::imin:
+      return if_so(s.c > 0 && std::int32_t(integer(s.c - 1)) > std::int32_t(integer(s.b)), Undefined::clamp);
+    case Op::umin:
+      return if_so(s.c > 0 && integer(s.c - 1) > integer(s.b), Undefined::clamp);
     case Op::to_signed:
       return if_so(!(number(s.a) > -2147483649.0 && number(s.a) < 2147483648.0), Undefined::conversion);
     case Op::to_unsigned:

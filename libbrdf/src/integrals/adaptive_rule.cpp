@@ -16,6 +16,8 @@ namespace {
 constexpr int kFine = 10, kOpen = 7, kClosed = 8;
 // Evaluations of one cell.
 constexpr long kPerCell = kFine * (kFine + 2 * kOpen + 2 * kClosed) + kClosed * kClosed;
+// First cells: as many as the narrowest lobe asks for, and no more evaluations than an integral may take.
+constexpr std::size_t kMostFirst = std::size_t(AlbedoOptions().max_evaluations / kPerCell);
 constexpr double kGain = 4;     // no half is believed to be better than its whole was, by more than this
 constexpr double kCaution = 8;  // what all rules miss alike: a lobe's edge through a corner, say
 
@@ -46,7 +48,7 @@ class Adaptive {
       }
       cells.push(std::move(cell));
     };
-    for (Cell& cell : first_cells(std::size_t(max_evaluations / kPerCell))) insert(measure(cell));
+    for (Cell& cell : first_cells(kMostFirst)) insert(measure(cell));
     const auto met = [&] {
       for (std::size_t k = 0; k < outputs; ++k)
         if (error[k] > tolerance * std::abs(total[k])) return false;

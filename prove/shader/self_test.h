@@ -1,0 +1,34 @@
+// The prover attacked: shaders with planted violations, and enclosures that are sampled.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/parallel.h"
+
+namespace brdf::prove {
+
+struct SelfTestOptions {
+  long planted = 300, sound = 60;  // random shaders
+  long samples = 500'000;          // of enclosures, at least, in each precision
+  double seconds = 1;              // of search for each property
+  std::uint64_t seed = 1;
+};
+
+struct SelfTest {
+  long planted = 0, falsely_proved = 0;  // verdicts that a planted violation contradicts
+  long sound = 0, sound_proved = 0;      // shaders of which all four verdicts are proved
+  long samples_float = 0, samples_double = 0;
+  long outside = 0;                      // values outside their enclosure
+  long undefined_inside = 0;             // undefined values where the enclosure is finite
+  std::vector<std::string> faults = {};  // the first of each kind, with the shader's text
+  bool good() const { return falsely_proved == 0 && outside == 0 && undefined_inside == 0; }
+};
+
+// Proves `finite` and `non_negative` in both precisions of random shaders, and encloses random boxes of them, in which it
+// evaluates the interpreter at random parameters, directions and turns of both. Deterministic by the seed. Throws
+// InputError where a shader does not compile, which would be a fault of the self-test.
+SelfTest self_test(const SelfTestOptions& options, const io::Progress& progress = {});
+
+}  // namespace brdf::prove
