@@ -13,6 +13,7 @@
 
 #include "cli/help.h"
 #include "cli/options.h"
+#include "cli/shader_options.h"
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #ifdef BRDF_HAS_FIT
@@ -135,6 +136,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_DFL);  // `brdf models | head` ends quietly
   brdf::cli::fill_standard_descriptors();
   brdf::io::remove_temporaries_on_signals();
+  brdf::cli::use_shaders_in_materials();
 #ifdef BRDF_HAS_FIT
   brdf::fit::silence_solver_log();
 #endif

@@ -8,6 +8,7 @@
 #include "io/error.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
+#include "shader/material_form.h"
 #include "shader/run/in_more_digits.h"
 #include "shader/run/undefined.h"
 #include "shader/shader.h"
@@ -65,6 +66,29 @@ std::vector<double> in_more_digits(const shader::ShaderReflectance& model, const
   return out;
 }
 
+LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, std::string words) {
+  return {Reflectance(model),
+          model->material(model),
+          std::move(words),
+          model->function().notes,
+          model->function().oriented,
+          model->function().may_turn(),
+          model->function().all_round(),
+          model->function().as_written.size(),
+          [model](std::string_view check, const Material& at, const Vec3<double>& wi,
+                  const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); },
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+                  const Vec3<double>& other_wi, const Vec3<double>& other_wo) {
+            return explain_jump(*model, at, {wi, wo}, {other_wi, other_wo});
+          },
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+            return undefined_text(*model, at, wi, wo);
+          },
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+            return in_more_digits(*model, at, wi, wo);
+          }};
+}
+
 }  // namespace
 #endif
 
@@ -112,27 +136,7 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
   if (!is_given(options)) return std::nullopt;
 #ifdef BRDF_HAS_SHADER
   const shader::ShaderChoice choice = choice_of(options);
-  const auto model = shader::load_shader(choice);
-  LoadedShader loaded{Reflectance(model),
-                      model->material(model),
-                      shader::command_words(choice),
-                      model->function().notes,
-                      model->function().oriented,
-                      model->function().may_turn(),
-                      model->function().all_round(),
-                      model->function().as_written.size(),
-                      [model](std::string_view check, const Material& at, const Vec3<double>& wi,
-                              const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); },
-                      [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
-                              const Vec3<double>& other_wi, const Vec3<double>& other_wo) {
-                        return explain_jump(*model, at, {wi, wo}, {other_wi, other_wo});
-                      },
-                      [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
-                        return undefined_text(*model, at, wi, wo);
-                      },
-                      [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
-                        return in_more_digits(*model, at, wi, wo);
-                      }};
+  LoadedShader loaded = described(shader::load_shader(choice, options.embed), shader::command_words(choice));
   if (!quiet)
     for (const std::string& note : loaded.notes)
       Note() << "brdf " << verb << ": " << options.file << ": " << note;
@@ -140,6 +144,25 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
 #else
   (void)verb, (void)quiet;
   return std::nullopt;
+#endif
+}
+
+std::optional<LoadedShader> shader_in(const Material& material) {
+#ifdef BRDF_HAS_SHADER
+  if (material.terms.size() != 1) return std::nullopt;
+  const auto form = std::make_shared<const Reflectance>(material.terms.front().form);
+  const shader::ShaderReflectance* model = shader::shader_of(*form);
+  if (model == nullptr) return std::nullopt;
+  return described({form, model}, "");
+#else
+  (void)material;
+  return std::nullopt;
+#endif
+}
+
+void use_shaders_in_materials() {
+#ifdef BRDF_HAS_SHADER
+  shader::use_in_materials();
 #endif
 }
 

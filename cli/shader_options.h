@@ -23,6 +23,7 @@ struct ShaderOptions {
   std::vector<std::string> parameters;
   std::string entry, returns;
   std::vector<std::string> defines, include_folders;
+  bool embed = false;  // materials of it hold its text
 };
 
 // --shader, --param, --entry, --returns, --define, -I.
@@ -61,6 +62,11 @@ bool is_given(const ShaderOptions& options);
 // Nothing where --shader is not given. Notes are printed on stderr unless `quiet`. Throws InputError where the file is no reflectance,
 // or the other options are given without it; EnvironmentError where this build has no shader compiler.
 std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet = false);
+
+// The same of a material of one term whose form is a shader; nothing of others. `words` are empty.
+std::optional<LoadedShader> shader_in(const Material& material);
+// From now on materials name shaders, and those that do are read; where this build has no shader compiler they are refused.
+void use_shaders_in_materials();
 
 // --form, --material and --set, or a shader and --set.
 struct MaterialOptions : io::MaterialChoice {

@@ -49,12 +49,15 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
 }
 
 Exit run_one(const FitCall& o, const fit::FitOptions& options) {
+  if (o.shader.embed && (o.shader.file.empty() || o.output.empty()))
+    throw InputError("--embed: goes with --shader FILE and -o: it is the material that holds the text");
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
+  const auto models = models_of(o);  // refused before samples are read
   const fit::Samples samples = samples_to_fit(o.samples[0], options);
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { Note() << "brdf fit: " << what; };
-  return write_fit(fit::fit(samples, models_of(o), options, progress), samples.table, options,
+  return write_fit(fit::fit(samples, models, options, progress), samples.table, options,
                    {o.output, o.report, o.json});
 }
 
@@ -100,6 +103,9 @@ void add_fit(CLI::App& app) {
   add_fit_options(*verb, o.choice);
   add_bootstrap_option(*verb, o.choice);
   add_shader_options(*verb, o.shader);
+  verb->add_flag("--embed", o.shader.embed,
+                 "The material holds the shader's text, with its includes, in place of its file's name (of "
+                 "--shader, with -o)");
   verb->add_option("-o,--output", o.output,
                    "Material file to write; with several sample files, and of a stack: the folder of the "
                    "results");
@@ -114,6 +120,7 @@ void add_fit(CLI::App& app) {
   add_stack_memory_option(*verb, o.stack.memory);
   verb->footer(
       "Examples: brdf fit samples.csv --form all -o material.json\n"
+      "          brdf fit samples.csv --shader walter.brdf --embed -o walter.json\n"
       "          brdf fit samples.csv --shader walter.brdf --form cook_torrance\n"
       "          brdf fit samples.csv --form auto --json\n"
       "          brdf fit paint.csv --form cook_torrance --physical --tie f0\n"

@@ -53,11 +53,15 @@ std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
   return pictures;
 }
 
-// A shader's function, with what its source says of what is found.
+// What a shader's source says of what is found.
+validate::OutsideFacts facts_of(const LoadedShader& shader) {
+  return {shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
+          shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
+}
+
+// A shader's function.
 validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
-  validate::OutsideFacts facts{shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
-                               shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
-  return validate::Subject::outside(file, shader.material, std::move(facts));
+  return validate::Subject::outside(file, shader.material, facts_of(shader));
 }
 
 // --such-that, of whatever is judged over a domain.
@@ -86,6 +90,10 @@ validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptio
   const std::size_t whole_domain = content.subjects.size();
   for (const std::string& file : o.files) {
     validate::add_file(content, file, o.supplied);
+    if (!content.subjects.empty() && content.subjects.back().name() == file)
+      if (const auto shader = shader_in(content.subjects.back().own()))
+        content.subjects.back() =
+            validate::Subject::material(file, content.subjects.back().own(), facts_of(*shader));
     if (!content.tables.empty() && content.tables.back().table.source == file)
       for (const std::string& sentence : content.tables.back().table.assumptions)
         Note() << "brdf validate: " << file << ": " << sentence;

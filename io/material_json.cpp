@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "io/error.h"
 #include "io/near_name.h"
 #include "io/other_formats.h"
 #include "io/output.h"
+#include "io/shader_forms.h"
 #include "io/table_rules.h"
 #include "io/text.h"
 
@@ -96,7 +98,12 @@ void check_header(const JsonPlace& place) {
     place.at("version").fail("must be " + std::to_string(kVersion));
 }
 
-Reflectance read_form(const JsonPlace& place) {
+// How the form of a material's place is found, of a term or of a whole.
+using FormReader = std::function<Reflectance(const JsonPlace& term)>;
+
+Reflectance read_form(const JsonPlace& term) {
+  if (term.has(kShader)) return read_shader(term);
+  const JsonPlace place = term.at("form");
   const std::string name = place.text();
   if (const auto form = find_form(name)) return *form;
   std::vector<std::string> known{"sum"};
@@ -104,12 +111,16 @@ Reflectance read_form(const JsonPlace& place) {
   place.fail("is no form (" + known_names_text(name, known) + ")");
 }
 
+bool is_sum(const JsonPlace& place) {
+  return !place.has(kShader) && place.at("form").value() == "sum";
+}
+
 // A term of a sum: its channels may be left out.
-Term read_sum_term(const JsonPlace& place, std::vector<std::string>& channels) {
+Term read_sum_term(const JsonPlace& place, const FormReader& form_of, std::vector<std::string>& channels) {
   check_header(place);
-  if (place.at("form").value() == "sum") place.at("form").fail("must be a form: sums do not nest");
-  place.allow_keys({"format", "version", "form", "channels", "weights", "shape", "tangent_phi"});
-  const Reflectance form = read_form(place.at("form"));
+  if (is_sum(place)) place.at("form").fail("must be a form: sums do not nest");
+  place.allow_keys({"format", "version", "form", kShader, "channels", "weights", "shape", "tangent_phi"});
+  const Reflectance form = form_of(place);
   if (place.has("channels") || channels.empty()) {
     const std::vector<std::string> own = read_channels(place.at("channels"));
     if (channels.empty()) channels = own;
@@ -124,10 +135,14 @@ Json values_json(const std::vector<std::vector<double>>& sets, std::size_t param
   return values;
 }
 
-Json term_json(const Term& term, const std::vector<std::string>& channels) {
+// Shaders as a file in this folder names them; null: by absolute paths.
+Json term_json(const Term& given, const std::vector<std::string>& channels,
+               const std::filesystem::path* folder) {
+  const Term term = whole_term(given);
   const ReflectanceInfo& table = info(term.form);
   Json json;
   json["form"] = table.name;
+  if (Json shader = shader_json(term.form, folder); !shader.is_null()) json[kShader] = std::move(shader);
   json["channels"] = channels;
   json["weights"] = Json::object();
   for (std::size_t k = 0; k < table.weights.size(); ++k)
@@ -140,21 +155,19 @@ Json term_json(const Term& term, const std::vector<std::string>& channels) {
   return json;
 }
 
-}  // namespace
-
-MaterialFile material_from_json(const JsonPlace& place) {
+MaterialFile read_material_at(const JsonPlace& place, const FormReader& form_of) {
   check_header(place);
   MaterialFile file;
-  if (place.at("form").value() == "sum") {
+  if (is_sum(place)) {
     place.allow_keys({"format", "version", "name", "source", "form", "channels", "terms", "fit"});
     if (place.has("channels")) file.material.channels = read_channels(place.at("channels"));
     const JsonPlace terms = place.at("terms");
     if (terms.size() == 0) terms.fail("must hold at least one term");
     for (std::size_t k = 0; k < terms.size(); ++k)
-      file.material.terms.push_back(read_sum_term(terms.at(k), file.material.channels));
+      file.material.terms.push_back(read_sum_term(terms.at(k), form_of, file.material.channels));
   } else {
-    const Reflectance form = read_form(place.at("form"));
-    place.allow_keys({"format", "version", "name", "source", "form", "channels", "weights", "shape",
+    const Reflectance form = form_of(place);
+    place.allow_keys({"format", "version", "name", "source", "form", kShader, "channels", "weights", "shape",
                       "tangent_phi", "fit"});
     file.material.channels = read_channels(place.at("channels"));
     file.material.terms.push_back(read_term(place, form, file.material.channels.size()));
@@ -162,6 +175,14 @@ MaterialFile material_from_json(const JsonPlace& place) {
   if (place.has("name")) file.name = place.at("name").text();
   if (place.has("source")) file.source = place.at("source").text();
   if (place.has("fit")) file.fit = place.at("fit").value();
+  return file;
+}
+
+}  // namespace
+
+MaterialFile material_from_json(const JsonPlace& place) {
+  MaterialFile file = read_material_at(place, read_form);
+  name_shaders_from_here(file.fit, file.material, place.file());
   return file;
 }
 
@@ -206,11 +227,9 @@ Material read_material(const Content& content) {
   return read_material_file(content).material;
 }
 
-Json to_json(const Material& material) {
-  return to_json(MaterialFile{material, nullptr});
-}
+namespace {
 
-Json to_json(const MaterialFile& file) {
+Json json_of(const MaterialFile& file, const std::filesystem::path* folder) {
   const Material& material = file.material;
   Json json;
   json["format"] = kFormat;
@@ -218,25 +237,43 @@ Json to_json(const MaterialFile& file) {
   if (!file.name.empty()) json["name"] = file.name;
   if (!file.source.empty()) json["source"] = file.source;
   if (material.terms.size() == 1) {
-    json.update(term_json(material.terms[0], material.channels));
+    json.update(term_json(material.terms[0], material.channels, folder));
   } else {
     json["form"] = "sum";
     json["channels"] = material.channels;
     json["terms"] = Json::array();
-    for (const Term& term : material.terms) json["terms"].push_back(term_json(term, material.channels));
+    for (const Term& term : material.terms)
+      json["terms"].push_back(term_json(term, material.channels, folder));
   }
   if (!file.fit.is_null()) json["fit"] = file.fit;
   return json;
 }
 
+}  // namespace
+
+Json to_json(const Material& material) {
+  return to_json(MaterialFile{material, nullptr});
+}
+
+Json to_json(const MaterialFile& file) {
+  return json_of(file, nullptr);
+}
+
 void write_material_file(const std::filesystem::path& path, const MaterialFile& file) {
   check_material(file.material, path.string());
-  write_file_atomically(path, to_text(to_json(file)));
+  MaterialFile written = file;
+  name_shaders_from(path, written.fit, file.material);
+  const std::filesystem::path folder = path.parent_path();
+  write_file_atomically(path, to_text(json_of(written, &folder)));
 }
 
 void check_material(const Material& material, const std::string& where) {
   const Json json = to_json(material);
-  material_from_json(JsonPlace(json, where));
+  std::size_t next = 0;  // the forms are there already: only their parameters are checked
+  read_material_at(JsonPlace(json, where), [&](const JsonPlace& term) {
+    const Term& known = material.terms.at(next++);
+    return term.has(kShader) ? whole_term(known).form : read_form(term);
+  });
 }
 
 }  // namespace brdf::io

@@ -6,6 +6,9 @@
 #include "io/text.h"
 #include "python/binding.h"
 #include "python/waiting.h"
+#ifdef BRDF_HAS_SHADER
+#include "shader/material_form.h"
+#endif
 
 namespace brdf::python {
 namespace {
@@ -43,6 +46,9 @@ PYBIND11_MODULE(_brdf, module) {
   using namespace brdf::python;
   module.attr("version") = BRDF_VERSION;
   bind_errors(module);
+#ifdef BRDF_HAS_SHADER
+  brdf::shader::use_in_materials();
+#endif
   bind_samples(module);
   bind_materials(module);
   bind_sampling(module);

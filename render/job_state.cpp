@@ -7,6 +7,7 @@
 #include "io/material_json.h"
 #include "io/output.h"
 #include "render/frames.h"
+#include "render/gpu/held.h"
 #include "render/job_parts.h"
 
 namespace brdf::render {
@@ -161,6 +162,7 @@ ViewState state_of(const Job& given) {
       state.everywhere = job.shape.empty();  // a car's tyres stay what they are
     }
   }
+  give_room(state);
   apply_overrides(job, state.scene);
   if (job.gbuffer && is_png(job.output)) state.display = Display::gbuffer;
   if (job.show) state.display = named<Display>(*job.show, "--show");

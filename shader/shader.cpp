@@ -70,8 +70,8 @@ void split_colours(Function& function) {
 
 }  // namespace
 
-ShaderReflectance::ShaderReflectance(Function function)
-    : function_(std::move(function)), name_(identifier(function_.source.name)) {
+ShaderReflectance::ShaderReflectance(Function function, std::optional<ShaderOrigin> origin)
+    : function_(std::move(function)), origin_(std::move(origin)), name_(identifier(function_.source.name)) {
   try {
     find_tables();
   } catch (const EndlessLoop& loop) {
@@ -387,8 +387,16 @@ Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> se
   return m;
 }
 
-std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice) {
-  return std::make_shared<const ShaderReflectance>(make_function(choice));
+std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice, bool embedded) {
+  return load_shader(origin_of(choice, embedded));
+}
+
+std::shared_ptr<const ShaderReflectance> load_shader(const ShaderOrigin& origin) {
+  const ShaderChoice& choice = origin.choice;
+  return std::make_shared<const ShaderReflectance>(
+      origin.text.empty() ? make_function(choice)
+                          : make_function(parse_source(choice.file, origin.text), choice),
+      origin);
 }
 
 }  // namespace brdf::shader

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "brdf/material.h"
 #include "shader/function.h"
+#include "shader/origin.h"
 
 namespace brdf::shader {
 
@@ -16,10 +18,12 @@ namespace brdf::shader {
 // fitted; all others are its shape. Evaluation throws InputError with the line where a loop does not end.
 class ShaderReflectance final : public ReflectanceModel {
  public:
-  explicit ShaderReflectance(Function function);
+  explicit ShaderReflectance(Function function, std::optional<ShaderOrigin> origin = {});
 
   const ReflectanceInfo& info() const override { return info_; }
   const Function& function() const { return function_; }
+  // How a material names it; none of a text that stands nowhere.
+  const std::optional<ShaderOrigin>& origin() const { return origin_; }
   // The colours' own defaults, for one channel, or for red, green and blue where the shader tells them apart.
   Material material(std::shared_ptr<const ShaderReflectance> self) const;
 
@@ -62,6 +66,7 @@ class ShaderReflectance final : public ReflectanceModel {
   void find_tables();
 
   Function function_;
+  std::optional<ShaderOrigin> origin_;
   std::string name_;
   std::vector<std::size_t> weights_, shape_;  // parameters of the function, in the tables' order
   std::vector<ParameterInfo> weight_table_, shape_table_;
@@ -72,6 +77,9 @@ class ShaderReflectance final : public ReflectanceModel {
 };
 
 // The file as a reflectance. Throws InputError.
-std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice);
+// `embedded`: materials of it hold its text.
+std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice, bool embedded = false);
+// The same again, from where it came.
+std::shared_ptr<const ShaderReflectance> load_shader(const ShaderOrigin& origin);
 
 }  // namespace brdf::shader

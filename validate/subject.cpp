@@ -54,10 +54,11 @@ Subject Subject::outside(std::string name, const Material& material, OutsideFact
   return s;
 }
 
-Subject Subject::material(std::string name, Material material) {
+Subject Subject::material(std::string name, Material material, std::optional<OutsideFacts> facts) {
   Subject s;
   s.name_ = std::move(name);
-  s.anisotropic_ = is_anisotropic(material);
+  s.anisotropic_ = is_anisotropic(material) || (facts && facts->oriented);
+  s.outside_ = std::move(facts);
   s.material_ = std::move(material);
   return s;
 }

@@ -43,7 +43,8 @@ struct Jump;
 class Subject {
  public:
   static Subject form(const Reflectance& form);
-  static Subject material(std::string name, Material material);
+  // `facts`: where its form is no form of the catalogue.
+  static Subject material(std::string name, Material material, std::optional<OutsideFacts> facts = {});
   // A reflectance that is not in the catalogue; its channels are those of the material.
   static Subject outside(std::string name, const Material& material, OutsideFacts facts);
 

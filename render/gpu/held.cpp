@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "io/glsl.h"
+#include "io/shader_forms.h"
 #include "render/gpu/gpu_layout.h"
 
 namespace brdf::render {
 namespace {
 
-class Held final : public ReflectanceModel {
+class Held final : public ReflectanceModel, public io::StandsFor {
  public:
   explicit Held(const Term& term) : inner_(term.form), shape_(term.shape.front()), weights_(term.weights) {
     const ReflectanceInfo& all = inner_.info();
@@ -22,6 +23,18 @@ class Held final : public ReflectanceModel {
     info_.kink = all.kink;
   }
   const ReflectanceInfo& info() const override { return info_; }
+  Term whole(const Term& term) const override {
+    Term all{inner_, {}, weights_, term.tangent_phi};
+    for (const std::vector<double>& set : term.shape) {
+      all.shape.push_back(shape_);
+      std::copy_n(set.begin(), std::min(set.size(), shape_.size()), all.shape.back().begin());
+    }
+    for (std::size_t c = 0; c < all.weights.size(); ++c) {
+      const std::vector<double>& set = term.weights[std::min(c, term.weights.size() - 1)];
+      std::copy_n(set.begin(), std::min(set.size(), all.weights[c].size()), all.weights[c].begin());
+    }
+    return all;
+  }
   using ReflectanceModel::eval;
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
     // What is given may be longer than the table: a shader's slots are.

@@ -4,6 +4,7 @@
 
 #include "io/material_json.h"
 #include "io/output.h"
+#include "render/gpu/held.h"
 
 namespace brdf::render {
 namespace {
@@ -56,6 +57,7 @@ void Session::open(const std::filesystem::path& file, const std::function<void()
   const ViewState before = state_;
   try {
     open_file(state_, file);
+    give_room(state_);
     check();
   } catch (...) {
     state_ = before;

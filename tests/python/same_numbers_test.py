@@ -90,6 +90,34 @@ class Same(unittest.TestCase):
                 np.testing.assert_array_equal(material.eval_degrees(*given), expected)
                 np.testing.assert_array_equal(material.eval(*brdf.read_directions(DIRECTIONS)), expected)
 
+    def test_a_material_that_names_a_shader(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shader, made, samples = (pathlib.Path(folder, name) for name in ("veil.glsl", "veil.json", "s.csv"))
+            shader.write_text("//: param body 0 1 0.4\n//: param edge 0.5 6 2\nfloat brdf(vec3 L, vec3 V, vec3 N, float body, float edge) {\n"
+                              "  return body * (0.1 + pow(1.0 - dot(N, L) * dot(N, V), edge));\n}\n")
+            words = ["--shader", shader, "--set", "body=0.3", "--set", "edge=3.5"]
+            done = subprocess.run([PROGRAM, "synth", *map(str, words), "--grid", "in_plane", "--noise", "0", "-o", str(samples)],
+                                  capture_output=True, text=True, check=False)
+            if done.returncode == 3:
+                self.skipTest("this build has no compiler of shaders")
+            for more in ([], ["--embed"]):
+                run("fit", samples, "--shader", shader, "-o", made, *more, code=(0, 1))
+                material = brdf.load(made)
+                printed = columns(run("eval", "--material", made, DIRECTIONS))["f"]
+                np.testing.assert_array_equal(material.eval(*brdf.read_directions(DIRECTIONS))[..., 0], printed)
+                rows = json.loads(run("albedo", "--material", made, "--theta", "20,70", "--json"))["results"]
+                self.assertEqual(material.albedo([20, 70]).value.reshape(-1).tolist(), [row["value"] for row in rows])
+                copy = pathlib.Path(folder, "copy.json")
+                material.save(copy)
+                self.assertEqual(json.loads(copy.read_text())["shader"], json.loads(made.read_text())["shader"])
+            run("fit", samples, "--shader", shader, "-o", made, code=(0, 1))
+            shader.write_text(shader.read_text().replace("0.1", "0.2"))
+            with self.assertRaisesRegex(brdf.InputError, "has changed since this material was made"):
+                brdf.load(made)
+            shader.unlink()
+            with self.assertRaisesRegex(brdf.InputError, "is not there"):
+                brdf.load(made)
+
     def test_albedo(self):
         for form, values, options in (("lambert", {}, {}), ("ward", {"alpha": 0.1, "ks": 0.4}, {"phi": 30.0}),
                                       ("phong", {"kd": [0.1, 0.2, 0.3]}, {"fixed": "o"}),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/material_json.h"
 #include "render/gpu/gpu_layout.h"
 
 namespace brdf::render {
@@ -21,6 +22,15 @@ TEST(Held, TakesAsManyValuesAsItsTableHas) {
   held->eval({weights, weights, shape}, one_pair(wi, wo), &found);
   eval(whole, wi, wo, std::span(&expected, 1));
   EXPECT_EQ(found, expected);
+}
+
+// A file has all of them: what is held and what the sliders moved.
+TEST(Held, IsSavedWithAllItsParameters) {
+  Material whole = make_material(*find_form("gltf_metallic_roughness"), {"f"});
+  Material moved = with_room(whole);
+  moved.terms[0].shape[0][1] = whole.terms[0].shape[0][1] = 0.37;
+  EXPECT_EQ(io::to_json(moved), io::to_json(whole));
+  EXPECT_NE(moved.terms[0].shape[0].size(), whole.terms[0].shape[0].size());
 }
 
 }  // namespace

@@ -1,0 +1,143 @@
+#include "shader/material_form.h"
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+
+#include "io/content.h"
+#include "io/digest.h"
+#include "io/error.h"
+#include "io/shader_forms.h"
+#include "io/text.h"
+#include "shader/shader.h"
+
+namespace brdf::shader {
+namespace {
+
+namespace fs = std::filesystem;
+using io::Json;
+using io::JsonPlace;
+
+std::string absolute_path(const std::string& file) {
+  return fs::weakly_canonical(fs::absolute(file)).string();
+}
+std::string relative_path(const std::string& file, const fs::path& folder) {
+  const fs::path from = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
+  return fs::path(absolute_path(file)).lexically_relative(from).string();
+}
+
+// All that is chosen, in one place: what is added to a choice does not compile here until a material says it.
+template <class Path>
+Json choice_json(const ShaderOrigin& origin, const Path& path) {
+  const auto& [file, parameters, entry, returns, defines, include_folders] = origin.choice;
+  Json json;
+  json["file"] = origin.text.empty() ? path(file) : fs::path(file).filename().string();
+  json["sha256"] = origin.sha256;
+  if (!parameters.empty()) json["parameters"] = parameters;
+  if (!entry.empty()) json["entry"] = entry;
+  if (!returns.empty()) json["returns"] = returns;
+  if (!defines.empty()) json["defines"] = defines;
+  for (const std::string& folder : include_folders) json["include_folders"].push_back(path(folder));
+  if (!origin.text.empty()) json["text"] = origin.text;
+  return json;
+}
+
+std::vector<std::string> texts_of(const JsonPlace& place, const char* key) {
+  std::vector<std::string> texts;
+  if (!place.has(key)) return texts;
+  const JsonPlace list = place.at(key);
+  for (std::size_t k = 0; k < list.size(); ++k) texts.push_back(list.at(k).text());
+  return texts;
+}
+
+ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
+  place.allow_keys(
+      {"file", "sha256", "parameters", "entry", "returns", "defines", "include_folders", "text"});
+  ShaderOrigin origin;
+  const fs::path file = place.at("file").text();
+  origin.relative = file.is_relative();
+  origin.sha256 = place.at("sha256").text();
+  if (place.has("text")) origin.text = place.at("text").text();
+  origin.choice = {origin.text.empty() ? (folder / file).string() : file.string(),
+                   texts_of(place, "parameters"),
+                   place.has("entry") ? place.at("entry").text() : "",
+                   place.has("returns") ? place.at("returns").text() : "",
+                   texts_of(place, "defines"),
+                   texts_of(place, "include_folders")};
+  for (std::string& include : origin.choice.include_folders) include = (folder / include).string();
+  return origin;
+}
+
+// The text that the material is of, or the reason why it is not.
+void check_text(const JsonPlace& place, const ShaderOrigin& origin) {
+  if (!origin.text.empty()) {
+    if (io::sha256(origin.text) != origin.sha256)
+      place.at("sha256").fail("is not that of the text beside it: one of them was changed");
+    return;
+  }
+  const std::string& file = origin.choice.file;
+  std::error_code error;
+  if (!fs::exists(file, error))
+    place.at("file").fail("is not there (" + absolute_path(file) +
+                          "): put the shader where the material says, or keep its text in the material with "
+                          "brdf fit --embed");
+  for (std::size_t k = 0; k < origin.choice.include_folders.size(); ++k)
+    if (!fs::is_directory(origin.choice.include_folders[k], error))
+      place.at("include_folders")
+          .at(k)
+          .fail("is no folder (" + absolute_path(origin.choice.include_folders[k]) + ")");
+  if (io::sha256(whole_text(origin.choice)) != origin.sha256)
+    place.at("sha256").fail("is not that of " + file +
+                            ", which (or a file that it includes) has changed since this material was made: "
+                            "bring the old text back, or fit the samples again with --shader " +
+                            file + "; --shader and --set evaluate the new text");
+}
+
+class Forms final : public io::ShaderForms {
+ public:
+  Reflectance read(const JsonPlace& place, const fs::path& folder) const override {
+    const ShaderOrigin origin = read_origin(place, folder);
+    check_text(place, origin);
+    // The same shader is the same form: a file names it in its terms and again in what it says of its fit.
+    Json choice = choice_json(origin, absolute_path);
+    const std::string key = io::to_line(choice) + (origin.relative ? "r" : "a");
+    const std::lock_guard lock(mutex_);
+    const auto found = known_.find(key);
+    if (found != known_.end()) return found->second;
+    const Reflectance form(load_shader(origin));
+    known_.emplace(key, form);
+    return form;
+  }
+
+  Json write(const Reflectance& form) const override {
+    const ShaderReflectance* shader = shader_of(form);
+    return shader == nullptr || !shader->origin() ? Json(nullptr)
+                                                  : choice_json(*shader->origin(), absolute_path);
+  }
+
+  Json write(const Reflectance& form, const fs::path& folder) const override {
+    const ShaderReflectance* shader = shader_of(form);
+    if (shader == nullptr || !shader->origin()) return nullptr;
+    const ShaderOrigin& origin = *shader->origin();
+    return choice_json(origin, [&](const std::string& file) {
+      return origin.relative ? relative_path(file, folder) : absolute_path(file);
+    });
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::map<std::string, Reflectance> known_;
+};
+
+}  // namespace
+
+void use_in_materials() {
+  static const Forms forms;
+  io::use_shader_forms(forms);
+}
+
+const ShaderReflectance* shader_of(const Reflectance& reflectance) {
+  return dynamic_cast<const ShaderReflectance*>(&*reflectance);
+}
+
+}  // namespace brdf::shader
