@@ -44,11 +44,15 @@ std::vector<std::pair<std::string, Material>> parameter_row(const Material& mate
                        io::to_text(parameter.min) + " and " + io::to_text(parameter.max));
   const bool log = parameter.log_scale && range.first > 0 && range.last > 0;
   std::vector<std::pair<std::string, Material>> row;
+  std::vector<double> row_values;
   for (int k = 0; k < count; ++k) {
     const double t = double(k) / double(count - 1);
     double value = log ? range.first * std::pow(range.last / range.first, t)
                        : range.first + (range.last - range.first) * t;
     if (k == count - 1) value = range.last;
+    value = nearest_value(parameter, value);
+    if (parameter.whole && k > 0 && row_values.back() == value) continue;
+    row_values.push_back(value);
     Material at = material;
     io::apply_settings(at, {{range.name, {value}}});
     row.emplace_back(range.name + " " + io::short_number(value, 3), std::move(at));

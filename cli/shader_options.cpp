@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/terminal.h"
 #include "io/error.h"
+#include "io/text.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
 #include "shader/material_form.h"
@@ -136,7 +137,12 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
   if (!is_given(options)) return std::nullopt;
 #ifdef BRDF_HAS_SHADER
   const shader::ShaderChoice choice = choice_of(options);
-  LoadedShader loaded = described(shader::load_shader(choice, options.embed), shader::command_words(choice));
+  const auto model = shader::load_shader(choice, options.embed);
+  LoadedShader loaded = described(model, shader::command_words(choice));
+  for (const shader::Parameter& p : model->function().parameters)
+    if (verb == "fit" && p.whole)
+      loaded.notes.push_back(p.name + " is a whole number, which a fit does not search: it holds it at " +
+                             io::to_text(p.initial[0]) + " unless --fix says another");
   if (!quiet)
     for (const std::string& note : loaded.notes)
       Note() << "brdf " << verb << ": " << options.file << ": " << note;

@@ -4,7 +4,7 @@ namespace brdf::io {
 namespace {
 
 Json parameter_json(const ParameterInfo& p, const char* kind) {
-  return {{"name", p.name},
+  Json json{{"name", p.name},
           {"kind", kind},
           {"role", name_of(p.role)},
           {"min", p.min},
@@ -14,6 +14,8 @@ Json parameter_json(const ParameterInfo& p, const char* kind) {
           {"unit", p.unit},
           {"log_scale", p.log_scale},
           {"doc", p.doc}};
+  if (p.whole) json["whole"] = true;
+  return json;
 }
 
 }  // namespace

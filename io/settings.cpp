@@ -31,6 +31,12 @@ void check_range(const Setting& setting, double min, double max) {
       refuse(setting, to_text(value) + " must be between " + to_text(min) + " and " + to_text(max));
 }
 
+void check_values(const Setting& setting, const ParameterInfo& p) {
+  check_range(setting, p.min, p.max);
+  for (const double value : setting.values)
+    if (nearest_value(p, value) != value) refuse(setting, to_text(value) + " must be a whole number");
+}
+
 // The setting's value for each of `channels` channels.
 std::vector<double> per_channel(const Setting& setting, std::size_t channels) {
   if (setting.values.size() == 1) return std::vector(channels, setting.values[0]);
@@ -42,14 +48,14 @@ std::vector<double> per_channel(const Setting& setting, std::size_t channels) {
 
 void set_weight(Term& term, std::size_t index, const Setting& setting) {
   const ParameterInfo& p = info(term.form).weights[index];
-  check_range(setting, p.min, p.max);
+  check_values(setting, p);
   const std::vector<double> values = per_channel(setting, term.weights.size());
   for (std::size_t c = 0; c < values.size(); ++c) term.weights[c][index] = values[c];
 }
 
 void set_shape(Term& term, std::size_t index, const Setting& setting) {
   const ParameterInfo& p = info(term.form).shape[index];
-  check_range(setting, p.min, p.max);
+  check_values(setting, p);
   const std::vector<double> values = per_channel(setting, term.weights.size());
   if (setting.values.size() > 1 && term.shape.size() == 1) {
     const std::vector<double> shared = term.shape[0];

@@ -156,7 +156,7 @@ class Binder {
                      std::vector<Binding>& out) {
     std::string word = last_word(name);
     std::replace(word.begin(), word.end(), '.', '_');
-    const bool boolean = input.type == "bool";
+    const bool boolean = input.type == "bool" || (integer && is_declared_bool(last_word(input.name)));
     const auto known = known_.find(name);
     if (known == known_.end()) {
       Parameter p;
@@ -217,6 +217,14 @@ class Binder {
         throw InputError(said_by(declared) + ": " + io::to_text(value) +
                          (truth ? " is neither 0 nor 1, and it is a truth value"
                                 : " is no whole number below 2^31, and it is one"));
+  }
+
+  // A block of constants has truth values as integers.
+  bool is_declared_bool(const std::string& name) const {
+    const std::vector<Token> tokens = tokens_of(f_.source.whole);
+    for (std::size_t k = 1; k < tokens.size(); ++k)
+      if (tokens[k].is(name) && tokens[k - 1].is("bool")) return true;
+    return false;
   }
 
   // "uniform float NAME = 0.3;"

@@ -113,6 +113,22 @@ std::vector<double> Function::defaults() const {
   return out;
 }
 
+bool Function::is_given(Axis axis) const {
+  return std::any_of(bindings.begin(), bindings.end(), [&](const Binding& b) {
+    if (b.from != Binding::From::coordinate && b.from != Binding::From::product) return false;
+    const auto is = [&](Axis a) { return a == axis || a == Axis::half; };
+    return is(b.a) || (b.from == Binding::From::product && is(b.b));
+  });
+}
+
+std::string entry_advice(const Function& f) {
+  const std::string name =
+      f.source.entry ? f.source.entry->name
+                     : f.entry.substr(f.entry.find(' ') + 1, f.entry.find('(') - f.entry.find(' ') - 1);
+  return "say what each one is with --entry '" + name + "(L, V, N, ...)' or a line `//: entry " + name +
+         "(L, V, N, ...)`";
+}
+
 std::string said_of_unread(const Function& f) {
   const bool zero = f.zero_where_asked || (f.constant && *f.constant == 0);
   if (!zero && f.unread.empty()) return "";
@@ -134,17 +150,6 @@ Function make_function(const ShaderChoice& choice) {
 }
 
 namespace {
-
-// Whether the function is given the light or the viewer, by itself or as part of a product or of the half vector.
-bool sees_a_direction(const Function& f) {
-  return std::any_of(f.bindings.begin(), f.bindings.end(), [](const Binding& b) {
-    const bool directions = b.from == Binding::From::coordinate || b.from == Binding::From::product;
-    const auto is = [&](Axis axis) {
-      return b.a == axis || (b.from == Binding::From::product && b.b == axis);
-    };
-    return directions && (is(Axis::light) || is(Axis::view) || is(Axis::half));
-  });
-}
 
 Function function_of(Source source, const Compiled& compiled) {
   static std::atomic<std::uint64_t> count{0};
@@ -169,14 +174,10 @@ Function function_of(Source source, const Compiled& compiled) {
   f.entry = signature(module, *chosen.function);
   f.returns = f.source.returns.value_or(Returns::f);
   bind_inputs(f);
-  if (!sees_a_direction(f))
-    throw InputError(f.source.name + ": " + f.entry +
-                     " has no argument that is told to be the light's direction or the viewer's: say what "
-                     "each one is with "
-                     "--entry '" +
-                     chosen.function->name + "(L, V, ...)' or a line `//: entry " + chosen.function->name +
-                     "(L, V, ...)`");
   check_roles(f);
+  if (!f.is_given(Axis::light) && !f.is_given(Axis::view))
+    throw InputError(f.source.name + ": no argument of " + f.entry +
+                     " is known as the direction to the light or to the viewer: " + entry_advice(f));
   f.number = ++count;
   const auto read = read_slots(f.as_written);
   for (const Binding& b : f.bindings)

@@ -103,6 +103,8 @@ struct Function {
   // Nothing shows that half of the azimuths stands for all: neither the sign of the azimuth between light and viewer nor
   // both reflections of an anisotropic function.
   bool all_round() const { return needs_all(symmetry) || needs_all(symmetry_as_meant); }
+  // Whether light or viewer is among what it is given, by itself, in a product or in the half vector.
+  bool is_given(Axis axis) const;
   std::vector<double> defaults() const;
   static bool needs_all(const Symmetry& s) { return !s.reflects && !(s.isotropic && s.mirrored); }
   std::uint64_t number = 0;  // of this function, for caches: no two share one
@@ -112,6 +114,9 @@ struct Function {
 Function make_function(const ShaderChoice& choice);
 Function make_function(Source source, const ShaderChoice& choice = {});
 Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler);
+
+// What to do where an argument's meaning is open.
+std::string entry_advice(const Function& function);
 
 // What is said of a function that is 0 or does not depend on all that the file declares, with the macros that may be the reason; empty:
 // nothing.

@@ -33,6 +33,7 @@ class Probe {
         values_[p.first + k] = within(p, 0.1 + 0.8 * uniform());
   }
   double within(const Parameter& p, double x) const {
+    if (p.whole) return std::min(p.min + std::floor((p.max - p.min + 1) * x), p.max);
     const double max = std::min(p.max, std::max(p.min + 1, 1.0));
     return p.log_scale && p.min > 0 ? p.min * std::pow(p.max / p.min, x) : p.min + (max - p.min) * x;
   }

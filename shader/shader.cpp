@@ -52,6 +52,19 @@ std::string identifier(const std::string& file) {
   return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "shader_" + out : out;
 }
 
+// An argument of three numbers that no line calls a colour, whose components meet in one channel, is the direction that is missing.
+void require_directions(const Function& f) {
+  const char* const missing = !f.is_given(Axis::view)    ? "the viewer"
+                              : !f.is_given(Axis::light) ? "the light"
+                                                         : nullptr;
+  if (!missing) return;
+  for (const Parameter& p : f.parameters)
+    if (p.colour && !p.declared)
+      throw InputError(f.source.name + ": no argument of " + f.entry + " is known as the direction to " +
+                       missing + ", which " + p.name + " may be: " + entry_advice(f) + "; or call " + p.name +
+                       " a colour with a line `//: color " + p.name + " 0.5 0.5 0.5`");
+}
+
 // What a channel's value has of the other channels' colours, a table of one channel cannot say: three numbers of all can.
 void split_colours(Function& function) {
   std::deque<Parameter> parameters;
@@ -80,7 +93,9 @@ ShaderReflectance::ShaderReflectance(Function function, std::optional<ShaderOrig
 }
 
 void ShaderReflectance::find_tables() {
-  if (!keeps_channels(function_)) split_colours(function_);
+  const bool mixes = !keeps_channels(function_);
+  if (mixes) require_directions(function_);
+  if (mixes) split_colours(function_);
   const std::deque<Parameter>& parameters = function_.parameters;
   const std::optional<Linear> linear = linear_parameters(function_);
   for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -96,7 +111,8 @@ void ShaderReflectance::find_tables() {
       const double initial = p.colour ? (p.initial[0] + p.initial[1] + p.initial[2]) / 3 : p.initial[0];
       // Beyond 1 a weight is for samples without a scale.
       const double usual = &of == &weights_ ? std::min(p.max, std::max({1.0, initial, p.min})) : p.max;
-      out.push_back({p.name, p.min, p.max, initial, usual, "", p.log_scale, p.doc, p.role});
+      out.push_back(
+          {p.name, p.min, p.max, initial, usual, "", p.log_scale, p.doc, p.role, Map::none, p.whole});
     }
     return out;
   };

@@ -15,6 +15,8 @@ namespace brdf::validate {
 double parameter_value(const ParameterInfo& p, double x, double max) {
   if (x <= 0) return p.min;
   if (x >= 1) return max;
+  // Each whole number has the same share of the unit interval.
+  if (p.whole) return std::min(p.min + std::floor((max - p.min + 1) * x), max);
   if (!p.log_scale) return p.min + (max - p.min) * x;
   if (p.min > 0) return p.min * std::pow(max / p.min, x);
   return std::expm1(x * std::log1p(max));  // from 0, logarithmic beyond 1
@@ -112,7 +114,10 @@ Material Subject::restricted(Material at) const {
     Term& term = m.terms.front();
     const auto move = [&](std::span<const ParameterInfo> table, std::vector<double>& values) {
       for (std::size_t k = 0; k < table.size(); ++k)
-        if (named(table[k])) values[k] = table[k].min + share * (values[k] - table[k].min);
+        if (named(table[k])) {
+          const double moved = share * (values[k] - table[k].min);
+          values[k] = table[k].min + (table[k].whole ? std::floor(moved) : moved);
+        }
     };
     for (auto& set : term.shape) move(f.shape, set);
     for (auto& set : term.weights) move(f.weights, set);

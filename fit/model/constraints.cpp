@@ -60,6 +60,7 @@ class Resolver {
   Constraints run() {
     for (const NamedValues& fix : options_.fix) apply({"--fix", fix.name}, fix);
     said_.clear();
+    hold_whole_numbers();
     keep_one_diffuse_part();
     for (const std::string& name : options_.tie) apply({"--tie", name}, Tied{});
     said_.clear();
@@ -79,6 +80,19 @@ class Resolver {
           "has an effect only with --anisotropic: without it, it equals " +
           std::string(info.shape[std::size_t(info.axes().along)].name);
     out_.terms.push_back(std::move(term));
+  }
+
+  // What has no derivative is not searched.
+  void hold_whole_numbers() {
+    for (std::size_t t = 0; t < forms_.size(); ++t)
+      for (std::size_t k = 0; k < forms_[t].info().shape.size(); ++k) {
+        const ParameterInfo& p = forms_[t].info().shape[k];
+        Constraint& c = out_.terms[t].shape[k];
+        if (!p.whole || c.is_fixed()) continue;
+        c.fixed = {p.initial};
+        c.idle = "is a whole number, which a fit does not search: it is held at " + io::to_text(p.initial) +
+                 "; --fix holds it at another";
+      }
   }
 
   // Two diffuse terms of a sum would be collinear: that of a form which is nothing else stays, else the first.
@@ -164,7 +178,11 @@ class Resolver {
                        : "a value for every channel has an effect only with --per-channel");
     Constraint& c = *target.constraint;
     if (said.values.size() > 1 && c.tied) given.refuse("takes one value with --tie");
-    for (const double value : said.values) given.check_range(value, c.low, c.high);
+    for (const double value : said.values) {
+      given.check_range(value, c.low, c.high);
+      if (nearest_value(*target.info, value) != value)
+        given.refuse(io::to_text(value) + " is no whole number");
+    }
     if (given.option == "--start") {
       c.start = said.values;
     } else {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -49,7 +50,13 @@ struct ParameterInfo {
   std::string_view doc;
   Role role = Role::other;
   Map map = Map::none;
+  bool whole = false;  // whole numbers only: a count, a choice, or a truth value (0 and 1)
 };
+
+// The value that a parameter can have next to x, which lies between its least and its largest.
+inline double nearest_value(const ParameterInfo& p, double x) {
+  return p.whole ? std::floor(x + 0.5) : x;
+}
 
 // The place in a table, by name or role; -1 where there is no such parameter.
 constexpr int parameter_index(std::span<const ParameterInfo> table, std::string_view name) {

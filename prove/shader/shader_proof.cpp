@@ -29,6 +29,12 @@ struct Subject {
 
   const shader::Function& function() const { return model.function(); }
   std::size_t parameters() const { return function().parameters.size(); }
+  // Whole numbers where parameters are: the function computes with those, whatever it is given between them.
+  std::vector<double> possible(std::vector<double> point) const {
+    for (std::size_t k = 0; k < parameters(); ++k)
+      if (function().parameters[k].whole) point[k] = std::floor(point[k] + 0.5);
+    return point;
+  }
 
   Domain domain(bool with_viewer) const {
     Domain d;
@@ -130,7 +136,7 @@ struct Trial {
   Vec3<double> wi, wo;
 
   Trial(const Subject& s, std::vector<double> point)
-      : at(std::move(point)), words(s.words), material(at_parameters(s, at, words)) {
+      : at(s.possible(std::move(point))), words(s.words), material(at_parameters(s, at, words)) {
     const std::size_t d = s.parameters();
     const auto theta = [](double cosine) { return std::acos(cosine) * 180 / kPi; };
     theta_i = theta(at[d]), phi_i = 90 * at[d + 1];

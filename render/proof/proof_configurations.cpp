@@ -22,6 +22,7 @@ std::array<float, 4> rounded(const Vec3<double>& w) {
 }
 
 float random_value(Engine& random, const ParameterInfo& p) {
+  if (p.whole) return float(std::min(std::floor(uniform(random, p.min, p.usual_max + 1)), p.usual_max));
   if (!p.log_scale) return float(uniform(random, p.min, p.usual_max));
   return float(log_uniform(random, p.min > 0 ? p.min : 1e-3, p.max));
 }

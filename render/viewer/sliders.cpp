@@ -55,7 +55,7 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
   const bool moved = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &low, &high, "%.4g",
                                          logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   storage.SetFloat(place, ImGui::IsItemActive() ? float(high) : 0);
-  if (moved) value = std::clamp(shown, p.min, p.max);
+  if (moved) value = std::clamp(nearest_value(p, shown), p.min, p.max);
   if (marks.known) draw_interval(*marks.known, low, high, logarithmic, width);
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     std::string words = std::string(p.name) + ": " + std::string(p.doc);

@@ -7,6 +7,7 @@
 
 #include "io/error.h"
 #include "shader/program/lowering.h"
+#include "shader/spirv/names.h"
 
 namespace brdf::shader {
 namespace {
@@ -126,6 +127,9 @@ Slots Lowering::geometric(Frame& frame, const spirv::Instruction& i, std::uint32
     return v.size() == 1 ? emit(Op::abs, v[0]) : emit(Op::sqrt, dot(v, v));
   };
   const auto number = [&](double x) { return number_constant(x); };
+  const auto clamped = [&](Op above, Op below) {  // of integers
+    return each(below, each(above, of(0), of(1)), of(2));
+  };
   switch (which) {
     case GLSLstd450Length:
       return {length(of(0))};
@@ -172,13 +176,17 @@ Slots Lowering::geometric(Frame& frame, const spirv::Instruction& i, std::uint32
       for (const Slot x : n) out.push_back(emit(Op::select, behind, x, emit(Op::neg, x)));
       return out;
     }
+    case GLSLstd450UClamp:
+      return clamped(Op::umax, Op::umin);
+    case GLSLstd450SClamp:
+      return clamped(Op::imax, Op::imin);
     case GLSLstd450Radians:
     case GLSLstd450Degrees: {
       constexpr double kTurn = 0.017453292519943295;
       return scaled(of(0), number(which == GLSLstd450Radians ? kTurn : 1 / kTurn));
     }
     default:
-      refuse("calls a function that is not known here (GLSL.std.450 number " + std::to_string(which) + ")");
+      refuse("calls " + spirv::function_name(which) + "(), which is not computed here; write its formula");
   }
 }
 

@@ -10,6 +10,7 @@
 namespace brdf {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string kShaders = "'" BRDF_SOURCE_DIR "/data/shaders/";
@@ -219,6 +220,77 @@ TEST(OwnShader, IsFittedToTheSamplesThatItMade) {
   EXPECT_NEAR(material["weights"]["kd"][0].get<double>(), 0.2, 1e-6);
   EXPECT_NEAR(material["weights"]["ks"][0].get<double>(), 0.6, 1e-6);
   EXPECT_NEAR(material["shape"]["exponent"].get<double>(), 37, 1e-4);
+}
+
+TEST(OwnShader, MacrosAndIncludeFoldersBelongToTheCommand) {
+  io::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "far");
+  std::ofstream(folder.path() / "far" / "part.glsl") << "float part(float x) { return SCALE * x; }\n";
+  std::ofstream(folder.path() / "s.glsl") << "#include \"part.glsl\"\n//: param kd 0 1 0.5\nfloat brdf(vec3 "
+                                             "L, vec3 V, vec3 N, float kd) { return part(kd); }\n";
+  std::ofstream(folder.path() / "d.csv") << "theta_i,phi_i,theta_o,phi_o\n10,0,20,0\n";
+  const std::string words = " --shader s.glsl --define SCALE=0.75 -I far ";
+  const Outcome eval = run_brdf("eval" + words + "d.csv", folder.path());
+  EXPECT_EQ(eval.exit_code, 0) << eval.err;
+  EXPECT_THAT(eval.out, HasSubstr(",0.375"));
+  EXPECT_EQ(run_brdf("albedo" + words + "--theta 30", folder.path()).exit_code, 0);
+  EXPECT_EQ(run_brdf("prove" + words + "--property finite --require finite", folder.path()).exit_code, 0);
+  // Where the value is above what energy allows, the witness' command has all of it, and shows it.
+  const Outcome judged = run_brdf("validate" + words + "--json", folder.path());
+  const std::string command = finding(judged.out, "energy")["witness"]["command"];
+  EXPECT_THAT(command, HasSubstr("--shader s.glsl --define SCALE=0.75 -I far"));
+  const Outcome shown = run_brdf(command.substr(5), folder.path());
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_THAT(run_brdf("eval --shader s.glsl -I far d.csv", folder.path()).err,
+              HasSubstr("part.glsl:1: 'SCALE'"));
+  EXPECT_THAT(run_brdf("models --define SCALE=1", folder.path()).err,
+              HasSubstr("--define: goes with --shader FILE"));
+  EXPECT_THAT(run_brdf("models -I far", folder.path()).err, HasSubstr("-I: goes with --shader FILE"));
+}
+
+TEST(OwnShader, IntegersAreJudgedAtWholeNumbers) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl") << "//: param kind 0 4 1\nfloat brdf(vec3 L, vec3 V, vec3 N, int "
+                                             "kind, bool on) {\n  return on && kind == 3 ? -0.25 : "
+                                             "0.25;\n}\n";
+  std::ofstream(folder.path() / "d.csv") << "theta_i,phi_i,theta_o,phi_o\n10,0,20,0\n";
+  const Outcome o = run_brdf("validate --shader s.glsl --json", folder.path());
+  const auto negative = finding(o.out, "non_negative");
+  EXPECT_EQ(negative["verdict"], "fail");
+  EXPECT_THAT(negative["witness"]["command"].get<std::string>(), HasSubstr("--set kind=3 --set on=1"));
+  EXPECT_THAT(run_brdf("eval --shader s.glsl --set kind=2.5 d.csv", folder.path()).err,
+              HasSubstr("--set kind: 2.5 must be a whole number"));
+  EXPECT_THAT(run_brdf("eval --shader s.glsl --set kind=3 --set on=1 d.csv", folder.path()).out,
+              HasSubstr(",-0.25"));
+  EXPECT_THAT(run_brdf("models --shader s.glsl --json", folder.path()).out, HasSubstr("\"whole\": true"));
+}
+
+TEST(OwnShader, AFitHoldsTruthValuesAndLeavesOutPlacesWithoutAValue) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl")
+      << "//: param eta 1.2 2.4 1.6\n//: bool steep 1\n"
+         "float brdf(vec3 L, vec3 V, vec3 N, float kd, float ks, float eta, bool steep) {\n"
+         "  float c = dot(N, normalize(L + V));\n"
+         "  return kd * 0.3 + ks * (steep ? pow(c, 9.0 * eta) : pow(c - 0.9, 0.5));\n}\n";
+  const Outcome made = run_brdf(
+      "synth --shader s.glsl --set kd=0.4 --set ks=0.7 --set eta=2 --grid in_plane -o t.csv", folder.path());
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome fitted = run_brdf("fit t.csv --shader s.glsl --json", folder.path());
+  EXPECT_THAT(fitted.err, AllOf(HasSubstr("has no finite value at"), HasSubstr("steep is a whole number")));
+  EXPECT_THAT(fitted.err, testing::Not(HasSubstr("linear in none")));
+}
+
+TEST(OwnShader, LongNamesStayInTheirColumn) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl")
+      << "float brdf(vec3 L, vec3 V, float scatteringDistance, float k) { return scatteringDistance * k; }\n";
+  const std::string out = run_brdf("models --shader s.glsl", folder.path()).out;
+  const auto column = [&](const std::string& name) {
+    const std::size_t line = out.find("  " + name + " ");
+    return line == out.npos ? line : out.find("weight", line) - line;
+  };
+  ASSERT_NE(column("scatteringDistance"), out.npos) << out;
+  EXPECT_EQ(column("scatteringDistance"), column("k")) << out;
 }
 
 }  // namespace

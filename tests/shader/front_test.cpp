@@ -328,5 +328,194 @@ TEST(Recursion, IsRefusedWithItsLine) {
               AllOf(HasSubstr("which leads back to it"), HasSubstr("recursion")));
 }
 
+TEST(Refused, FunctionsOfTheLanguageByTheirNames) {
+  const auto said = [](const std::string& value) {
+    return refusal("float brdf(vec3 L, vec3 V, float k) {\n  return " + value + ";\n}\n");
+  };
+  EXPECT_THAT(said("inverse(mat3(2.0))[0][0] * inverse(mat3(k))[1][1]"),
+              HasSubstr("test.glsl:2: calls inverse()"));
+  EXPECT_THAT(said("ldexp(k, 2)"), HasSubstr("test.glsl:2: calls ldexp()"));
+  EXPECT_THAT(said("unpackUnorm4x8(floatBitsToUint(k)).x"), HasSubstr("test.glsl:2: calls unpackUnorm4x8()"));
+  EXPECT_EQ(
+      value_at(shader_of("float brdf(vec3 L, vec3 V, float k) { return float(clamp(int(10.0 * k), 1, 3)); }"),
+               0, 0, 0, 0),
+      3);
+  EXPECT_THAT(refusal(std::string("\x03\x02\x23\x07\0\0\1\0", 8)), HasSubstr("is SPIR-V, which is not read"));
+}
+
+TEST(Lines, OfIncludedFilesAreNotTakenForTheShadersOwn) {
+  Tree tree;
+  tree.with("part.glsl", "\n\n\n\n\nfloat part(float x) {\n  return 1.0 / (x - x);\n}\n")
+      .with("a.glsl",
+            "#include \"part.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) {\n  return part(k);\n}\n");
+  const auto shader = tree.load("a.glsl");
+  for (const Stretch& stretch : shader->function().as_written.stretches)
+    for (const Step& step : stretch.steps) EXPECT_LE(step.line, 4u);
+}
+
+TEST(Directions, NeitherOfLightNorOfViewerIsRefused) {
+  EXPECT_THAT(
+      refusal("float brdf(vec3 p, vec3 q, float s) { return dot(p, q) * s; }"),
+      AllOf(
+          HasSubstr(
+              "no argument of float brdf(vec3 p, vec3 q, float s) is known as the direction to the light or "
+              "to the viewer"),
+          HasSubstr("--entry 'brdf(L, V, N, ...)'")));
+  // One of them, and a vector that may be the other.
+  EXPECT_THAT(refusal("float brdf(vec3 L, vec3 q, float s) { return dot(L, q) * s; }"),
+              AllOf(HasSubstr("the direction to the viewer, which q may be"), HasSubstr("`//: color q")));
+  EXPECT_EQ(refusal("float brdf(vec3 p, vec3 q, float s) { return dot(p, q) * s; }",
+                    {.file = "", .entry = "brdf(L, V, s)"}),
+            "accepted");
+  // Light that is scattered evenly needs no viewer.
+  EXPECT_EQ(refusal("vec3 brdf(vec3 L, vec3 N, vec3 tint) { return 0.3 * tint; }"), "accepted");
+}
+
+TEST(Parts, ThatAreNotKnownStopIt) {
+  const auto both = shader_of(
+      "void brdf(vec3 L, vec3 V, float k, out float diffTerm, out float specTerm) { diffTerm = k; specTerm = "
+      "0.125; }");
+  EXPECT_EQ(value_at(both, 10, 0, 20, 0), 0.625);
+  EXPECT_THAT(notes_of(both), HasSubstr("diffTerm + specTerm"));
+  EXPECT_THAT(refusal("void brdf(vec3 L, vec3 V, float k, out vec3 diffusePart, out vec3 extra) { "
+                      "diffusePart = vec3(k); extra = "
+                      "vec3(0.125); }"),
+              HasSubstr("gives several values (diffusePart, extra)"));
+  // What is left is said.
+  const auto one = shader_of(
+      "void brdf(vec3 L, vec3 V, float k, out vec3 color, out vec3 direction_out) { color = vec3(k); "
+      "direction_out = L; }");
+  EXPECT_THAT(notes_of(one), HasSubstr("the reflectance is color of what brdf gives, without direction_out"));
+  const auto beside =
+      shader_of("float brdf(vec3 L, vec3 V, float k, out float specular) { specular = 2.0; return k; }");
+  EXPECT_THAT(notes_of(beside), HasSubstr("the reflectance is what brdf returns, without specular"));
+  // A lobe's parameter is no lobe.
+  EXPECT_EQ(value_at(shader_of("struct Lit { vec3 diffuse; vec3 specular; float specularRoughness; };\n"
+                               "Lit brdf(vec3 L, vec3 V) { return Lit(vec3(0.25), vec3(0.5), 9.0); }"),
+                     10, 0, 20, 0),
+            0.75);
+}
+
+TEST(Vacuous, WhatDependsOnNothingIsSaidWithTheMacrosThatAreAskedFor) {
+  const std::string text =
+      "//: param gain 0 2 1\n//: param rest 0 1 0.5\nfloat brdf(vec3 L, vec3 V, float gain, float rest) {\n"
+      "#if defined(HAS_COAT) && !defined(GL_ES)\n  return gain * L.z;\n#elif QUALITY_LEVEL > 1\n  return "
+      "1.0;\n#else\n"
+      "  return 0.0;\n#endif\n}\n#ifndef GUARD\n#define GUARD\n#endif\n";
+  const auto nothing = shader_of(text);
+  EXPECT_EQ(nothing->function().constant, 0.0);
+  EXPECT_THAT(nothing->function().unread, testing::ElementsAre("gain", "rest"));
+  EXPECT_THAT(nothing->function().asked_macros, testing::ElementsAre("HAS_COAT", "QUALITY_LEVEL"));
+  EXPECT_THAT(notes_of(nothing),
+              AllOf(HasSubstr("its value is 0 whatever it is given"),
+                    HasSubstr("does not depend on gain, rest"), HasSubstr("(HAS_COAT, QUALITY_LEVEL)")));
+  const auto coat = shader_of(text, {.file = "", .defines = {"HAS_COAT"}});
+  EXPECT_EQ(coat->function().constant, std::nullopt);
+  EXPECT_THAT(coat->function().unread, testing::ElementsAre("rest"));
+  EXPECT_THAT(notes_of(coat), Not(HasSubstr("its value is 0")));
+  // Zero that is computed is found by asking; a constant that is none is a reflector like others.
+  const auto product = shader_of("float brdf(vec3 L, vec3 V, float k) { return k * max(-L.z, 0.0); }");
+  EXPECT_TRUE(product->function().zero_where_asked);
+  EXPECT_THAT(notes_of(product), HasSubstr("its value is 0 at every place at which it was asked"));
+  EXPECT_THAT(notes_of(shader_of("float brdf(vec3 L, vec3 V) { return 0.25; }")),
+              Not(HasSubstr("its value")));
+}
+
+TEST(Whole, IntegersAreAskedForTheirRangeAndStayWhole) {
+  const std::string code = "float brdf(vec3 L, vec3 V, int kind, bool on) { return on ? float(kind) : 0.5; }";
+  EXPECT_THAT(refusal(code),
+              AllOf(HasSubstr("kind of float brdf("), HasSubstr("is a whole number without a range"),
+                    HasSubstr("--param kind=MIN:MAX:DEFAULT")));
+  const auto shader = shader_of("//: param kind 0 3 2\n//: bool on 1\n" + code);
+  for (const ParameterInfo& p : shader->info().shape) EXPECT_TRUE(p.whole) << p.name;
+  EXPECT_EQ(value_at(shader, 0, 0, 0, 0), 2);
+  // A default that is not given is whole as well.
+  EXPECT_EQ(shader_of(code, {.file = "", .parameters = {"kind=0:3"}})->info().shape[0].initial, 1);
+  EXPECT_THAT(refusal("//: param kind 0 2.5 2\n" + code),
+              HasSubstr("test.glsl:1: param kind: 2.5 is no whole number"));
+  EXPECT_THAT(refusal(code, {.file = "", .parameters = {"kind=0:3:1.5"}}),
+              HasSubstr("--param kind: 1.5 is no whole number"));
+  EXPECT_THAT(refusal("//: param kind 0 3 1\n//: param on 0 2 1\n" + code),
+              HasSubstr("test.glsl:2: param on: 2 is neither 0 nor 1"));
+  const auto block = shader_of(
+      "cbuffer Own { bool fast; float k; };\nfloat brdf(float3 L, float3 V) { return fast ? k : 0.125; }", {},
+      "a.hlsl");
+  EXPECT_EQ(value_at(block, 0, 0, 0, 0), 0.125);
+}
+
+TEST(Linear, PlacesWithoutAValueAreLeftOut) {
+  // A root of a negative number in a part of all places.
+  const auto shader = shader_of(
+      "//: param eta 1.1 2 1.5\nfloat brdf(vec3 L, vec3 V, float kd, float ks, float eta) {\n  float c = "
+      "dot(L, V);\n"
+      "  return kd + ks * sqrt(c - 0.2) * eta * eta;\n}\n");
+  EXPECT_TRUE(shader->info().fittable());
+  EXPECT_EQ(shader->info().weights.size(), 2u);
+  EXPECT_THAT(notes_of(shader),
+              testing::ContainsRegex("it has no finite value at [0-9]+ of 24 places.*eta="));
+  const auto without = shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * sqrt(-1.0 - L.z); }");
+  EXPECT_FALSE(without->info().fittable());
+  EXPECT_THAT(notes_of(without), HasSubstr("at 24 of 24 places"));
+  // What is not linear stays so.
+  EXPECT_FALSE(shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * kd * sqrt(dot(L, V) - 0.2); }")
+                   ->info()
+                   .fittable());
+}
+
+TEST(Defines, StandBeforeTheTextAndInIncludedFiles) {
+  Tree tree;
+  tree.with("own/a.glsl", "#include \"part.glsl\"\nfloat brdf(vec3 L, vec3 V) { return part(SCALE); }\n")
+      .with("far/part.glsl",
+            "#ifdef TWICE\nfloat part(float x) { return 2.0 * x; }\n#else\nfloat part(float x) { return x "
+            "EMPTY; }\n#endif\n")
+      .with("near/part.glsl", "float part(float x) { return 5.0 * x; }\n")
+      .with("own/b.glsl",
+            "#include \"../far/part.glsl\"\nfloat brdf(vec3 L, vec3 V) { return part(SCALE); }\n");
+  const std::string far = tree.path("far").string(), near = tree.path("near").string();
+  const auto value = [&](const std::string& name, std::vector<std::string> defines,
+                         std::vector<std::string> folders) {
+    return value_at(
+        tree.load(name, {.file = "", .defines = std::move(defines), .include_folders = std::move(folders)}),
+        10, 0, 20, 0);
+  };
+  EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25", "EMPTY="}, {far}), 0.25);
+  EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25", "TWICE"}, {far}), 0.5);
+  EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25"}, {near, far}), 1.25);
+  EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25", "TWICE"}, {far, near}), 0.5);
+  // Outside the shader's folder a file is read where it lies below one that is named.
+  EXPECT_THAT(tree.refused("own/b.glsl", {.file = "", .defines = {"SCALE=1.0", "TWICE"}}),
+              HasSubstr("is no file"));
+  EXPECT_EQ(value("own/b.glsl", {"SCALE=0.25", "TWICE"}, {far}), 0.5);
+  std::filesystem::create_symlink(tree.path("near/part.glsl"), tree.path("own/part.glsl"));
+  EXPECT_THAT(tree.refused("own/a.glsl", {.file = "", .defines = {"SCALE=0.25"}}), HasSubstr("is no file"));
+  // A supplied constant gives way to the command line's.
+  tree.with("own/c.glsl", "float brdf(vec3 L, vec3 V) { return PI; }\n");
+  EXPECT_EQ(value("own/c.glsl", {"PI=0.5"}, {}), 0.5);
+}
+
+TEST(Defines, AreRefusedOrSaidWhereTheyDoNothing) {
+  const std::string code = "#define KIND 3\nfloat brdf(vec3 L, vec3 V) { return float(KIND); }\n";
+  const auto said = [&](std::vector<std::string> defines) {
+    return refusal(code, {.file = "", .defines = std::move(defines)});
+  };
+  for (const std::string wrong : {"", "=1", "2x", "a b=1", "defined", "x(y)=y", "x=1\n#error"})
+    EXPECT_THAT(said({wrong}), HasSubstr("must be NAME, NAME= or NAME=VALUE")) << wrong;
+  EXPECT_THAT(said({"A=1", "A=2"}), HasSubstr("--define 'A=2': another one says 'A=1'"));
+  EXPECT_EQ(said({"A=1", "A=1"}), "accepted");
+  EXPECT_THAT(said({"KIND=4"}),
+              AllOf(HasSubstr("test.glsl:1: "), HasSubstr("--define KIND=4 says otherwise")));
+  EXPECT_THAT(refusal(code, {.file = "", .include_folders = {"/no/such/folder"}}),
+              HasSubstr("-I '/no/such/folder': is no folder"));
+  EXPECT_THAT(notes_of(shader_of(code, {.file = "", .defines = {"KINDS=4"}})),
+              HasSubstr("--define KINDS: no file mentions it"));
+  EXPECT_THAT(
+      refusal(
+          "#if !defined(TARGET)\n#error choose a target\n#endif\nfloat brdf(vec3 L, vec3 V) { return 1.0; }"),
+      AllOf(HasSubstr("test.glsl:2: "), HasSubstr("not defined: TARGET; --define NAME")));
+  EXPECT_EQ(
+      command_words({.file = "a.glsl", .defines = {"K=2.0 * x", "T"}, .include_folders = {"my folder"}}),
+      "--shader a.glsl --define 'K=2.0 * x' --define T -I 'my folder'");
+}
+
 }  // namespace
 }  // namespace brdf::shader

@@ -1,0 +1,100 @@
+#include "shader/spirv/names.h"
+
+#include <array>
+#include <string_view>
+
+namespace brdf::shader::spirv {
+namespace {
+
+// By their numbers in GLSL.std.450, from 1.
+constexpr std::array<std::string_view, 82> kNamesOfFunctions{"",
+                                                             "round",
+                                                             "roundEven",
+                                                             "trunc",
+                                                             "abs",
+                                                             "abs",
+                                                             "sign",
+                                                             "sign",
+                                                             "floor",
+                                                             "ceil",
+                                                             "fract",
+                                                             "radians",
+                                                             "degrees",
+                                                             "sin",
+                                                             "cos",
+                                                             "tan",
+                                                             "asin",
+                                                             "acos",
+                                                             "atan",
+                                                             "sinh",
+                                                             "cosh",
+                                                             "tanh",
+                                                             "asinh",
+                                                             "acosh",
+                                                             "atanh",
+                                                             "atan",
+                                                             "pow",
+                                                             "exp",
+                                                             "log",
+                                                             "exp2",
+                                                             "log2",
+                                                             "sqrt",
+                                                             "inversesqrt",
+                                                             "determinant",
+                                                             "inverse",
+                                                             "modf",
+                                                             "modf",
+                                                             "min",
+                                                             "min",
+                                                             "min",
+                                                             "max",
+                                                             "max",
+                                                             "max",
+                                                             "clamp",
+                                                             "clamp",
+                                                             "clamp",
+                                                             "mix",
+                                                             "mix",
+                                                             "step",
+                                                             "smoothstep",
+                                                             "fma",
+                                                             "frexp",
+                                                             "frexp",
+                                                             "ldexp",
+                                                             "packSnorm4x8",
+                                                             "packUnorm4x8",
+                                                             "packSnorm2x16",
+                                                             "packUnorm2x16",
+                                                             "packHalf2x16",
+                                                             "packDouble2x32",
+                                                             "unpackSnorm2x16",
+                                                             "unpackUnorm2x16",
+                                                             "unpackHalf2x16",
+                                                             "unpackSnorm4x8",
+                                                             "unpackUnorm4x8",
+                                                             "unpackDouble2x32",
+                                                             "length",
+                                                             "distance",
+                                                             "cross",
+                                                             "normalize",
+                                                             "faceforward",
+                                                             "reflect",
+                                                             "refract",
+                                                             "findLSB",
+                                                             "findMSB",
+                                                             "findMSB",
+                                                             "interpolateAtCentroid",
+                                                             "interpolateAtSample",
+                                                             "interpolateAtOffset",
+                                                             "min",
+                                                             "max",
+                                                             "clamp"};
+
+}  // namespace
+
+std::string function_name(std::uint32_t number) {
+  if (number == 0 || number >= kNamesOfFunctions.size()) return "number " + std::to_string(number);
+  return std::string(kNamesOfFunctions[number]);
+}
+
+}  // namespace brdf::shader::spirv
