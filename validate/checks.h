@@ -21,7 +21,7 @@ struct CheckOptions {
 
 // f and f cos are numbers, for every direction: below the horizon, at it, coincident, opposite, subnormal.
 Finding check_finite(const Subject& subject, const CheckOptions& options);
-// No value depends on what the shader's language leaves undefined; of code that is not ours. `bound` is the share of the
+// No value depends on what the shader's language leaves undefined; of code that is not ours. `share` is the share of the
 // pairs inside the hemisphere at which one does.
 Finding check_undefined(const Subject& subject, const CheckOptions& options);
 // The lowest f is not below 0.

@@ -128,7 +128,7 @@ Finding check_outside_finite(const Subject& subject, const CheckOptions& options
                             return facts.explain ? facts.explain("finite", m, p.wi, p.wo) : "";
                           });
   Finding finding = finding_of(subject, "finite", s);
-  finding.bound = s.at(Where::inside).part();
+  finding.share = s.at(Where::inside).part();
   finding.conclude(s.above() == 0, "finite for every pair inside the hemisphere that was tried",
                    "f is no finite number " + places(s, true));
   if (s.at(Where::horizon).faults > 0)
@@ -153,7 +153,7 @@ Finding check_undefined(const Subject& subject, const CheckOptions& options) {
                             return text.empty() ? std::nullopt : std::optional(std::move(text));
                           });
   Finding finding = finding_of(subject, "undefined", s);
-  finding.bound = s.at(Where::inside).part();
+  finding.share = s.at(Where::inside).part();
   finding.conclude(s.above() == 0,
                    "no value depends on what the language leaves undefined, at the pairs tried",
                    "the language leaves the value undefined " + places(s, true));
@@ -231,10 +231,10 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
       const std::string text = facts->undefined(at_witness(subject, *f.witness), pair->wi, pair->wo);
       if (!text.empty()) void_it(f, "the value is undefined there: " + text);
     }
-  if (undefined.outcome == Outcome::fail && undefined.bound > 0)
+  if (undefined.outcome == Outcome::fail && undefined.share > 0)
     for (Finding& f : findings)
       if (&f != &undefined && passes(f)) void_it(f, "some values are undefined, see undefined");
-  if (finite.outcome == Outcome::fail && finite.bound > 0)
+  if (finite.outcome == Outcome::fail && finite.share > 0)
     for (const std::string_view check : {"energy", "albedo", "derivatives", "sampling"})
       if (Finding& f = find(check); passes(f)) void_it(f, "some values are no finite numbers, see finite");
   if (finite.statement.starts_with(kVacuous))

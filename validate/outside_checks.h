@@ -12,7 +12,7 @@ namespace brdf::validate {
 inline constexpr std::string_view kVacuous = "vacuous: ";
 
 // f and f cos are finite numbers. Pairs inside the hemisphere, where directions coincide, and at the exact horizon are
-// told apart, with their shares and the lines of the source; the horizon alone does not fail. `bound` is the share inside. A function that is 0
+// told apart, with their shares and the lines of the source; the horizon alone does not fail. `share` is the share inside. A function that is 0
 // everywhere is undecided: whatever it is asked holds.
 Finding check_outside_finite(const Subject& subject, const CheckOptions& options);
 

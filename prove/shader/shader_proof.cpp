@@ -10,15 +10,14 @@
 #include "io/numbers.h"
 #include "io/samples.h"
 #include "io/text.h"
-#include "prove/scalar/elementary.h"
+#include "prove/shader/albedo_bound.h"
 #include "prove/shader/on_box.h"
 
 namespace brdf::prove {
 namespace {
 
-constexpr double kAlbedoSlack = 1e-6;      // above 1: of constants like 3.14159265
-constexpr double kLowestTried = 1e-12;     // a cosine
-constexpr int kCosines = 12, kTurns = 16;  // cells of the directions that are summed over
+constexpr double kAlbedoSlack = 1e-6;   // above 1: of constants like 3.14159265
+constexpr double kLowestTried = 1e-12;  // a cosine
 
 // The shader's parameters as variables, then its directions.
 struct Subject {
@@ -67,31 +66,6 @@ struct Subject {
     return in;
   }
 };
-
-Bounds azimuth(double turn) {  // of a turn in [0, 2]
-  const Bounds a = turn <= 1 ? angle_at(turn, 1 - turn) : angle_at(turn - 1, 2 - turn);
-  const double quarter_lo = turn <= 1 ? 0 : kPiBounds.lo / 2, quarter_hi = turn <= 1 ? 0 : kPiBounds.hi / 2;
-  return {quarter_lo + a.lo, quarter_hi + a.hi};
-}
-
-// The directional albedo of every light in the box: cells of the viewer's direction, each with the largest f on it.
-Bounds albedo(const Subject& s, std::span<const Bounds> box) {
-  ShaderInputs in = s.inputs(box);
-  double sum = 0;
-  for (int j = 0; j < kCosines; ++j)
-    for (int k = -kTurns; k < kTurns; ++k) {
-      const double low = double(j) / kCosines, high = double(j + 1) / kCosines;
-      in.cos_o = {low, high};
-      in.turn_o = {2.0 * k / kTurns, 2.0 * (k + 1) / kTurns};
-      const Bounds f = shader_on_box<double>(s.function(), in).value;
-      if (!std::isfinite(f.lo)) return {-HUGE_VAL, HUGE_VAL};
-      const double near = std::fabs(k < 0 ? in.turn_o.hi : in.turn_o.lo),
-                   far = std::fabs(k < 0 ? in.turn_o.lo : in.turn_o.hi);
-      const double measure = 0.5 * (high - low) * (high + low) * (azimuth(far).hi - azimuth(near).lo);
-      sum += std::max(f.hi, 0.0) * measure * (1 + 1e-14);
-    }
-  return {0, sum * (1 + 1e-12)};
-}
 
 // A point of the domain: any, or a corner.
 std::vector<double> point_of(const Domain& domain, std::mt19937_64& e) {
@@ -280,18 +254,34 @@ void energy(Proof& p, const Subject& s, const Options& options) {
   const bool refuted = witness && witness->value > 1 + 10 * kAlbedoSlack;
   SearchOptions search = options.search;
   if (refuted) search.leaves = 1;
-  p.cover = cover(
-      *p.domain, [&](const Box& box) { return albedo(s, box); },
-      [&](Bounds b) { return b.hi <= 1 + kAlbedoSlack; }, search);
+  std::optional<shader::UndefinedValue> may_be;
+  const auto viewers = [&](const Box& box) -> ViewerBounds {
+    return [&s, &may_be, in = s.inputs(box)](Bounds cos_o, Bounds turn_o) mutable {
+      in.cos_o = cos_o;
+      in.turn_o = turn_o;
+      const ShaderBounds f = shader_on_box<double>(s.function(), in);
+      if (f.undefined) may_be = f.undefined;
+      return f.value;
+    };
+  };
+  p.cover = bound_albedo(*p.domain, viewers, 1 + kAlbedoSlack, search);
   p.low = witness ? witness->value : 0;
   p.high = p.cover.range.hi;
   p.verdict = refuted ? Verdict::refuted : p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
-  p.statement =
-      refuted ? "the albedo is above 1"
-      : p.cover.open == 0
-          ? "the albedo is at most " + io::short_number(p.high, 7) + within_domain() + " of the light"
-          : std::to_string(p.cover.open) + " boxes are open: the albedo may be above 1 there";
-  if (refuted) p.witness = witness;
+  if (refuted) {
+    p.statement = "the albedo is above 1";
+    p.witness = witness;
+  } else if (p.cover.open == 0) {
+    p.statement = "the albedo is at most " + io::short_number(p.high, 7) + within_domain() + " of the light";
+  } else if (const auto undefined = undefined_of(s, Precision::double_type, s.domain(true))) {
+    p.verdict = Verdict::no_method;
+    p.statement = "undefined: " + *undefined;
+  } else {
+    p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") +
+                  " open after " + std::to_string(p.cover.boxes) +
+                  " were enclosed: the albedo may be above 1 there; more --seconds go on";
+    if (may_be) p.statement += "; the value may be undefined: " + shader::to_text(s.function(), *may_be);
+  }
 }
 
 }  // namespace
