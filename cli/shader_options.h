@@ -59,8 +59,9 @@ struct LoadedShader {
 // The choice that the options make, checked: none where --shader is not given. Throws as load does.
 bool is_given(const ShaderOptions& options);
 
-// Nothing where --shader is not given. Notes are printed on stderr unless `quiet`. Throws InputError where the file is no reflectance,
-// or the other options are given without it; EnvironmentError where this build has no shader compiler.
+// Nothing where --shader is not given. Notes are printed on stderr unless `quiet`. Throws InputError where
+// the file is no reflectance, or the other options are given without it; EnvironmentError where this build
+// has no shader compiler.
 std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet = false);
 
 // The same of a material of one term whose form is a shader; nothing of others. `words` are empty.

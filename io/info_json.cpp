@@ -5,15 +5,15 @@ namespace {
 
 Json parameter_json(const ParameterInfo& p, const char* kind) {
   Json json{{"name", p.name},
-          {"kind", kind},
-          {"role", name_of(p.role)},
-          {"min", p.min},
-          {"max", p.max},
-          {"default", p.initial},
-          {"usual_max", p.usual_max},
-          {"unit", p.unit},
-          {"log_scale", p.log_scale},
-          {"doc", p.doc}};
+            {"kind", kind},
+            {"role", name_of(p.role)},
+            {"min", p.min},
+            {"max", p.max},
+            {"default", p.initial},
+            {"usual_max", p.usual_max},
+            {"unit", p.unit},
+            {"log_scale", p.log_scale},
+            {"doc", p.doc}};
   if (p.whole) json["whole"] = true;
   return json;
 }

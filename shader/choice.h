@@ -8,9 +8,9 @@
 
 namespace brdf::shader {
 
-// `parameters` are --param's texts; `entry` and `returns` win over the file's where they are
-// not empty; `defines` are NAME=VALUE, NAME (then 1) or NAME= (then nothing), before the first line and in included files;
-// `include_folders` are searched after the file's own, in their order.
+// `parameters` are --param's texts; `entry` and `returns` win over the file's where they are not empty;
+// `defines` are NAME=VALUE, NAME (then 1) or NAME= (then nothing), before the first line and in included
+// files; `include_folders` are searched after the file's own, in their order.
 struct ShaderChoice {
   std::string file;
   std::vector<std::string> parameters = {};
@@ -18,7 +18,8 @@ struct ShaderChoice {
   std::vector<std::string> defines = {}, include_folders = {};
 };
 
-// Makes it part of the source. Throws InputError where a text is not understood, a macro is defined twice, or a folder is none.
+// Makes it part of the source. Throws InputError where a text is not understood, a macro is defined twice, or
+// a folder is none.
 void choose(Source& source, const ShaderChoice& choice);
 
 // The words of a command line that say the same.

@@ -114,8 +114,8 @@ std::vector<const Function*> those(const std::vector<const Function*>& of, Is&& 
   return out.empty() ? of : out;
 }
 
-// Of overloads the one whose arguments the entry's line names, else the only one that takes directions and that no other function calls.
-// `note` says which it is. Throws InputError where nothing tells them apart.
+// Of overloads the one whose arguments the entry's line names, else the only one that takes directions and
+// that no other function calls. `note` says which it is. Throws InputError where nothing tells them apart.
 const Function* meant_overload(const Module& module, const Source& source,
                                const std::vector<const Function*>& all, const std::set<spirv::Id>& called,
                                const std::vector<std::string>& free, std::string& note) {
@@ -155,7 +155,8 @@ void require_compiled(std::span<const LeftOut> left_out, Is&& is) {
     if (is(f.name)) throw InputError(f.why);
 }
 
-// What a function that does not compile calls is part of it: a line that says so, where its name is a reflectance's.
+// What a function that does not compile calls is part of it: a line that says so, where its name is a
+// reflectance's.
 void require_whole(std::span<const LeftOut> left_out, const std::string& chosen) {
   for (const LeftOut& out : left_out) {
     if (!is_called_brdf(out.name)) continue;

@@ -17,13 +17,13 @@ struct Chosen {
   std::string note = {};  // why that one, where the file does not say; may be empty
 };
 
-// The one that `entry` names; else the only one called brdf or BRDF; else the only one that takes directions and that no other one
-// calls. Of several of one name the one whose arguments `entry` names, else the only one that no other one calls. Throws InputError that
-// lists what there is.
+// The one that `entry` names; else the only one called brdf or BRDF; else the only one that takes directions
+// and that no other one calls. Of several of one name the one whose arguments `entry` names, else the only
+// one that no other one calls. Throws InputError that lists what there is.
 Chosen choose_entry(const spirv::Module& module, const Source& source, const Compiled& compiled);
 
-// Global variables that are directions by their names and that the text declares without a value: what a file around this one would
-// set.
+// Global variables that are directions by their names and that the text declares without a value: what a file
+// around this one would set.
 std::vector<std::string> free_directions(const spirv::Module& module, const Source& source);
 
 // "vec3 brdf(vec3 L, vec3 V, float roughness)", for messages.

@@ -87,8 +87,8 @@ bool same(double a, double b, double scale) {
   return std::abs(a - b) <= kSame * scale;
 }
 
-// Looks at kProbes places where `look` finds values, which it says with true or false; nothing where it has none there. False once it says
-// so, or where there are too few such places.
+// Looks at kProbes places where `look` finds values, which it says with true or false; nothing where it has
+// none there. False once it says so, or where there are too few such places.
 template <class Look>
 bool holds_at_places(const Function& f, Look&& look) {
   constexpr int kMostTried = 10 * kProbes, kEnough = kProbes / 3;

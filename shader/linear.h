@@ -16,12 +16,13 @@ struct Linear {
   int f0 = -1;                       // place in `weights` of the one that divides the lobes of another
 };
 
-// Nothing where the value is not linear in anything, or in not all colours. f = sum over lobes of weight times lobe to 1e-9 at many
-// directions and parameters chosen at random, without those where the function has no value.
+// Nothing where the value is not linear in anything, or in not all colours. f = sum over lobes of weight
+// times lobe to 1e-9 at many directions and parameters chosen at random, without those where the function has
+// no value.
 std::optional<Linear> linear_parameters(const Function& function);
 
-// What is said of a function that has no finite value at some of the places at which it is asked; empty: it has one at all. Each of
-// them is within the parameters' ranges.
+// What is said of a function that has no finite value at some of the places at which it is asked; empty: it
+// has one at all. Each of them is within the parameters' ranges.
 std::string said_of_holes(const Function& function);
 
 // Whether it is 0 at all of many places chosen at random.
@@ -30,7 +31,8 @@ bool is_zero_where_asked(const Function& function);
 // Whether a channel's value depends on its own component of every colour only.
 bool keeps_channels(const Function& function);
 
-// Whether the value is not reciprocal as it is, and is where the cosine to the light is taken out: then it holds that cosine.
+// Whether the value is not reciprocal as it is, and is where the cosine to the light is taken out: then it
+// holds that cosine.
 bool holds_cosine(const Function& function);
 
 // Whether equal components of all colours give equal components of the value.

@@ -121,8 +121,8 @@ bool is_value(const Leaf& l) {
   return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
 }
 
-// Which of them are the reflectance: the only one there is, the one that its name tells, or all parts of it. What is no part by its name
-// stops it where the others are parts, and is said elsewhere.
+// Which of them are the reflectance: the only one there is, the one that its name tells, or all parts of it.
+// What is no part by its name stops it where the others are parts, and is said elsewhere.
 void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Results& out) {
   const std::vector<std::string> all = names_of(leaves);
   const auto keep = [&](auto&& is) {

@@ -1,4 +1,5 @@
-// Which values of a shader's function are the reflectance: what it returns, a member of that, or arguments that it writes.
+// Which values of a shader's function are the reflectance: what it returns, a member of that, or arguments
+// that it writes.
 #pragma once
 
 #include <set>
@@ -20,9 +21,9 @@ struct Results {
   bool named = false;             // a name says that it is reflected light
 };
 
-// A float, a vec3 or the first three of a vec4; of several the one that its name tells (response, color, f, ...), or diffuse and
-// specular ones together. Arguments are written that the text says are `out` or `inout`; of a void function without such a text the
-// last one.
+// A float, a vec3 or the first three of a vec4; of several the one that its name tells (response, color, f,
+// ...), or diffuse and specular ones together. Arguments are written that the text says are `out` or `inout`;
+// of a void function without such a text the last one.
 Results results_of(const spirv::Module& module, const spirv::Function& function, const Source& source);
 
 }  // namespace brdf::shader

@@ -76,7 +76,8 @@ std::string answer_of(const Translated& t) {
 constexpr int kOutOfMemory = 3;  // exit codes of the process
 constexpr int kThrew = 4;
 
-// Runs until it ends the process. Whatever cannot be had ends it with the code that says so: the compiler handles no exceptions.
+// Runs until it ends the process. Whatever cannot be had ends it with the code that says so: the compiler
+// handles no exceptions.
 template <class Work>
 [[noreturn]] void run_in_process(Work&& work) {
   limit_resources();
@@ -91,7 +92,8 @@ template <class Work>
   _exit(0);
 }
 
-// Reads until the deadline: all that comes before the end, or `most` bytes. False where the time passes first.
+// Reads until the deadline: all that comes before the end, or `most` bytes. False where the time passes
+// first.
 bool read_until(int from, std::string& answer, std::size_t most) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2 * kSeconds);
   char part[1 << 16];
@@ -158,8 +160,8 @@ std::optional<Compiled> compiled_of(const std::string& answer) {
   return out;
 }
 
-// The text is tried with less and less information on places as long as that crashes the compiler. `attempt` gives the answer, or how
-// the process ended.
+// The text is tried with less and less information on places as long as that crashes the compiler. `attempt`
+// gives the answer, or how the process ended.
 template <class AttemptWith>
 Compiled compile_somehow(const Source& source, AttemptWith&& attempt) {
   Ending first;

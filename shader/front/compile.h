@@ -1,4 +1,5 @@
-// From a shader's text to SPIR-V, by glslang, in a process of its own: whatever a text does to the compiler, it ends there.
+// From a shader's text to SPIR-V, by glslang, in a process of its own: whatever a text does to the compiler,
+// it ends there.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +20,14 @@ struct Compiled {
   std::string whole;                     // the text with its includes, macros replaced, comments gone
 };
 
-// Throws InputError with the compiler's first message, "FILE:LINE: ...", or where it needs more than its share of memory (1 GiB) or
-// time (4 s of the processor), or crashes, whatever it is told of places; EnvironmentError where no process can be started. `by`
-// is what runs in that process.
+// Throws InputError with the compiler's first message, "FILE:LINE: ...", or where it needs more than its
+// share of memory (1 GiB) or time (4 s of the processor), or crashes, whatever it is told of places;
+// EnvironmentError where no process can be started. `by` is what runs in that process.
 using Translate = Translated (*)(const Source&, Places);
 Compiled compile(const Source& source, Translate by = translate);
 
-// The same of many texts, in one process for all of them: what a process costs is paid once. A text that ends it has a new one follow.
+// The same of many texts, in one process for all of them: what a process costs is paid once. A text that ends
+// it has a new one follow.
 class Compiler {
  public:
   Compiler() = default;

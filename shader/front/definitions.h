@@ -20,7 +20,8 @@ struct Definition {
   bool is_declaration = false;                  // of a variable, a block or a type
 };
 
-// In the text's order; `text` is without comments. Preprocessor lines are passed over as if all of them were true.
+// In the text's order; `text` is without comments. Preprocessor lines are passed over as if all of them were
+// true.
 std::vector<Definition> definitions_of(const std::string& text, bool declarations = false);
 
 // The text with blanks in place of these; lines stay where they are.

@@ -124,8 +124,13 @@ Translated translate_with(Files& files, const Source& source, const Attempt& att
   return out;
 }
 
-// What lacks something that was left out before does not compile for that one's reason.
-std::string why(const std::vector<LeftOut>& before, const std::string& text, const std::string& message) {
+// Why this definition, of that file, does not compile: its own words where they are another language's, else
+// what was left out before and that it lacks, else the compiler's message.
+std::string why(const std::vector<LeftOut>& before, const IncludedFile& file, const Definition& definition,
+                const std::string& text, const std::string& message) {
+  if (const auto foreign = foreign_language(text, message))
+    return file.shown + ":" + std::to_string(definition.first_line + foreign->line - 1) + ": " +
+           refusal_of(*foreign);
   const std::vector<Token> tokens = tokens_of(text);
   for (const LeftOut& d : before) {
     if (!d.is_declaration && message.find("'" + d.name + "'") != message.npos)
@@ -138,39 +143,41 @@ std::string why(const std::vector<LeftOut>& before, const std::string& text, con
   return message;
 }
 
+// Why no text of these files compiles, where they are in another language; empty: they are in none that is
+// known here. Where a part may compile, `newer` versions of a known one are none.
+std::string of_another_language(const Files& files, const std::string& message, bool newer) {
+  for (const auto& [path, file] : files.all())
+    if (const auto foreign = foreign_language(file.bare, message); foreign && (newer || !foreign->newer))
+      return file.shown + ":" + std::to_string(foreign->line) + ": " + refusal_of(*foreign);
+  return "";
+}
+
 bool holds_functions(const Files& files) {
   return std::any_of(files.all().begin(), files.all().end(),
                      [](const auto& f) { return !definitions_of(f.second.bare).empty(); });
 }
 
-// Without the functions and declarations that the compiler stumbles over, one after the other; what needs them goes as well.
-// `out`: what came of the whole.
+// Without the functions and declarations that the compiler stumbles over, one after the other; what needs
+// them goes as well. `out`: what came of the whole.
 Translated translate_in_part(Files files, const Source& source, const Attempt& attempt, Places places,
                              Translated out, std::clock_t begin) {
   std::vector<LeftOut> left_out;
   while (out.spirv.empty() && out.line > 0 && std::clock() - begin < kMostSeconds * CLOCKS_PER_SEC) {
-    const std::string& bare = files.find(out.file)->bare;
-    const std::vector<Definition> parts = definitions_of(bare, true);
+    const IncludedFile& file = *files.find(out.file);
+    const std::vector<Definition> parts = definitions_of(file.bare, true);
     const auto faulty = std::find_if(parts.begin(), parts.end(), [&](const Definition& d) {
       return d.first_line <= out.line && out.line <= d.last_line;
     });
     if (faulty == parts.end()) break;
-    const std::string text = bare.substr(faulty->begin, faulty->end - faulty->begin);
-    left_out.push_back({faulty->name, why(left_out, text, out.messages), text, faulty->is_declaration});
+    const std::string text = file.bare.substr(faulty->begin, faulty->end - faulty->begin);
+    left_out.push_back(
+        {faulty->name, why(left_out, file, *faulty, text, out.messages), text, faulty->is_declaration});
     files.leave_out(out.file, *faulty);
     if (!holds_functions(files)) break;
     out = translate_with(files, source, attempt, places);
   }
   out.left_out = std::move(left_out);
   return out;
-}
-
-// Why no text of these files compiles, where they are in another language; empty: they are in none that is known here.
-std::string of_another_language(const Files& files, const std::string& message) {
-  for (const auto& [path, file] : files.all())
-    if (const auto foreign = foreign_language(file.bare, message))
-      return file.shown + ":" + std::to_string(foreign->line) + ": " + refusal_of(*foreign);
-  return "";
 }
 
 }  // namespace
@@ -200,7 +207,7 @@ Translated translate(const Source& source, Places places) {
     failed.back().spirv.clear();
   }
   // Others follow from the first one's error.
-  if (const std::string foreign = of_another_language(files, failed[0].messages); !foreign.empty()) {
+  if (const std::string foreign = of_another_language(files, failed[0].messages, false); !foreign.empty()) {
     failed[0].messages = foreign;
     return failed[0];
   }
@@ -209,6 +216,8 @@ Translated translate(const Source& source, Places places) {
     Translated part = translate_in_part(files, source, all[k], places, failed[k], begin);
     if (!part.spirv.empty()) return part;
   }
+  if (const std::string foreign = of_another_language(files, failed[0].messages, true); !foreign.empty())
+    failed[0].messages = foreign;
   return failed[0];
 }
 

@@ -28,12 +28,14 @@ struct Translated {
   std::string whole = {};                     // the text with its includes, macros replaced, comments gone
 };
 
-// What the module is to say of where its instructions come from. More of it is more of the compiler that may fail.
+// What the module is to say of where its instructions come from. More of it is more of the compiler that may
+// fail.
 enum class Places { scopes, lines, none };
 
 // Once per process, before translate(): the compiler's own tables.
 void prepare_translation();
-// The whole text, else the text without those functions, of its own or of included files, that do not compile.
+// The whole text, else the text without those functions, of its own or of included files, that do not
+// compile.
 Translated translate(const Source& source, Places places = Places::scopes);
 
 // "'a', 'b' are no files of the shader's own folder".

@@ -76,8 +76,8 @@ std::optional<fs::path> Files::inside(const fs::path& path) const {
   return std::nullopt;
 }
 
-// As written, from the file that includes it or from one of the folders, in their order; else without the first parts of its path:
-// libraries count from a folder further up.
+// As written, from the file that includes it or from one of the folders, in their order; else without the
+// first parts of its path: libraries count from a folder further up.
 std::optional<fs::path> Files::look_up(const fs::path& name, const fs::path& from) const {
   if (from.is_absolute())
     if (const auto file = inside(from.parent_path() / name)) return file;

@@ -30,8 +30,8 @@ class Files {
   const std::map<std::string, IncludedFile>& all() const { return files_; }
   void leave_out(const std::string& path, const Definition& definition);
 
-  // The file that an #include of `name` in the file `from` means: below the shader's own folder or one of -I, links resolved. Nothing
-  // where there is none.
+  // The file that an #include of `name` in the file `from` means: below the shader's own folder or one of -I,
+  // links resolved. Nothing where there is none.
   const IncludedFile* include(const std::filesystem::path& name, const std::filesystem::path& from,
                               std::string& path);
 
@@ -45,7 +45,8 @@ class Files {
   std::map<std::string, IncludedFile> files_;
 };
 
-// What the compiler asks while it reads a text once. A file that is not there is empty: the function may need nothing of it.
+// What the compiler asks while it reads a text once. A file that is not there is empty: the function may need
+// nothing of it.
 class Includer final : public glslang::TShader::Includer {
  public:
   explicit Includer(Files& files) : files_(files) {}
@@ -71,8 +72,8 @@ class Includer final : public glslang::TShader::Includer {
   std::size_t count_ = 0;
 };
 
-// Macros that #if, #ifdef or #ifndef of these files ask for and that nothing defines, in alphabetical order, without those of the
-// compiler itself.
+// Macros that #if, #ifdef or #ifndef of these files ask for and that nothing defines, in alphabetical order,
+// without those of the compiler itself.
 std::vector<std::string> asked_macros(const Files& files, const Source& source);
 // Macros of the command line whose names stand in none of them.
 std::vector<std::string> unmentioned_macros(const Files& files, const Source& source);

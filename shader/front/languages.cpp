@@ -156,14 +156,16 @@ std::optional<Foreign> foreign_language(std::string_view bare, std::string_view 
       return found(k, of_hlsl ? "Slang (or HLSL with interfaces)" : "Slang", 3);
     }
     if (is_cpp(t)) return found(k, "C++ or a dialect of it", 3);
-    if (!late && is_hlsl_2021(t, message)) late = found(k, "HLSL 2021", 2);
+    if (late || !is_hlsl_2021(t, message)) continue;
+    late = found(k, "HLSL 2021", 2);
+    late->newer = true;
   }
   return late;
 }
 
 std::string refusal_of(const Foreign& foreign) {
   const std::string begin = "is " + foreign.language + " (`" + foreign.construct + "`), which is not read: ";
-  if (foreign.language == "HLSL 2021")
+  if (foreign.newer)
     return begin +
            "write the function in HLSL 5.1 (`c ? a : b` for select(), a function for each type for a "
            "template, a "

@@ -21,15 +21,18 @@ struct Token {
 // `bare` is stripped; it must outlive the tokens. `directives`: those of preprocessor lines, too.
 std::vector<Token> tokens_of(std::string_view bare, bool directives = false);
 
-// By the words of one language alone, else by the file's suffix (small letters): engines call both kinds .fx, .shader or .txt.
+// By the words of one language alone, else by the file's suffix (small letters): engines call both kinds .fx,
+// .shader or .txt.
 Language language_of(std::string_view bare, std::string_view suffix);
 
 // What of another language stands in a text that neither GLSL's nor HLSL's compiler takes.
 struct Foreign {
   std::string language, construct;  // "Slang", "import scene;"
   std::uint32_t line = 0;
+  bool newer = false;  // HLSL's newer version: what compiles as the older one means the same
 };
-// To be asked of a text that does not compile, with the compiler's message: any of these words may be a name in GLSL or HLSL.
+// To be asked of a text that does not compile, with the compiler's message: any of these words may be a name
+// in GLSL or HLSL.
 std::optional<Foreign> foreign_language(std::string_view bare, std::string_view message);
 // The sentence that refuses it, without its place: "is Slang (`import scene;`), which is not read: ...".
 std::string refusal_of(const Foreign& foreign);

@@ -10,9 +10,9 @@
 
 namespace brdf::shader {
 
-// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", the last two also as "param NAME bool 0|1" and
-// "param NAME color r g b", and BRDF Explorer's "float NAME MIN MAX DEFAULT"; `words` follow the kind. Throws InputError that begins
-// with `where`.
+// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", the last two also as
+// "param NAME bool 0|1" and "param NAME color r g b", and BRDF Explorer's "float NAME MIN MAX DEFAULT";
+// `words` follow the kind. Throws InputError that begins with `where`.
 Declared read_declared(std::string_view kind, std::span<const std::string_view> words, std::uint32_t line,
                        const std::string& where);
 

@@ -167,8 +167,8 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
     if (before.find("view") != before.npos) return Meaning{Meaning::Kind::vector, Axis::view};
   }
   if (const auto axis = axis_of(word)) return Meaning{Meaning::Kind::vector, *axis};
-  // Where a variable comes from, before its name (vNormal, uLightDir, in_normal, geometryViewDir), or its space behind it
-  // (normalWS).
+  // Where a variable comes from, before its name (vNormal, uLightDir, in_normal, geometryViewDir), or its
+  // space behind it (normalWS).
   for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world", "geometry",
                                        "shading", "surface", "local", "pixel"})
     if (word.size() > begin.size() + 2 && word.starts_with(begin))

@@ -10,7 +10,8 @@ namespace brdf::shader {
 // Vectors of the local frame.
 enum class Axis { light, view, normal, half, tangent, bitangent };
 
-// What an argument stands for, told by its name: a vector, the product of two, light of intensity 1; nothing: a parameter.
+// What an argument stands for, told by its name: a vector, the product of two, light of intensity 1; nothing:
+// a parameter.
 struct Meaning {
   enum class Kind { vector, product, white } kind = Kind::vector;
   Axis a = Axis::normal, b = Axis::normal;

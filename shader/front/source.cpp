@@ -33,8 +33,8 @@ void check_depth(const std::string& name, const std::string& text) {
   }
 }
 
-// BRDF Explorer's file becomes GLSL: its parameters are globals, in the lines where they stood; other lines are empty. What its
-// `//:` lines say besides comes last, and wins.
+// BRDF Explorer's file becomes GLSL: its parameters are globals, in the lines where they stood; other lines
+// are empty. What its `//:` lines say besides comes last, and wins.
 void read_explorer(Source& source) {
   source.explorer = true;
   const std::vector<Declared> noted = std::exchange(source.parameters, {});

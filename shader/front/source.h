@@ -61,11 +61,12 @@ struct Source {
 
 constexpr std::size_t kLargestShader = 1u << 18;
 
-// Throws InputError where the file cannot be read, is too large or nested too deeply, or a `//:` line or a block is not understood.
+// Throws InputError where the file cannot be read, is too large or nested too deeply, or a `//:` line or a
+// block is not understood.
 Source read_source(const std::filesystem::path& path);
-// The same of a text under that name; HLSL is told by its words (float3, cbuffer), else by the name's end (.hlsl, .hlsli, .fx, .usf);
-// a text with ::begin is a .brdf file. Of a script that holds shaders in backticks, and of Unity's ShaderLab, both told by their
-// suffixes, the shaders alone are read.
+// The same of a text under that name; HLSL is told by its words (float3, cbuffer), else by the name's end
+// (.hlsl, .hlsli, .fx, .usf); a text with ::begin is a .brdf file. Of a script that holds shaders in
+// backticks, and of Unity's ShaderLab, both told by their suffixes, the shaders alone are read.
 Source parse_source(std::string name, std::string text, std::filesystem::path folder = {});
 
 // "NAME=MIN:MAX" or "NAME=MIN:MAX:DEFAULT", with ":log" after it; as the command line has it.

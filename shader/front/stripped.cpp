@@ -86,7 +86,8 @@ class Script {
     return at + 1;  // a division after all
   }
 
-  // From `at` on; within a literal up to the brace that closes what is put in there. Returns the place after it.
+  // From `at` on; within a literal up to the brace that closes what is put in there. Returns the place after
+  // it.
   std::size_t code(std::size_t at, int depth) {
     if (depth > kDeepest)
       throw InputError(name_ + ":" + std::to_string(io::line_of(text_, at)) +

@@ -30,7 +30,8 @@ std::string common_preamble(const Source& source);
 // In the order in which they are tried: the file's own first.
 std::vector<int> versions_of(const Source& source);
 
-// In the order in which they are tried. `whole`: the text after the preprocessor, which has read all the files.
+// In the order in which they are tried. `whole`: the text after the preprocessor, which has read all the
+// files.
 std::vector<Attempt> attempts(const Files& files, const Source& source, const std::string& whole);
 
 // The text with an entry that a driver could call, at its end.

@@ -71,7 +71,8 @@ constexpr Known kOldWords[] = {
     {"textureCubeLod", " textureLod", Of::glsl},
     {"gl_FragColor", " brdf_fragment_colour\nvec4 brdf_fragment_colour;", Of::glsl}};
 
-// The text's words, and those of them that it defines: constants, variables and functions, which stand behind a type or before a value.
+// The text's words, and those of them that it defines: constants, variables and functions, which stand behind
+// a type or before a value.
 struct Words {
   std::set<std::string_view> used = {}, defined = {};
 };

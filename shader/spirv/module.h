@@ -1,4 +1,5 @@
-// A SPIR-V module as compilers write it, read into tables. Nothing in it is trusted: every id, length and type is checked.
+// A SPIR-V module as compilers write it, read into tables. Nothing in it is trusted: every id, length and
+// type is checked.
 #pragma once
 
 #include <cstdint>
@@ -77,8 +78,9 @@ struct Module {
   std::string spelled(Id type) const;
 };
 
-// Lines are those of the file `own`: what stands in another one has none, nor has it a line where `own` is not given and the module says
-// nothing. Throws InputError where it is no module, or one of which something is left open.
+// Lines are those of the file `own`: what stands in another one has none, nor has it a line where `own` is
+// not given and the module says nothing. Throws InputError where it is no module, or one of which something
+// is left open.
 Module parse(std::span<const std::uint32_t> words, const std::string& own = "");
 
 }  // namespace brdf::shader::spirv

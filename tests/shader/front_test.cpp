@@ -1,4 +1,5 @@
-// How a text is read: what belongs to it, which language it is in, and what is told where it does not compile.
+// How a text is read: what belongs to it, which language it is in, and what is told where it does not
+// compile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -136,9 +137,15 @@ TEST(Languages, AreRefusedByNameWhereNothingCompiles) {
               HasSubstr("is HLSL 2021 (`select(`)"));
   EXPECT_THAT(
       said("struct S { float x; S operator+(S o) { S r; r.x = x + o.x; return r; } };\nfloat brdf(float3 L, "
-           "float3 V) { return 1; }",
+           "float3 V) { S s; s.x = L.x; return (s + s).x; }",
            "a.hlsl"),
-      HasSubstr("is HLSL 2021 (`operator+`)"));
+      HasSubstr("a.hlsl:1: is HLSL 2021 (`operator+`)"));
+  // What does not need it is read as ever.
+  const auto beside = shader_of(
+      "template<typename T> T twice(T x) { return x + x; }\nfloat brdf(float3 L, float3 V) { return 0.375; }",
+      {}, "a.hlsl");
+  EXPECT_EQ(value_at(beside, 20, 0, 30, 0), 0.375);
+  EXPECT_THAT(notes_of(beside), HasSubstr("without twice()"));
   EXPECT_THAT(said("mdl 1.6;\nimport ::df::*;\nexport material m() = material();", "a.mdl"),
               HasSubstr("is MDL (`mdl 1"));
   EXPECT_THAT(said("surface own(color c = 1) { Ci = c * diffuse(N); }", "a.osl"),
