@@ -80,10 +80,20 @@ constexpr int kLx = 0, kLy = 1, kVx = 2, kVy = 3;
 
 using Terms = std::array<Name, kTerms>;
 
+// What becomes of a value when the azimuth between light and viewer changes its sign: nothing, its sign, or more.
+enum class Hand : std::uint8_t { even, odd, mixed };
+Hand both(Hand a, Hand b) {
+  return a == b ? a : Hand::mixed;
+}
+Hand product_of(Hand a, Hand b) {
+  if (a == Hand::mixed || b == Hand::mixed) return Hand::mixed;
+  return a == b ? Hand::even : Hand::odd;
+}
+
 // A slot's value: a number that does not change (its name), or a polynomial that does (its place among those known).
 struct Form {
   enum class Kind : std::uint8_t { absent, still, partial, unknown } kind = Kind::absent;
-  bool handed = false;      // has the sign of the azimuth between light and viewer
+  Hand hand = Hand::even;
   bool whole = false;       // of a polynomial: its rounding error is relative to itself
   bool square = false;      // a sum of squares of such values
   std::uint16_t depth = 0;  // operations from the coordinates, of a polynomial
@@ -95,8 +105,8 @@ struct Form {
   friend bool operator==(const Form&, const Form&) = default;
 };
 
-Form still(Name name, bool handed = false) {
-  return {Form::Kind::still, handed, true, false, 0, name};
+Form still(Name name, Hand hand = Hand::even) {
+  return {Form::Kind::still, hand, true, false, 0, name};
 }
 Form unknown() {
   return {Form::Kind::unknown};
@@ -167,11 +177,11 @@ class Analysis {
     terms[0] = f.name;
     return terms;
   }
-  Form form_of(const Terms& terms, bool handed, int depth) {
-    if (degree_of(terms) == 0) return still(terms[0], handed);
+  Form form_of(const Terms& terms, Hand hand, int depth) {
+    if (degree_of(terms) == 0) return still(terms[0], hand);
     const auto [place, added] = places_.try_emplace(terms, int(polynomials_.size()));
     if (added) polynomials_.push_back(terms);
-    return {Form::Kind::partial, handed, false, false, std::uint16_t(std::min(depth, kDeepest + 1)),
+    return {Form::Kind::partial, hand, false, false, std::uint16_t(std::min(depth, kDeepest + 1)),
             place->second};
   }
 
@@ -247,22 +257,22 @@ class Analysis {
   Form joined(const std::vector<std::pair<std::size_t, const State*>>& ways, std::size_t target,
               std::size_t slot, bool loop) {
     const Form& first = (*ways.front().second)[slot];
-    bool same = !looped_[target][slot], still_all = true, known = true, handed = false, whole = true,
-         square = true;
+    bool same = !looped_[target][slot], still_all = true, known = true, whole = true, square = true;
+    Hand hand = first.hand;
     int depth = 0;
     for (const auto& [source, state] : ways) {
       const Form& f = (*state)[slot];
       same = same && f.same(first);
       still_all = still_all && f.is_still();
       known = known && f.is_known();
-      handed = handed || f.handed;
+      hand = both(hand, f.hand);
       whole = whole && f.whole;
       square = square && f.square;
       depth = std::max<int>(depth, f.depth);
     }
-    if (same) return {first.kind, handed, whole, square, std::uint16_t(depth), first.name};
+    if (same) return {first.kind, hand, whole, square, std::uint16_t(depth), first.name};
     if (loop) looped_[target][slot] = true;
-    if (still_all) return still(names_.of({-7, int(target), int(slot)}), handed);
+    if (still_all) return still(names_.of({-7, int(target), int(slot)}), hand);
     if (loop || !known) return unknown();
     std::vector<Terms> all;
     for (const auto& [source, state] : ways) all.push_back(terms_of((*state)[slot]));
@@ -272,7 +282,7 @@ class Analysis {
       for (const Terms& terms : all) key.push_back(terms[t]);
       if (!std::equal(key.begin() + 3, key.end(), key.begin() + 2)) out[t] = names_.of(key);
     }
-    return form_of(out, handed, depth);
+    return form_of(out, hand, depth);
   }
 
   State pass(std::size_t which, State s) {
@@ -281,13 +291,13 @@ class Analysis {
     if (stretch.end == End::branch) {
       const Form& condition = at(s, true, stretch.condition);
       if (!condition.is_still()) fail(stretch.line);
-      handed_ = handed_ || condition.handed;
+      handed_ = handed_ || condition.hand != Hand::even;
     }
     if (stretch.end != End::stop) return s;
     for (const std::uint32_t slot : p_.results) {
       const Form& f = at(s, false, slot);
       if (!f.is_still()) fail(stretch.steps.empty() ? stretch.line : stretch.steps.back().line);
-      handed_ = handed_ || f.handed;
+      handed_ = handed_ || f.hand != Hand::even;
     }
     return s;
   }
@@ -331,23 +341,24 @@ class Analysis {
   // Elements of an array are followed only where all of them are numbers that do not change.
   Turning indexed(State& s, const Step& x, const Operands& o) {
     const Form place = at(s, true, x.b);
-    bool known = place.is_still(), handed = place.handed;
+    bool known = place.is_still();
+    Hand hand = place.hand == Hand::even ? Hand::even : Hand::mixed;
     std::vector<int> key{int(x.op), int(x.a), place.name};
     const auto include = [&](const Form& f) {
       // An element that was never written is undefined, which is another finding.
       known = known && (f.is_still() || f.kind == Form::Kind::absent);
-      handed = handed || f.handed;
+      if (f.hand != Hand::even) hand = Hand::mixed;
       key.push_back(f.is_still() ? f.name : -1);
     };
     for (std::uint32_t k = 0; k < (o.indexed_load ? x.c : 1); ++k) include(at(s, o.integer[0], x.a + k));
     if (o.indexed_load) {
-      at(s, o.result_integer, x.r) = known ? still(names_.of(key), handed) : unknown();
+      at(s, o.result_integer, x.r) = known ? still(names_.of(key), hand) : unknown();
       return Turning::still;
     }
     for (std::uint32_t k = 0; k < x.c; ++k) include(at(s, o.result_integer, x.r + k));
     for (std::uint32_t k = 0; k < x.c; ++k) {
       key.push_back(int(k));
-      at(s, o.result_integer, x.r + k) = known ? still(names_.of(key), handed) : unknown();
+      at(s, o.result_integer, x.r + k) = known ? still(names_.of(key), hand) : unknown();
     }
     return Turning::still;
   }
@@ -356,31 +367,46 @@ class Analysis {
     const std::uint32_t slots[] = {x.a, x.b, x.c};
     const auto operand = [&](int k) -> const Form& { return at(s, o.integer[k], slots[k]); };
     if (x.op == Op::copy || x.op == Op::icopy) return operand(0);
-    bool all_still = true, all_known = true, handed = false;
+    bool all_still = true, all_known = true;
     int depth = 1;
     for (int k = 0; k < o.count; ++k) {
       all_still = all_still && operand(k).is_still();
       all_known = all_known && operand(k).is_known();
-      handed = handed || operand(k).handed;
       depth = std::max(depth, operand(k).depth + 1);
     }
+    const Hand hand = hand_of(s, x, o, all_still);
     if (const auto terms = polynomial(s, x, all_known)) {
-      Form f = closed(*terms, handed, depth);
+      Form f = closed(*terms, hand, depth);
       set_rounding(f, s, x);
       return f;
     }
     if (!all_still && all_known && o.count == 2 && o.result_integer && !o.integer[0]) {
       // A comparison of two sums is one of their difference with 0.
-      const Form difference =
-          closed(sum(terms_of(operand(0)), opposite(terms_of(operand(1)))), handed, depth);
+      const Form difference = closed(sum(terms_of(operand(0)), opposite(terms_of(operand(1)))), hand, depth);
       if (difference.is_still())
-        return still(names_.of({int(x.op), -11, difference.name}), difference.handed);
+        return still(names_.of({int(x.op), -11, difference.name}),
+                     difference.hand == Hand::even ? Hand::even : Hand::mixed);
     }
     if (!all_still) return unknown();
     std::vector<int> key{int(x.op)};
     for (int k = 0; k < o.count; ++k) key.push_back(operand(k).name);
     if (x.op == Op::min) key.push_back(int(x.c));
-    return still(names_.of(key), handed);
+    return still(names_.of(key), hand);
+  }
+
+  Hand hand_of(const State& s, const Step& x, const Operands& o, bool all_still) const {
+    const std::uint32_t slots[] = {x.a, x.b, x.c};
+    const auto hand = [&](int k) { return at(s, o.integer[k], slots[k]).hand; };
+    bool all_even = true;
+    for (int k = 0; k < o.count; ++k) all_even = all_even && hand(k) == Hand::even;
+    if (all_even) return Hand::even;
+    if (!all_still) return Hand::mixed;
+    if (x.op == Op::neg) return hand(0);
+    if (x.op == Op::abs) return hand(0) == Hand::odd ? Hand::even : Hand::mixed;
+    if (x.op == Op::mul || x.op == Op::div) return product_of(hand(0), hand(1));
+    if (x.op == Op::add || x.op == Op::sub) return both(hand(0), hand(1));
+    if (x.op == Op::select && hand(0) == Hand::even) return both(hand(1), hand(2));
+    return Hand::mixed;
   }
 
   // Which errors of rounding are relative to the value itself: not those of sums whose terms are rounded already and
@@ -469,18 +495,20 @@ class Analysis {
     return out;
   }
   // A sum of products that does not change becomes one number.
-  Form closed(const Terms& terms, bool handed, int depth) {
+  Form closed(const Terms& terms, Hand hand, int depth) {
     const bool linear =
         std::any_of(terms.begin() + kLinear, terms.begin() + kSquares, [](Name n) { return n != kZero; });
-    if (degree_of(terms) != 2 || linear) return form_of(terms, handed, depth);
+    if (degree_of(terms) != 2 || linear) return form_of(terms, hand, depth);
     const auto term = [&](int a, int b) { return terms[std::size_t(product_term(a, b))]; };
     const Name cross = term(kLx, kVy);
     const bool dots = term(kLx, kLx) == term(kLy, kLy) && term(kVx, kVx) == term(kVy, kVy) &&
                       term(kLx, kVx) == term(kLy, kVy) && term(kLx, kLy) == kZero && term(kVx, kVy) == kZero;
-    if (!dots || names_.neg(cross) != term(kLy, kVx)) return form_of(terms, handed, depth);
+    if (!dots || names_.neg(cross) != term(kLy, kVx)) return form_of(terms, hand, depth);
     std::vector<int> key{-9};
     key.insert(key.end(), terms.begin(), terms.end());
-    return still(names_.of(key), handed || cross != kZero);
+    const bool alone = std::count(terms.begin(), terms.end(), kZero) == kTerms - 2;
+    if (cross == kZero) return still(names_.of(key), hand);
+    return still(names_.of(key), hand == Hand::even && alone ? Hand::odd : Hand::mixed);
   }
 
   const Program& p_;

@@ -81,7 +81,7 @@ TEST(Refused, AFileOutsideTheShadersFolder) {
   const auto read = [&](const std::string& include) {
     std::ofstream(folder / "inside" / "a.glsl")
         << "#include \"" << include << "\"\nfloat brdf(vec3 L, vec3 V, float k) { return part(k); }\n";
-    return load_shader({(folder / "inside" / "a.glsl").string()});
+    return load_shader(ShaderChoice{(folder / "inside" / "a.glsl").string()});
   };
   EXPECT_EQ(value_at(read("part.glsl"), 10, 0, 10, 0), 1);
   // As a library counts from a folder further up.
@@ -89,7 +89,7 @@ TEST(Refused, AFileOutsideTheShadersFolder) {
   // One that nobody needs is left away.
   std::ofstream(folder / "inside" / "b.glsl")
       << "#include \"unneeded.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return k; }\n";
-  const auto without = load_shader({(folder / "inside" / "b.glsl").string()});
+  const auto without = load_shader(ShaderChoice{(folder / "inside" / "b.glsl").string()});
   EXPECT_EQ(value_at(without, 10, 0, 10, 0), 0.5);
   EXPECT_THAT(
       without->function().notes,

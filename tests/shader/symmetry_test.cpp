@@ -7,12 +7,12 @@
 namespace brdf::shader {
 namespace {
 
-struct Case {
+struct SymmetryCase {
   const char* body;
   bool isotropic, mirrored, reflects;
 };
 
-class Symmetries : public testing::TestWithParam<Case> {};
+class Symmetries : public testing::TestWithParam<SymmetryCase> {};
 
 TEST_P(Symmetries, AreShownFromTheProgram) {
   const auto& [body, isotropic, mirrored, reflects] = GetParam();
@@ -27,31 +27,33 @@ TEST_P(Symmetries, AreShownFromTheProgram) {
 INSTANTIATE_TEST_SUITE_P(
     Bodies, Symmetries,
     testing::Values(
-        Case{"return p * (L.z + dot(L, V) + 1.0);", true, true, true},
-        Case{"return p * (L.z * V.z + L.y * V.y + V.x * L.x + 1.0);", true, true, true},
-        Case{"vec3 H = normalize(L + V); return p * pow(max(dot(N, H), 0.0), 20.0) * dot(H, V);", true, true,
-             true},
-        Case{"vec3 R = reflect(-L, N); return p * max(dot(R, V), 0.0);", true, true, true},
-        Case{"float x = L.x * V.y - L.y * V.x; return p * x * x;", true, false, true},
-        Case{"vec3 c = cross(L, V); return p * dot(c, c);", true, true, true},
-        Case{"vec3 H = L + V; if (p > 0.5) H = L - 0.5 * V; return p * dot(H, H);", true, true, true},
-        Case{"float s = 0.0; for (int k = 0; k < 4; ++k) s += float(k) * dot(L, V); return 1.0 + p * s * s;",
-             true, true, true},
+        SymmetryCase{"return p * (L.z + dot(L, V) + 1.0);", true, true, true},
+        SymmetryCase{"return p * (L.z * V.z + L.y * V.y + V.x * L.x + 1.0);", true, true, true},
+        SymmetryCase{"vec3 H = normalize(L + V); return p * pow(max(dot(N, H), 0.0), 20.0) * dot(H, V);",
+                     true, true, true},
+        SymmetryCase{"vec3 R = reflect(-L, N); return p * max(dot(R, V), 0.0);", true, true, true},
+        SymmetryCase{"float x = L.x * V.y - L.y * V.x; return p * x * x;", true, false, true},
+        SymmetryCase{"vec3 c = cross(L, V); return p * dot(c, c);", true, true, true},
+        SymmetryCase{"vec3 H = L + V; if (p > 0.5) H = L - 0.5 * V; return p * dot(H, H);", true, true, true},
+        SymmetryCase{
+            "float s = 0.0; for (int k = 0; k < 4; ++k) s += float(k) * dot(L, V); return 1.0 + p * s * s;",
+            true, true, true},
         // What turns with the surface.
-        Case{"return p * (1.0 + L.y);", false, false, false},
-        Case{"return p * L.x * L.x;", false, false, true},
-        Case{"return p * (L.x * V.x + 1.0001 * L.y * V.y + 1.0);", false, false, true},
-        Case{"return L.x * V.x > 0.1 ? p : 0.5 * p;", false, false, true},
-        Case{"return p * (1.0 + L.x * V.y);", false, false, false},
-        Case{"vec3 up = abs(N.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0); vec3 t = "
-             "normalize(cross(up, N)); "
-             "float a = dot(t, L); return p * a * a;",
-             false, false, true},
+        SymmetryCase{"return p * (1.0 + L.y);", false, false, false},
+        SymmetryCase{"return p * L.x * L.x;", false, false, true},
+        SymmetryCase{"return p * (L.x * V.x + 1.0001 * L.y * V.y + 1.0);", false, false, true},
+        SymmetryCase{"return L.x * V.x > 0.1 ? p : 0.5 * p;", false, false, true},
+        SymmetryCase{"return p * (1.0 + L.x * V.y);", false, false, false},
+        SymmetryCase{"vec3 up = abs(N.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0); vec3 t = "
+                     "normalize(cross(up, N)); "
+                     "float a = dot(t, L); return p * a * a;",
+                     false, false, true},
         // A product of two turns of a loop is not of one.
-        Case{"float s = 0.0, x = 0.0; for (int k = 0; k < 4; ++k) { s += x; float w = 1.0 + float(k) * p; x "
-             "= w * L.x * V.x; "
-             "s += w * L.y * V.y; } return 5.0 + s;",
-             false, false, true}));
+        SymmetryCase{
+            "float s = 0.0, x = 0.0; for (int k = 0; k < 4; ++k) { s += x; float w = 1.0 + float(k) * p; x "
+            "= w * L.x * V.x; "
+            "s += w * L.y * V.y; } return 5.0 + s;",
+            false, false, true}));
 
 }  // namespace
 }  // namespace brdf::shader

@@ -21,12 +21,12 @@ std::string undefined_at(const std::string& body, double cos_i, double p = 0.5,
   return wide ? to_text(model->function(), *wide) : "";
 }
 
-struct Case {
+struct UndefinedCase {
   const char *body, *sentence;
   double at, not_at;  // cosines of the light
 };
 
-class UndefinedValues : public testing::TestWithParam<Case> {};
+class UndefinedValues : public testing::TestWithParam<UndefinedCase> {};
 
 TEST_P(UndefinedValues, AreFoundWithTheirLine) {
   const auto& [body, sentence, at, not_at] = GetParam();
@@ -38,22 +38,23 @@ TEST_P(UndefinedValues, AreFoundWithTheirLine) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, UndefinedValues,
-    testing::Values(
-        Case{"float s; if (c < 0.6) s = p; return 0.1 * s;", "read before it is written", 0.7, 0.5},
-        Case{"float a[2] = float[2](0.1, 0.3); return a[int(4.0 * c)];", "outside its array", 0.8, 0.3},
-        Case{"float a[2] = float[2](0.1, 0.3); a[int(5.0 * c) - 1] = p; return a[0];", "outside its array",
-             0.1, 0.5},
-        Case{"return 0.01 * float(9 / (int(3.0 * c) - 1));", "divided by 0", 0.5, 0.9},
-        Case{"return 0.01 * float(9 % (int(3.0 * c) - 1));", "divided by 0", 0.5, 0.9},
-        Case{"return 1e-9 * float(1 << (31 + int(2.0 * c)));", "shift", 0.7, 0.2},
-        Case{"return p * pow(c - 0.5, 2.0);", "pow", 0.2, 0.8},
-        Case{"return pow(max(c - 0.5, 0.0), p - 0.5);", "pow", 0.2, 0.8},
-        Case{"return 0.1 + 0.1 * cos(atan(max(c - 0.5, 0.0), V.x));", "atan", 0.2, 0.8},
-        Case{"return smoothstep(0.4, 0.9 - c, p);", "smoothstep", 0.6, 0.2},
-        Case{"return clamp(p, c, 0.5);", "clamp", 0.7, 0.3},
-        Case{"return 0.1 * float(clamp(int(p), int(4.0 * c), 2));", "clamp", 0.9, 0.3},
-        Case{"return max(sqrt(c - 0.5), 0.0);", "no number", 0.2, 0.8},
-        Case{"return 0.1 * float(int(4e9 * c) & 1);", "outside the range", 0.8, 0.2}));
+    testing::Values(UndefinedCase{"float s; if (c < 0.6) s = p; return 0.1 * s;", "read before it is written",
+                                  0.7, 0.5},
+                    UndefinedCase{"float a[2] = float[2](0.1, 0.3); return a[int(4.0 * c)];",
+                                  "outside its array", 0.8, 0.3},
+                    UndefinedCase{"float a[2] = float[2](0.1, 0.3); a[int(5.0 * c) - 1] = p; return a[0];",
+                                  "outside its array", 0.1, 0.5},
+                    UndefinedCase{"return 0.01 * float(9 / (int(3.0 * c) - 1));", "divided by 0", 0.5, 0.9},
+                    UndefinedCase{"return 0.01 * float(9 % (int(3.0 * c) - 1));", "divided by 0", 0.5, 0.9},
+                    UndefinedCase{"return 1e-9 * float(1 << (31 + int(2.0 * c)));", "shift", 0.7, 0.2},
+                    UndefinedCase{"return p * pow(c - 0.5, 2.0);", "pow", 0.2, 0.8},
+                    UndefinedCase{"return pow(max(c - 0.5, 0.0), p - 0.5);", "pow", 0.2, 0.8},
+                    UndefinedCase{"return 0.1 + 0.1 * cos(atan(max(c - 0.5, 0.0), V.x));", "atan", 0.2, 0.8},
+                    UndefinedCase{"return smoothstep(0.4, 0.9 - c, p);", "smoothstep", 0.6, 0.2},
+                    UndefinedCase{"return clamp(p, c, 0.5);", "clamp", 0.7, 0.3},
+                    UndefinedCase{"return 0.1 * float(clamp(int(p), int(4.0 * c), 2));", "clamp", 0.9, 0.3},
+                    UndefinedCase{"return max(sqrt(c - 0.5), 0.0);", "no number", 0.2, 0.8},
+                    UndefinedCase{"return 0.1 * float(int(4e9 * c) & 1);", "outside the range", 0.8, 0.2}));
 
 TEST(Undefined, CountsOnlyWhereTheResultDependsOnIt) {
   // Both sides of a choice are computed; one of them is taken.

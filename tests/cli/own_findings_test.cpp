@@ -1,0 +1,183 @@
+// Findings about a user's shader: what is the model's and what its arithmetic's, which finding voids which, and where.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_brdf.h"
+
+namespace brdf {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct Judged {
+  std::map<std::string, std::string> verdict, statement;
+  std::map<std::string, std::string> command;  // of the witness
+  int exit_code = 0;
+};
+
+Judged judged(const io::TemporaryFolder& folder, const std::string& text, const std::string& options = "") {
+  std::ofstream(folder.path() / "own.glsl") << text;
+  const Outcome o = run_brdf("validate --shader own.glsl --json " + options, folder.path());
+  Judged j;
+  j.exit_code = o.exit_code;
+  const nlohmann::json all = nlohmann::json::parse(o.out, nullptr, false);
+  EXPECT_FALSE(all.is_discarded()) << o.err;
+  for (const auto& f : all["findings"]) {
+    j.verdict[f["check"]] = f["verdict"];
+    j.statement[f["check"]] = f["statement"];
+    if (f["witness"].is_object()) j.command[f["check"]] = f["witness"]["command"];
+  }
+  return j;
+}
+
+std::string with_body(const std::string& body) {
+  return "//: param p 0 1 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float p) { " + body + " }\n";
+}
+
+TEST(OwnFindings, TheLightIsTurnedWhereNothingShowsThatItMayStay) {
+  io::TemporaryFolder folder;
+  const Judged j = judged(folder, with_body("return L.y < -0.4 ? -0.3 : 0.15 * p;"));
+  EXPECT_EQ(j.verdict.at("non_negative"), "fail");
+  EXPECT_EQ(j.verdict.at("isotropy"), "fail");
+  EXPECT_THAT(j.statement.at("isotropy"), HasSubstr("though it reads no tangent"));
+  const Judged bright = judged(folder, with_body("return (0.3 + 2.0 * L.x * L.x) / 3.14159265;"));
+  EXPECT_EQ(bright.verdict.at("energy"), "fail");
+  const Judged sound =
+      judged(folder, with_body("return p * (1.2 + L.z * V.z + L.x * V.x + L.y * V.y) / 7.0;"));
+  EXPECT_EQ(sound.verdict.at("isotropy"), "pass");
+  EXPECT_EQ(sound.exit_code, 0);
+}
+
+TEST(OwnFindings, UndefinedValuesAreTheirOwnFindingAndVoidTheOthers) {
+  io::TemporaryFolder folder;
+  const Judged j = judged(folder, with_body("float s; if (V.z < 0.6) s = 0.2 * p; return s;"));
+  EXPECT_EQ(j.exit_code, 1);
+  EXPECT_EQ(j.verdict.at("undefined"), "fail");
+  EXPECT_THAT(j.statement.at("undefined"), HasSubstr("line 2"));
+  for (const char* check : {"finite", "non_negative", "energy"})
+    EXPECT_EQ(j.verdict.at(check), "undecided") << check;
+  // Of a set of directions without area nothing else is voided.
+  const Judged normal =
+      judged(folder, with_body("return 0.1 + 0.05 * p * sin(2.0 * atan(L.y, L.x)) * (1.0 - L.z);"));
+  EXPECT_EQ(normal.verdict.at("undefined"), "fail");
+  EXPECT_THAT(normal.statement.at("undefined"), HasSubstr("coincide, mirror each other or are the normal"));
+  EXPECT_EQ(normal.verdict.at("finite"), "pass");
+  // `finite` does not fail for what is merely open.
+  EXPECT_NE(judged(folder, with_body("return p * pow(V.z - 3.0, 2.0);")).verdict.at("finite"), "fail");
+}
+
+TEST(OwnFindings, TheHorizonIsToldApartAndDoesNotHideTheHemisphere) {
+  io::TemporaryFolder folder;
+  const Judged edge = judged(folder, with_body("return 0.2 * p * V.z / (V.z + L.z);"), "--require finite");
+  EXPECT_EQ(edge.verdict.at("finite"), "pass");
+  EXPECT_THAT(edge.statement.at("finite"), HasSubstr("at the exact horizon f is no finite number: line 2"));
+  const Judged both =
+      judged(folder, with_body("float c = 0.2 * V.z / (V.z + L.z); if (p > 0.7) return c + sqrt(L.z - V.z);\n"
+                               "return c;"));
+  EXPECT_EQ(both.verdict.at("finite"), "fail");
+  EXPECT_THAT(both.statement.at("finite"), HasSubstr("of the pairs inside the hemisphere: line 2"));
+  EXPECT_EQ(both.verdict.at("energy"), "undecided");
+}
+
+TEST(OwnFindings, CoincidentDirectionsAreSearched) {
+  io::TemporaryFolder folder;
+  const Judged j = judged(folder, with_body("return 0.1 + 0.05 * p * acos(dot(V, L));"));
+  EXPECT_EQ(j.verdict.at("finite"), "fail");
+  EXPECT_THAT(j.statement.at("finite"), HasSubstr("coincide"));
+  // The witness's command gives a value that is no number.
+  const std::string command = j.command.at("finite");
+  const std::string rows = command.substr(command.find("'") + 1, command.find("' >") - command.find("'") - 1);
+  std::string table = rows;
+  for (std::size_t at; (at = table.find("\\n")) != std::string::npos;) table.replace(at, 2, "\n");
+  std::ofstream(folder.path() / "pair.csv") << table;
+  const Outcome o = run_brdf(command.substr(command.find("brdf eval") + 5), folder.path());
+  EXPECT_THAT(o.out, HasSubstr("nan"));
+}
+
+constexpr const char* kReciprocal = R"(//: param r 0.1 1 0.4
+float brdf(vec3 L, vec3 V, vec3 N, float r) {
+  vec3 H = normalize(L + V);
+  float a = r * r, nh = max(dot(N, H), 0.0), d = nh * nh * (a - 1.0) + 1.0;
+  float f = 0.05 + 0.95 * pow(clamp(1.0 - dot(V, H), 0.0, 1.0), 5.0);
+  return f * a / (12.6 * d * d * (dot(N, L) * dot(N, V) + 0.001)) * SKEW;
+}
+)";
+
+TEST(OwnFindings, RoundingIsNotTakenForTheModel) {
+  io::TemporaryFolder folder;
+  std::string text = kReciprocal;
+  const std::size_t at = text.find("SKEW");
+  const Judged j = judged(folder, std::string(text).replace(at, 4, "1.0"));
+  EXPECT_EQ(j.verdict.at("reciprocity"), "pass") << j.statement.at("reciprocity");
+  EXPECT_THAT(j.statement.at("reciprocity"), HasSubstr("which is rounding"));
+  // An error of the model of the same size goes on failing.
+  EXPECT_EQ(
+      judged(folder, std::string(text).replace(at, 4, "(1.0 + 0.0001 * L.z)")).verdict.at("reciprocity"),
+      "fail");
+}
+
+TEST(OwnFindings, EnergyOfCodeThatIsNotReciprocalIsToldForBothDirections) {
+  io::TemporaryFolder folder;
+  const Judged j = judged(folder, with_body("return p * 1.5 * V.z / 3.14159265;"));
+  EXPECT_EQ(j.verdict.at("energy"), "fail");
+  EXPECT_THAT(j.statement.at("energy"), HasSubstr("with the light fixed reflects at most 1"));
+  EXPECT_THAT(j.statement.at("energy"), HasSubstr("with the viewer fixed reflects up to 1.5"));
+  EXPECT_THAT(judged(folder, with_body("return 0.002 * p;")).statement.at("energy"),
+              HasSubstr("nearly all light is lost"));
+}
+
+TEST(OwnFindings, AFunctionThatIsZeroPassesNothing) {
+  io::TemporaryFolder folder;
+  const Judged j = judged(folder, with_body("return 0.0 * p;"));
+  for (const auto& [check, verdict] : j.verdict) EXPECT_NE(verdict, "pass") << check;
+  EXPECT_THAT(j.statement.at("finite"), StartsWith("vacuous"));
+}
+
+TEST(OwnRoles, AWidthAcrossNeedsOneAlong) {
+  io::TemporaryFolder folder;
+  for (const char* role : {"width_across", "exponent_across"}) {
+    std::ofstream(folder.path() / "own.glsl")
+        << "//: param s 0.2 0.8 0.4 role " << role
+        << "\nfloat brdf(vec3 L, vec3 V, vec3 N, float s) { return 0.1 * s; }\n";
+    const Outcome o = run_brdf("validate --shader own.glsl -o page.html", folder.path());
+    EXPECT_EQ(o.exit_code, 2);
+    EXPECT_THAT(o.err,
+                HasSubstr("own.glsl:1: param s: role " + std::string(role) + " needs another parameter"));
+  }
+}
+
+TEST(OwnRoles, EveryRoleHasAPage) {
+  io::TemporaryFolder folder;
+  for (const char* role :
+       {"diffuse", "specular", "f0", "width", "exponent", "slope", "index", "extinction", "other"}) {
+    std::ofstream(folder.path() / "own.glsl") << "//: param s 0.2 0.8 0.4 role " << role
+                                              << "\nfloat brdf(vec3 L, vec3 V, vec3 N, float s) { return "
+                                                 "exp(-2.0 * s) * (0.1 + 0.1 * L.z * V.z * sin(s)); }\n";
+    const Outcome o = run_brdf("validate --shader own.glsl -o page.html", folder.path());
+    EXPECT_EQ(o.exit_code, 0) << role << o.err;
+    EXPECT_THAT(file_text(folder.path() / "page.html"), HasSubstr("own.glsl")) << role;
+  }
+}
+
+TEST(OwnProofs, SayWhatIsUndefined) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "own.glsl")
+      << with_body("float a[2] = float[2](0.1, 0.2); return a[int(3.0 * L.z)];");
+  const Outcome o = run_brdf("prove --shader own.glsl --property finite --require finite", folder.path());
+  EXPECT_EQ(o.exit_code, 1);
+  EXPECT_THAT(o.out, HasSubstr("undefined: line 2"));
+  EXPECT_THAT(o.out, Not(HasSubstr("proved")));
+}
+
+TEST(OwnProofs, TheSelfTestTakesNothingElse) {
+  EXPECT_THAT(run_brdf("prove --self-test --form ward").err, HasSubstr("has no effect beside --self-test"));
+  EXPECT_THAT(run_brdf("prove --seed 3 --form ward").err, HasSubstr("--seed: goes with --self-test"));
+}
+
+}  // namespace
+}  // namespace brdf
