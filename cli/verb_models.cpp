@@ -94,7 +94,8 @@ void add_models(CLI::App& app) {
   verb->footer(
       "Examples: brdf models ward\n"
       "          brdf models --json\n"
-      "          brdf models --shader disney.brdf");
+      "          brdf models --shader disney.brdf\n"
+      "          brdf models --shader skin.hlsl --define QUALITY=2 -I engine/common");
   on_run(*verb, [options] {
     if (!options->form.empty() && !options->shader.file.empty()) throw InputError("give a form or --shader");
     const auto shader = load(options->shader, "models");

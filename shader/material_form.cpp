@@ -104,7 +104,7 @@ class Forms final : public io::ShaderForms {
     const std::lock_guard lock(mutex_);
     const auto found = known_.find(key);
     if (found != known_.end()) return found->second;
-    const Reflectance form(load_shader(origin));
+    const Reflectance form(shader_from(origin));
     known_.emplace(key, form);
     return form;
   }

@@ -404,10 +404,10 @@ Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> se
 }
 
 std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice, bool embedded) {
-  return load_shader(origin_of(choice, embedded));
+  return shader_from(origin_of(choice, embedded));
 }
 
-std::shared_ptr<const ShaderReflectance> load_shader(const ShaderOrigin& origin) {
+std::shared_ptr<const ShaderReflectance> shader_from(const ShaderOrigin& origin) {
   const ShaderChoice& choice = origin.choice;
   return std::make_shared<const ShaderReflectance>(
       origin.text.empty() ? make_function(choice)

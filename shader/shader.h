@@ -80,6 +80,6 @@ class ShaderReflectance final : public ReflectanceModel {
 // `embedded`: materials of it hold its text.
 std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice, bool embedded = false);
 // The same again, from where it came.
-std::shared_ptr<const ShaderReflectance> load_shader(const ShaderOrigin& origin);
+std::shared_ptr<const ShaderReflectance> shader_from(const ShaderOrigin& origin);
 
 }  // namespace brdf::shader

@@ -155,7 +155,8 @@ TEST(OwnShader, ThatTurnsWithItsTangentIsJudged) {
 TEST(OwnShader, IsDrawnAsItIsEvaluated) {
   io::TemporaryFolder folder;
   std::ofstream(folder.path() / "many.glsl")
-      << "float brdf(vec3 L, vec3 V, vec3 N, float a, float b, float c, float d, int n) {\n  float t[3] = "
+      << "//: param n 0 1 1\nfloat brdf(vec3 L, vec3 V, vec3 N, float a, float b, float c, float d, int n) "
+         "{\n  float t[3] = "
          "float[3](0.1, 0.2, 0.3), s = 0.0;\n  for (int k = 0; k < n + 2; ++k) { if (k == 1 && d > 0.2) "
          "continue; s "
          "+= t[k % 3] * a * b; }\n  return s * (1.0 + pow(c, 2.0) * d * L.z * V.z);\n}\n";
