@@ -190,14 +190,14 @@ class Analysis {
     Terms terms{};
     if (axis == Axis::light || axis == Axis::view) {
       terms[std::size_t(kLinear + (axis == Axis::light ? kLx : kVx) + component)] = kOne;
-      Form f = form_of(terms, false, 0);
+      Form f = form_of(terms, Hand::even, 0);
       f.whole = true;
       return f;
     }
     const Name over_length = names_.of({-4});  // of the half vector: one over the length of L + V
     terms[std::size_t(kLinear + kLx + component)] = terms[std::size_t(kLinear + kVx + component)] =
         over_length;
-    Form f = form_of(terms, false, 3);
+    Form f = form_of(terms, Hand::even, 3);
     f.whole = true;
     return f;
   }
