@@ -175,8 +175,11 @@ TEST(OwnProofs, SayWhatIsUndefined) {
 }
 
 TEST(OwnProofs, TheSelfTestTakesNothingElse) {
-  EXPECT_THAT(run_brdf("prove --self-test --form ward").err, HasSubstr("has no effect beside --self-test"));
-  EXPECT_THAT(run_brdf("prove --seed 3 --form ward").err, HasSubstr("--seed: goes with --self-test"));
+  io::TemporaryFolder folder;
+  EXPECT_THAT(run_brdf("prove --self-test --form ward", folder.path()).err,
+              HasSubstr("has no effect beside --self-test"));
+  EXPECT_THAT(run_brdf("prove --seed 3 --form ward", folder.path()).err,
+              HasSubstr("--seed: goes with --self-test"));
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ INSTANTIATE_TEST_SUITE_P(
         SymmetryCase{"vec3 H = normalize(L + V); return p * pow(max(dot(N, H), 0.0), 20.0) * dot(H, V);",
                      true, true, true},
         SymmetryCase{"vec3 R = reflect(-L, N); return p * max(dot(R, V), 0.0);", true, true, true},
-        SymmetryCase{"float x = L.x * V.y - L.y * V.x; return p * x * x;", true, false, true},
+        SymmetryCase{"float x = L.x * V.y - L.y * V.x; return p * x * x;", true, true, true},
+        SymmetryCase{"float x = L.x * V.y - L.y * V.x; return p * (1.0 + x);", true, false, false},
         SymmetryCase{"vec3 c = cross(L, V); return p * dot(c, c);", true, true, true},
         SymmetryCase{"vec3 H = L + V; if (p > 0.5) H = L - 0.5 * V; return p * dot(H, H);", true, true, true},
         SymmetryCase{
