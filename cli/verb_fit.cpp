@@ -52,8 +52,8 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   if (o.shader.embed && (o.shader.file.empty() || o.output.empty()))
     throw InputError("--embed: goes with --shader FILE and -o: it is the material that holds the text");
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
-  const auto models = models_of(o);  // refused before samples are read
   const fit::Samples samples = samples_to_fit(o.samples[0], options);
+  const auto models = models_of(o);
   watch_for_interrupt();
   fit::Progress progress;
   if (shows_progress()) progress = [](const std::string& what) { Note() << "brdf fit: " << what; };
