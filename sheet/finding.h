@@ -52,8 +52,9 @@ struct Finding {
   long evaluations = 0;                                  // of the subject's f
   std::vector<NamedRow> rows = {};                       // of a table: all of them
   std::vector<std::pair<std::string, double>> channels;  // the value of each, where it is judged by channels
-  std::string proof = {};     // "proved" or "sampled", where somebody who can prove has looked
-  double share = 0;  // of the pairs inside the hemisphere at which a shader's value has the fault, from 0 to 1
+  std::string proof = {};  // "proved" or "sampled", where somebody who can prove has looked
+  double share =
+      0;  // of the pairs inside the hemisphere at which a shader's value has the fault, from 0 to 1
   bool is_suspicion = false;  // of an undecided one: it names the fault that the data suggest
 
   // Passes or fails, and says why.

@@ -72,7 +72,7 @@ struct ReflectanceInfo {
   Kink kink = Kink::unplaced;
   // Of code that is not in the catalogue: integrals take nothing for granted that a few values suggest.
   bool outside = false;
-  bool all_round = false;  // of such code: half of the azimuths is not known to stand for all
+  bool all_round = false;              // of such code: half of the azimuths is not known to stand for all
   const Accuracy* accuracy = nullptr;  // null: not measured
   const FacetFacts* facets = nullptr;  // null: it stands for no distribution of facets
   std::span<const ClosedAlbedo> albedos{};
