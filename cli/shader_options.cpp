@@ -9,10 +9,10 @@
 #include "io/text.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
+#include "shader/in_more_digits.h"
 #include "shader/material_form.h"
-#include "shader/run/in_more_digits.h"
-#include "shader/run/undefined.h"
 #include "shader/shader.h"
+#include "shader/undefined.h"
 #endif
 
 namespace brdf::cli {

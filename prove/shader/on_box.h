@@ -12,7 +12,7 @@
 
 #include "prove/scalar/interval.h"
 #include "shader/function.h"
-#include "shader/run/undefined.h"
+#include "shader/undefined.h"
 
 namespace brdf::prove {
 

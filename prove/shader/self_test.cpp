@@ -9,7 +9,7 @@
 #include "prove/shader/on_box.h"
 #include "prove/shader/random_program.h"
 #include "prove/shader/shader_proof.h"
-#include "shader/run/undefined.h"
+#include "shader/undefined.h"
 
 namespace brdf::prove {
 namespace {

@@ -1,7 +1,7 @@
 // Values that the shading languages leave undefined are found where a result depends on them, and only there.
 #include <gtest/gtest.h>
 
-#include "shader/run/undefined.h"
+#include "shader/undefined.h"
 #include "tests/shader/texts.h"
 
 namespace brdf::shader {

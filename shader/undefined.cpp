@@ -1,4 +1,4 @@
-#include "shader/run/undefined.h"
+#include "shader/undefined.h"
 
 #include <algorithm>
 

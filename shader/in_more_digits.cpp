@@ -1,4 +1,4 @@
-#include "shader/run/in_more_digits.h"
+#include "shader/in_more_digits.h"
 
 #include <limits>
 
