@@ -67,7 +67,10 @@ class MarkedRun {
         });
     for (const std::uint32_t slot : program_.results)
       if (found == 0) found = marks_.at(false, slot);
-    return found == 0 ? std::nullopt : std::optional(marks_.reason(found));
+    if (found == 0) return std::nullopt;
+    UndefinedValue reason = marks_.reason(found);
+    if (reason.line == 0) reason.line = program_.line;  // nothing but the return has read it
+    return reason;
   }
 
  private:

@@ -184,6 +184,7 @@ std::optional<Pair> pair_of_witness(const Finding& f) {
 // The subject with the witness's parameters.
 Material at_witness(const Subject& subject, const Witness& w) {
   Material m = subject.own();
+  if (!subject.of_form()) return m;  // a material has its own parameters only
   const ReflectanceInfo& f = info(*subject.of_form());
   for (const auto& [name, value] : w.parameters) {
     const int shape = f.shape_index(name), weight = f.weight_index(name);

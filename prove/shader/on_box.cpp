@@ -80,6 +80,7 @@ class ShaderOnBox {
         const std::uint32_t slot = program_.results[k];
         const I value = way.numbers[slot];
         if (way.undefined[slot] > 0) found_ = reasons_[way.undefined[slot] - 1];
+        if (found_ && found_->line == 0) found_->line = program_.line;
         if (value.poisoned()) return I::poison();
         result = ways == 0 && k == 0 ? value : hull(result, value);
       }

@@ -300,6 +300,7 @@ Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
 
 Program Lowering::run(const spirv::Function& entry) {
   program_.stretches.emplace_back();
+  program_.line = entry.line;
   for (const auto& [id, global] : module_.globals) {
     if (!global.variable || global.instruction.words.size() > 1) continue;
     const spirv::Type& pointer = module_.type(global.instruction.type);

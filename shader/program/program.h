@@ -166,6 +166,7 @@ struct Program {
   };
   std::vector<Undefined> undefined = {};
   std::vector<Input> inputs = {};
+  std::uint32_t line = 0;                   // of the source, where the function begins; 0: unknown
   std::vector<std::uint32_t> results = {};  // number slots: one, or three
   bool takes_bits = false;  // operates on the bits of a float: in other scalars on those of its float value
   bool loops = false;       // some stretch leads back

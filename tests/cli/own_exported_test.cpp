@@ -51,7 +51,9 @@ TEST(ExportedForm, HasTheFormsVerdictsAndWorstCases) {
       const auto by_name = findings("--form " + name, folder),
                  by_shader = findings("--shader " + file, folder);
       for (const auto& [check, theirs] : by_shader) {
-        if (check == "undefined") EXPECT_EQ(theirs["verdict"], "pass") << file << ' ' << theirs["statement"];
+        if (check == "undefined") {
+          EXPECT_EQ(theirs["verdict"], "pass") << file << ' ' << theirs["statement"];
+        }
         if (theirs["verdict"] == "not_applicable" || check == "float" || check == "undefined") continue;
         const nlohmann::json& ours = by_name.at(check);
         EXPECT_EQ(theirs["verdict"], ours["verdict"]) << file << ' ' << check << ' ' << theirs["statement"];
