@@ -156,7 +156,8 @@ class Binder {
                      std::vector<Binding>& out) {
     std::string word = last_word(name);
     std::replace(word.begin(), word.end(), '.', '_');
-    const bool boolean = input.type == "bool" || (integer && is_declared_bool(last_word(input.name)));
+    const bool boolean = input.type == "bool" || (input.type == "uint" && input.argument < 0 &&
+                                                  is_declared_bool(last_word(input.name)));
     const auto known = known_.find(name);
     if (known == known_.end()) {
       Parameter p;

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <mutex>
 
+#include "io/text.h"
 #include "shader/front/includes.h"
 #include "shader/front/messages.h"
 #include "shader/front/texts.h"
@@ -147,7 +148,9 @@ std::string why(const std::vector<LeftOut>& before, const IncludedFile& file, co
 // known here. Where a part may compile, `newer` versions of a known one are none.
 std::string of_another_language(const Files& files, const std::string& message, bool newer) {
   for (const auto& [path, file] : files.all())
-    if (const auto foreign = foreign_language(file.bare, message); foreign && (newer || !foreign->newer))
+    if (const auto foreign = foreign_language(
+            file.bare, message, io::lower_case(std::filesystem::path(file.shown).extension().string()));
+        foreign && (newer || !foreign->newer))
       return file.shown + ":" + std::to_string(foreign->line) + ": " + refusal_of(*foreign);
   return "";
 }

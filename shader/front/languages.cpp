@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/text.h"
 #include "shader/front/definitions.h"
 
 namespace brdf::shader {
@@ -49,6 +50,10 @@ bool is_slang(const At& t) {
     return true;
   if (t.first() && (t.are("interface") || t.are("extension")) && t.name(1) && one_of(t[2], {"{", ":", "<"}))
     return true;
+  if (t.first() && (t.are("public") || t.are("internal")) && t.name(1)) return true;
+  if (t.are("func") && t.name(1) && t[2] == "(") return true;
+  if (t.name(0) && t[1] == "<" && t.name(2) && t[3] == ":" && t.name(4) && (t[5] == ">" || t[5] == ","))
+    return true;  // f<T : ISomething>
   if (t.are("associatedtype") && t.name(1)) return true;
   if (t.are("__generic", "<") || t.are("no_diff") || t.are("[", "Differentiable", "]")) return true;
   return (t.are("let") || t.are("var")) && t.name(1) && (t[2] == ":" || (t[2] == "=" && t[3] != "="));
@@ -58,7 +63,7 @@ bool is_osl(const At& t) {
   if (t.are("closure", "color")) return true;
   if (!one_of(t[0], {"shader", "surface", "displacement", "volume"}) || !t.name(1) || t[2] != "(")
     return false;
-  return t[0] == "shader" || one_of(t[3], {"output", "string", "color"});
+  return t[0] == "shader" || one_of(t[3], {"output", "string", "color"}) || (t.name(4) && t[5] == "=");
 }
 
 bool is_mdl(const At& t) {
@@ -71,7 +76,12 @@ bool is_hlsl_2021(const At& t, std::string_view message) {
   if (t.are("template", "<")) return true;
   if (t.are("operator") && t[1].size() == 1 && std::string_view("+-*/%=<>!&|^~[(").find(t[1]) != t[1].npos)
     return true;
-  return t.are("select", "(") && message.find("'select'") != message.npos;
+  if (t.are("uint") && t.name(1) && t[2] == ":" && !t[3].empty() && t[3][0] >= '0' && t[3][0] <= '9')
+    return true;
+  if (t.are("enum") && t.name(1) && (t[2] == "{" || t[1] == "class")) return true;
+  for (const std::string_view name : {"select", "and", "or"})
+    if (t.are(name, "(") && message.find("'" + std::string(name) + "'") != message.npos) return true;
+  return false;
 }
 
 bool is_cpp(const At& t) {
@@ -128,7 +138,8 @@ Language language_of(std::string_view bare, std::string_view suffix) {
   return by_suffix ? Language::hlsl : Language::glsl;
 }
 
-std::optional<Foreign> foreign_language(std::string_view bare, std::string_view message) {
+std::optional<Foreign> foreign_language(std::string_view bare, std::string_view message,
+                                        std::string_view suffix) {
   const std::vector<Token> tokens = tokens_of(bare);
   const bool wgsl = [&] {
     for (std::size_t k = 0; k < tokens.size(); ++k)
@@ -157,22 +168,27 @@ std::optional<Foreign> foreign_language(std::string_view bare, std::string_view 
     }
     if (is_cpp(t)) return found(k, "C++ or a dialect of it", 3);
     if (late || !is_hlsl_2021(t, message)) continue;
-    late = found(k, "HLSL 2021", 2);
+    late = found(k, t.are("enum") ? "HLSL newer than 5.1" : "HLSL 2021", 2);
     late->newer = true;
   }
-  return late;
+  if (late) return late;
+  for (const auto& [end, language] :
+       {std::pair(".slang", "Slang"), std::pair(".wgsl", "WGSL"), std::pair(".osl", "Open Shading Language"),
+        std::pair(".mdl", "MDL"), std::pair(".metal", "Metal's language"), std::pair(".rs", "Rust")})
+    if (suffix == end) return Foreign{language, std::string(suffix), 1};
+  return std::nullopt;
 }
 
 std::string refusal_of(const Foreign& foreign) {
-  const std::string begin = "is " + foreign.language + " (`" + foreign.construct + "`), which is not read: ";
+  const std::string begin =
+      "is " + foreign.language + " (`" + io::printable(foreign.construct) + "`), which is not read: ";
   if (foreign.newer)
     return begin +
            "write the function in HLSL 5.1 (`c ? a : b` for select(), a function for each type for a "
-           "template, a "
-           "named function for an operator) or in GLSL";
+           "template, "
+           "one with a name for an operator, constants for an enum) or in GLSL";
   return begin +
-         "write the function in GLSL or HLSL, as `vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness) { ... "
-         "}`";
+         "write the function in GLSL or HLSL, as `vec3 brdf(vec3 L, vec3 V, vec3 N, float k) { ... }`";
 }
 
 }  // namespace brdf::shader

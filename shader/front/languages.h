@@ -33,7 +33,9 @@ struct Foreign {
 };
 // To be asked of a text that does not compile, with the compiler's message: any of these words may be a name
 // in GLSL or HLSL.
-std::optional<Foreign> foreign_language(std::string_view bare, std::string_view message);
+// `suffix`: of the file, in small letters, which decides where nothing else does.
+std::optional<Foreign> foreign_language(std::string_view bare, std::string_view message,
+                                        std::string_view suffix = "");
 // The sentence that refuses it, without its place: "is Slang (`import scene;`), which is not read: ...".
 std::string refusal_of(const Foreign& foreign);
 

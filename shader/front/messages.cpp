@@ -150,7 +150,7 @@ std::string advice(const Translated& out, const Source& source) {
     return "; not defined: " + io::joined(out.asked) + "; --define NAME or NAME=VALUE defines one";
   if (says(out.messages, "Macro redefined"))
     for (const std::string& define : source.defines)
-      if (says(out.messages, define.substr(0, define.find('='))))
+      if (out.messages.ends_with(" " + define.substr(0, define.find('='))))
         return "; --define " + define + " says otherwise: leave one of the two out";
   return "";
 }

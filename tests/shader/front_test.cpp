@@ -146,8 +146,20 @@ TEST(Languages, AreRefusedByNameWhereNothingCompiles) {
       {}, "a.hlsl");
   EXPECT_EQ(value_at(beside, 20, 0, 30, 0), 0.375);
   EXPECT_THAT(notes_of(beside), HasSubstr("without twice()"));
+  EXPECT_THAT(said("float f<T : ILobe>(T x) { return 1; }\nfloat brdf(float3 L, float3 V) { return f(L); }",
+                   "a.hlsl"),
+              HasSubstr("a.hlsl:1: is Slang (`f<T`)"));
+  EXPECT_THAT(said("public float brdf(float3 L, float3 V) { return 1; }", "a.hlsl"),
+              HasSubstr("is Slang (`public"));
+  EXPECT_THAT(
+      said("enum Kind { a, b };\nfloat brdf(float3 L, float3 V) { Kind k = Kind::a; return 1; }", "a.hlsl"),
+      HasSubstr("is HLSL newer than 5.1 (`enum Kind`)"));
+  EXPECT_THAT(said("float brdf(float3 L, float3 V) { return 1 }", "a.slang"),
+              HasSubstr("is Slang (`.slang`)"));
   EXPECT_THAT(said("mdl 1.6;\nimport ::df::*;\nexport material m() = material();", "a.mdl"),
               HasSubstr("is MDL (`mdl 1"));
+  EXPECT_THAT(said("surface own(float k = 1) { Ci = k * diffuse(N); }", "a.osl"),
+              HasSubstr("is Open Shading Language"));
   EXPECT_THAT(said("surface own(color c = 1) { Ci = c * diffuse(N); }", "a.osl"),
               HasSubstr("is Open Shading Language"));
 }
