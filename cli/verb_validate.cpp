@@ -34,6 +34,7 @@ struct ValidateCall {
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
+  double seconds = 0;
   ShaderOptions shader;
   io::Supplied supplied;
   std::string such_that, against;
@@ -107,7 +108,9 @@ validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptio
     against.push_back(validate::parse_against(content.subjects[k], o.against, o.maps));
   validate::judge_all(content, options, progress_line("brdf validate: checks"));
   for (std::size_t k = 0; k < against.size(); ++k)
-    content.findings.push_back(validate::check_against(content.subjects[k], against[k], options));
+    content.findings.push_back(validate::within_seconds(options, [&](const validate::CheckOptions& own) {
+      return validate::check_against(content.subjects[k], against[k], own);
+    }));
   return content;
 }
 
@@ -229,6 +232,7 @@ Exit run_validate(const ValidateCall& o) {
   options.effort = o.effort == "full" ? validate::Effort::full : validate::Effort::quick;
   options.max_theta = o.max_theta;
   options.seed = o.seed;
+  options.seconds = o.seconds;
   validate::ReportContent content = judged(o, options);
   add_proofs(content);
   content.pictures = std::move(pictures);
@@ -249,8 +253,8 @@ void refuse_what_is_passed_over(const CLI::App& verb) {
         throw InputError(std::string(other) + ": has no effect beside " + mode + ": leave it out");
   };
   for (const char* mode : {"--integrators", "--microsurface", "--numerics", "--gpu"})
-    refuse(mode, {"--require", "--max-theta", "--keep-fill", "--picture", "--such-that", "--against", "--map",
-                  "--quantity", "--mirror-side"});
+    refuse(mode, {"--require", "--seconds", "--max-theta", "--keep-fill", "--picture", "--such-that",
+                  "--against", "--map", "--quantity", "--mirror-side"});
   for (const char* mode : {"--integrators", "--microsurface"}) refuse(mode, {"--form", "--all", "--shader"});
   refuse("--numerics", {"--shader"});
 }
@@ -272,6 +276,9 @@ void add_validate(CLI::App& app) {
   verb->add_option("--effort", o->effort, "of the search for the worst case")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
+  verb->add_option("--seconds", o->seconds,
+                   "at most, of each check; what is not seen to its end is undecided")
+      ->check(CLI::NonNegativeNumber);
   offer(verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(','),
         validate::required_names());
   verb->add_option("--max-theta", o->max_theta,

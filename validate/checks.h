@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "io/parallel.h"
+#include "validate/budget.h"
 #include "validate/finding.h"
 #include "validate/subject.h"
 
@@ -17,6 +19,8 @@ struct CheckOptions {
   Effort effort = Effort::quick;
   double max_theta = 89.5;  // degrees, of the energy check's fixed direction
   std::uint64_t seed = 1;
+  double seconds = 0;        // of each check's searches; 0: no limit
+  Budget* budget = nullptr;  // of the check that runs; run_checks() sets it
 };
 
 // f and f cos are numbers, for every direction: below the horizon, at it, coincident, opposite, subnormal.
@@ -47,6 +51,9 @@ Finding check_sampling(const Subject& subject, const CheckOptions& options);
 Finding check_float(const Subject& subject, const CheckOptions& options);
 // Derivatives by dual numbers agree with differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
+
+// A check within the options' seconds: if its searches were cut short, it says how far they came, and a pass is undecided.
+Finding within_seconds(CheckOptions options, const std::function<Finding(const CheckOptions&)>& check);
 
 // All checks of all subjects in their order, judged against what the forms declare. On all processors.
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,

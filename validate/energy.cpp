@@ -109,6 +109,7 @@ class EnergySearch {
     search.steps = full ? 80 : 45;
     search.finest = 1e-6;
     search.seed = options_.seed;
+    search.budget = options_.budget;
     // Code of others has a dozen parameters: the climbs' work stays that of a form's.
     constexpr std::size_t kFew = 7;
     if (!full && dimensions > kFew) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "io/numbers.h"
 #include "io/parallel.h"
 #include "validate/checks.h"
 #include "validate/outside_checks.h"
@@ -38,7 +39,9 @@ bool inside(const Violation& v, const CheckOptions& options) {
 }
 
 void judge(Finding& finding, const Subject& subject, const CheckOptions& options) {
-  if (!subject.of_form() || finding.outcome == Outcome::not_applicable) return;
+  if (!subject.of_form() || finding.outcome == Outcome::not_applicable ||
+      finding.outcome == Outcome::undecided)
+    return;
   const auto declared = subject.declared();
   const auto found = std::find_if(declared.begin(), declared.end(),
                                   [&](const Violation& v) { return v.check == finding.check; });
@@ -57,6 +60,20 @@ std::vector<std::string> check_names() {
   std::vector<std::string> names;
   for (const NamedCheck& check : kChecks) names.push_back(check.name);
   return names;
+}
+
+// A search that was cut short finds what it finds, and shows nothing of what it did not look at.
+Finding within_seconds(CheckOptions options, const std::function<Finding(const CheckOptions&)>& check) {
+  Budget budget(options.seconds);
+  options.budget = &budget;
+  Finding finding = check(options);
+  if (budget.left_out() == 0 || finding.outcome != Outcome::pass) return finding;
+  finding.outcome = Outcome::undecided;
+  finding.statement = "the search ended after " + io::short_number(budget.seconds(), 3) + " s with " +
+                      std::to_string(budget.looked_at()) + " of at least " +
+                      std::to_string(budget.looked_at() + budget.left_out()) +
+                      " points seen; more --seconds continue it (so far: " + finding.statement + ")";
+  return finding;
 }
 
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
@@ -78,7 +95,8 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   const auto run = [&](int j) {
     const std::size_t k = order[std::size_t(j)];
     const Subject& subject = subjects[k / kCount];
-    findings[k] = kChecks[k % kCount].run(subject, options);
+    findings[k] = within_seconds(
+        options, [&](const CheckOptions& own) { return kChecks[k % kCount].run(subject, own); });
     judge(findings[k], subject, options);
     return k;
   };

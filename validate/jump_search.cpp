@@ -138,6 +138,7 @@ std::optional<Jump> largest_jump(const Subject& subject, const CheckOptions& opt
   std::size_t drawn = 0;
   for (const Material& m : materials(subject, options))
     for (std::size_t k = 0; k < arcs; ++k) {
+      if (options.budget && !options.budget->take()) continue;
       const std::vector<double> at = cover_point(drawn++, 4, options.seed);
       Arc arc{{}, int(drawn % 3)};
       arc.base.theta_i = kLargestTheta * at[0], arc.base.theta_o = kLargestTheta * at[1];

@@ -155,6 +155,7 @@ Finding search(const Subject& subject, const char* check, Quantity quantity, boo
   settings.steps = 25;
   settings.finest = 1e-5;
   settings.seed = options.seed;
+  settings.budget = options.budget;
   std::vector<std::vector<double>> corners;
   for (const auto& [x, y, theta, phi] :
        std::initializer_list<std::array<double, 4>>{{0, 0, 1, 0}, {1, 1, 1, 0}, {1, 1, 0, 0}, {0, 1, 1, 1}}) {

@@ -48,10 +48,11 @@ std::vector<Material> materials_of(const Subject& subject, std::size_t cover, st
 }
 
 Survey survey(const Subject& subject, const std::vector<Material>& materials,
-              const std::vector<PlacedPair>& pairs, const Question& ask) {
+              const std::vector<PlacedPair>& pairs, Budget* budget, const Question& ask) {
   Survey s;
   for (const Material& m : materials)
     for (const PlacedPair& p : pairs) {
+      if (budget && !budget->take()) continue;
       Met& met = s.at(p.where);
       ++met.pairs;
       ++s.evaluations;
@@ -111,7 +112,7 @@ Finding check_outside_finite(const Subject& subject, const CheckOptions& options
   const bool full = options.effort == Effort::full;
   bool all_zero = true;
   const Survey s = survey(subject, materials_of(subject, full ? 96 : 16, options.seed),
-                          placed_pairs(full ? 2048 : 256, full ? 1024 : 160, options.seed),
+                          placed_pairs(full ? 2048 : 256, full ? 1024 : 160, options.seed), options.budget,
                           [&](const Material& m, const Pair& p) -> std::optional<std::string> {
                             std::vector<double> f(m.channels.size()), f_cos(f.size());
                             eval(m, p.wi, p.wo, f);
@@ -147,7 +148,7 @@ Finding check_undefined(const Subject& subject, const CheckOptions& options) {
     return not_applicable(subject.name(), "undefined", "the values are not those of a shader");
   const bool full = options.effort == Effort::full;
   const Survey s = survey(subject, materials_of(subject, full ? 48 : 6, options.seed),
-                          placed_pairs(full ? 1024 : 128, full ? 512 : 48, options.seed),
+                          placed_pairs(full ? 1024 : 128, full ? 512 : 48, options.seed), options.budget,
                           [&](const Material& m, const Pair& p) -> std::optional<std::string> {
                             std::string text = facts->undefined(m, p.wi, p.wo);
                             return text.empty() ? std::nullopt : std::optional(std::move(text));

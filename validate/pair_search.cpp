@@ -91,6 +91,7 @@ Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckO
   search.starts = full ? 24 : 8;
   search.steps = full ? 120 : 60;
   search.seed = options.seed;
+  search.budget = options.budget;
   const Objective objective = [&](std::span<const double> point) {
     return measure(subject.at(point), pair_of(subject, point));
   };

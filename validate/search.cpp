@@ -82,8 +82,19 @@ std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint
   return point;
 }
 
-Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
-              const std::vector<std::vector<double>>& extra, const Objective& exact) {
+namespace {
+
+// The function where the budget lets the search look.
+Objective within(Budget* budget, const Objective& f) {
+  if (!budget || !f) return f;
+  return [budget, &f](std::span<const double> point) { return budget->take() ? f(point) : -HUGE_VAL; };
+}
+
+}  // namespace
+
+Best maximise(const Objective& whole, std::size_t dimensions, const SearchOptions& options,
+              const std::vector<std::vector<double>>& extra, const Objective& whole_exact) {
+  const Objective f = within(options.budget, whole), exact = within(options.budget, whole_exact);
   std::vector<Best> points;
   const auto add = [&](const std::vector<double>& point) { points.push_back({point, safe(f(point)), 1}); };
   for (const auto& point : extra) add(point);
@@ -109,7 +120,7 @@ Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& o
     }
     keep_best(options.polish, 10 * options.coarse);
     for (Best& b : points) {
-      if (exact) b.value = safe(exact(b.point));
+      if (exact) b.value = safe(whole_exact(b.point));
       b = climb(exact ? exact : f, b.point, b.value, options.coarse, options.finest, options.steps);
       calls += b.calls + 1;
     }

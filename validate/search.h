@@ -6,16 +6,19 @@
 #include <span>
 #include <vector>
 
+#include "validate/budget.h"
+
 namespace brdf::validate {
 
 struct SearchOptions {
-  std::size_t cover = 256;  // points of the low-discrepancy cover
-  std::size_t starts = 6;   // of these, the best are climbed from
-  int steps = 60;           // of a climb; each costs about two evaluations per dimension
-  double coarse = 1e-3;     // step at which these climbs end
-  std::size_t polish = 2;   // the best of their summits are climbed on from
-  double finest = 1e-7;     // step at which that ends
-  std::uint64_t seed = 1;   // shifts the cover
+  std::size_t cover = 256;   // points of the low-discrepancy cover
+  std::size_t starts = 6;    // of these, the best are climbed from
+  int steps = 60;            // of a climb; each costs about two evaluations per dimension
+  double coarse = 1e-3;      // step at which these climbs end
+  std::size_t polish = 2;    // the best of their summits are climbed on from
+  double finest = 1e-7;      // step at which that ends
+  std::uint64_t seed = 1;    // shifts the cover
+  Budget* budget = nullptr;  // points beyond it count as lowest, unseen
 };
 
 struct Best {

@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFirstCosines = 4, kFirstTurns = 4;  // of each quarter of the azimuth
-constexpr int kFewCells = 64, kManyCells = 2000;
+constexpr int kFewCells = 64, kManyCells = 2000, kMostCells = kManyCells << 7;
 
 Bounds azimuth_of(double turn) {  // of a turn in [0, 2]
   const Bounds a = turn <= 1 ? angle_at(turn, 1 - turn) : angle_at(turn - 1, 2 - turn);
@@ -48,6 +48,7 @@ bool examine(const ViewerBounds& f, Viewers& v) {
 struct Region {
   Box box;
   double most;
+  int cells = kManyCells;  // that it was asked for
   bool operator<(const Region& other) const { return most < other.most; }
 };
 
@@ -71,10 +72,11 @@ double albedo_at_most(const ViewerBounds& f, double enough, int most_cells) {
         return HUGE_VAL;
   double before = sum;
   for (int next = asked + kFewCells; sum * (1 + 1e-12) > enough && asked < most_cells;) {
-    if (asked >= next) {  // a third of what is missing, or the box itself is too wide
+    // What half as many cells more bring: a good part of what is missing, or the box itself is too wide.
+    if (asked >= next) {
       if (before - sum < 0.1 * (sum - enough)) break;
       before = sum;
-      next = asked + kFewCells;
+      next = asked + std::max(kFewCells, asked / 2);
     }
     const Viewers v = cells.top();
     cells.pop();
@@ -114,9 +116,21 @@ Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const 
     return cover.boxes >= options.leaves ||
            std::chrono::duration<double>(Clock::now() - start).count() > options.seconds;
   };
+  // More cells where they bring the bound a good part of the way; else the box is what is too wide.
+  const auto refined = [&](Region& r) {
+    if (!std::isfinite(r.most) || r.cells >= kMostCells) return false;
+    const double before = r.most;
+    r.cells *= 4;
+    r.most = std::min(before, most_of(r.box, r.cells));
+    return before - r.most > 0.25 * (before - enough);
+  };
   while (!open.empty() && !exhausted()) {
-    const Region r = open.top();
+    Region r = open.top();
     open.pop();
+    if (refined(r)) {
+      keep(std::move(r));
+      continue;
+    }
     double least = HUGE_VAL;
     std::vector<Region> best;
     for (std::size_t k = 0; k < domain.variables.size(); ++k) {
@@ -129,7 +143,7 @@ Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const 
       const double score = std::max(first, second) + 0.5 * std::min(first, second);
       if (!best.empty() && !(score < least)) continue;
       least = score;
-      best = {{low, first}, {high, second}};
+      best = {{low, first, r.cells}, {high, second, r.cells}};
     }
     if (best.empty()) {
       open.push(r);
@@ -137,7 +151,7 @@ Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const 
     }
     for (Region& half : best) {
       if (half.most > enough && std::isfinite(half.most))
-        half.most = std::min(half.most, most_of(half.box, kManyCells));
+        half.most = std::min(half.most, most_of(half.box, half.cells));
       keep(std::move(half));
     }
   }

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "prove/scalar/interval.h"
@@ -14,7 +15,22 @@ namespace brdf::prove {
 // What a number is known to be beside its range: a sum of squares of these slots, its root, or one over that.
 struct Squares {
   enum class Kind { none, sum, length, inverse } kind = Kind::none;
-  std::set<std::uint32_t> of{};  // slots that stand for a number: copies share one
+  static constexpr std::size_t kMost = 4;
+  std::size_t count = 0;
+  std::array<std::uint32_t, kMost> of{};  // slots that stand for a number: copies share one
+
+  bool contains(std::uint32_t slot) const { return std::find(of.data(), end(), slot) != end(); }
+  std::span<const std::uint32_t> slots() const { return {of.data(), count}; }
+  // False where there are too many.
+  bool add(std::uint32_t slot) {
+    if (contains(slot)) return true;
+    if (count == kMost) return false;
+    of[count++] = slot;
+    return true;
+  }
+
+ private:
+  const std::uint32_t* end() const { return of.data() + count; }
 };
 
 // What a truth says.
@@ -69,7 +85,7 @@ struct Way {
       for (std::uint32_t k = 0; k < root.size(); ++k)
         if (root[k] == slot && k != slot) root[k] = k;
       for (Squares& s : squares)
-        if (s.of.contains(slot)) s = {};
+        if (s.contains(slot)) s = {};
       for (Comparison& c : said)
         if (c.op != shader::Op::copy && (c.a == slot || c.b == slot)) c = {};
       told_of[slot] = false;
@@ -126,15 +142,19 @@ inline Squares squares_of(const shader::Step& s, const Squares& a, const Squares
                           std::uint32_t root_b) {
   using Kind = Squares::Kind;
   if (s.op == shader::Op::copy) return a;
-  if (s.op == shader::Op::mul && root_a == root_b) return {Kind::sum, {root_a}};
-  if ((s.op == shader::Op::sqrt || s.op == shader::Op::inverse_sqrt) && a.kind == Kind::sum)
-    return {s.op == shader::Op::sqrt ? Kind::length : Kind::inverse, a.of};
-  if (s.op == shader::Op::add && a.kind == Kind::sum && b.kind == Kind::sum) {
-    Squares both = a;
-    both.of.insert(b.of.begin(), b.of.end());
-    return both;
+  Squares out;
+  if (s.op == shader::Op::mul && root_a == root_b) {
+    out.kind = Kind::sum;
+    out.add(root_a);
+  } else if ((s.op == shader::Op::sqrt || s.op == shader::Op::inverse_sqrt) && a.kind == Kind::sum) {
+    out = a;
+    out.kind = s.op == shader::Op::sqrt ? Kind::length : Kind::inverse;
+  } else if (s.op == shader::Op::add && a.kind == Kind::sum && b.kind == Kind::sum) {
+    out = a;
+    for (const std::uint32_t slot : b.slots())
+      if (!out.add(slot)) return {};
   }
-  return {};
+  return out;
 }
 
 }  // namespace brdf::prove

@@ -137,6 +137,19 @@ TEST(OwnFindings, AFunctionThatIsZeroPassesNothing) {
   EXPECT_THAT(j.statement.at("finite"), StartsWith("vacuous"));
 }
 
+TEST(OwnFindings, ASearchThatIsCutShortPassesNothing) {
+  io::TemporaryFolder folder;
+  const std::string sound = with_body("return p / 3.14159266;");
+  const Judged j = judged(folder, sound, "--seconds 1e-9");
+  for (const char* check : {"finite", "undefined", "non_negative", "reciprocity", "energy", "continuity"}) {
+    EXPECT_EQ(j.verdict.at(check), "undecided") << check;
+    EXPECT_THAT(j.statement.at(check), HasSubstr("points seen; more --seconds continue it")) << check;
+  }
+  EXPECT_EQ(judged(folder, sound, "--seconds 1e-9 --require energy").exit_code, 1);
+  EXPECT_EQ(judged(folder, with_body("return -p;"), "--seconds 1e-9").verdict.at("non_negative"), "fail");
+  EXPECT_EQ(judged(folder, sound, "--seconds 600").verdict.at("energy"), "pass");
+}
+
 TEST(OwnRoles, AWidthAcrossNeedsOneAlong) {
   io::TemporaryFolder folder;
   for (const char* role : {"width_across", "exponent_across"}) {

@@ -74,8 +74,9 @@ TEST(Smooth, AHigherDegreeHoldsALowerOne) {
 
 // 95 % of 40 x 3: binomial, 99 % between 90 and 99 %.
 TEST(Smooth, IntervalsHoldTheTruth) {
+  const int fits = std::getenv("BRDF_THOROUGH") ? 40 : 12;
   int held_bands = 0, held_coefficients = 0, all_bands = 0, all_coefficients = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= std::uint64_t(fits); ++seed) {
     const io::SampleTable table = measured(metal(), {"hemisphere"}, 0.05, seed, 20);
     FitOptions options = smooth(2);
     options.metric = Metric::log_relative;
@@ -93,7 +94,7 @@ TEST(Smooth, IntervalsHoldTheTruth) {
       held_coefficients += std::abs(f.smooth[0].coefficients[power] - kTruth[power]) <=
                            1.96 * f.smooth[0].standard_errors[power];
   }
-  EXPECT_EQ(all_bands, 40 * int(bands().size()));
+  EXPECT_EQ(all_bands, fits * int(bands().size()));
   EXPECT_GT(held_bands, 0.89 * all_bands);
   EXPECT_LT(held_bands, all_bands);
   EXPECT_GT(held_coefficients, 0.88 * all_coefficients);

@@ -40,7 +40,7 @@ TEST(Spectrum, AValueForEachBandIsStillHeld) {
 }
 
 TEST(Spectrum, AReportDrawsItOverWavelength) {
-  const io::SampleTable table = measured(metal_of_31_bands(), {"hemisphere"}, 0.02);
+  const io::SampleTable table = measured(metal_of_bands(50), {"hemisphere"}, 0.02);
   const FitOptions options = without_cross_validation();
   const FitResult result = fit(table, {forms({"cook_torrance"})}, options);
   const std::string page = html_report(result, table, options);

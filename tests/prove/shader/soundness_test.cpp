@@ -88,12 +88,12 @@ TEST(SentencesOfProofs, NameTheLeastCosine) {
 
 TEST(SelfTestOfProofs, FindsNoFalseVerdict) {
   SelfTestOptions options;
-  options.planted = 60, options.sound = 20, options.samples = 50'000, options.seconds = 0.2, options.seed = 5;
+  options.planted = 25, options.sound = 10, options.samples = 25'000, options.seconds = 0.2, options.seed = 5;
   const SelfTest t = self_test(options);
-  EXPECT_EQ(t.planted, 60);
-  EXPECT_EQ(t.sound, 20);
-  EXPECT_GE(t.sound_proved, 16);
-  EXPECT_GE(t.samples_float, 50'000);
+  EXPECT_EQ(t.planted, 25);
+  EXPECT_EQ(t.sound, 10);
+  EXPECT_GE(t.sound_proved, 8);
+  EXPECT_GE(t.samples_float, 25'000);
   EXPECT_TRUE(t.good()) << (t.faults.empty() ? "" : t.faults.front());
 }
 

@@ -1,0 +1,45 @@
+// One step of a shader's program on ranges of its operands, and what is undefined of it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "prove/shader/way.h"
+#include "shader/undefined.h"
+
+namespace brdf::prove {
+
+template <class B>
+class BoxSteps {
+ public:
+  using I = Interval<B>;
+
+  // Forgets the reasons of another run.
+  void start_over() { reasons_.resize(2, {shader::Undefined::variable, 0, {}}); }
+  void apply(Way<B>& w, const shader::Step& s);
+
+  // Of a slot's mark, which is not 0.
+  const shader::UndefinedValue& reason(std::uint32_t mark) const { return reasons_[mark - 1]; }
+
+  // Whether the step divides a coordinate by its vector's length.
+  static bool of_length(const Way<B>& w, const shader::Step& s);
+
+ private:
+  // The reason of an operand, placed at this step where it names no line yet; else the step's own.
+  std::uint32_t reason_of(const Way<B>& w, const shader::Step& s, std::optional<shader::Undefined> own);
+  std::uint32_t placed(std::uint32_t reason, const shader::Step& s);
+  std::uint32_t reason_of_choice(const Way<B>& w, const shader::Step& s, const Whole& truth);
+  void select(Way<B>& w, const shader::Step& s);
+  void to_integer(Way<B>& w, const shader::Step& s);
+  void from_integer(Way<B>& w, const shader::Step& s);
+  void apply_comparison(Way<B>& w, const shader::Step& s);
+  void apply_numbers(Way<B>& w, const shader::Step& s);
+  void apply_integers(Way<B>& w, const shader::Step& s);
+  void load(Way<B>& w, const shader::Step& s);
+  void store(Way<B>& w, const shader::Step& s);
+
+  std::vector<shader::UndefinedValue> reasons_{{shader::Undefined::variable, 0, {}},
+                                               {shader::Undefined::no_return, 0, {}}};
+};
+
+}  // namespace brdf::prove

@@ -1,0 +1,153 @@
+#include "prove/shader/trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/samples.h"
+#include "io/text.h"
+#include "prove/shader/shader_proof.h"
+
+namespace brdf::prove {
+namespace {
+
+constexpr double kLowestTried = 1e-12;  // a cosine
+constexpr int kTrials = 4000;
+
+void add_direction(Domain& d, const std::string& which, bool turns) {
+  d.variables.push_back({"cos_" + which, kLeastShaderCosine, 1, Variable::Cut::cosine});
+  d.variables.push_back({"turn_" + which, turns ? -2.0 : 0.0, turns ? 2.0 : 0.0, Variable::Cut::middle});
+}
+
+// A point of the domain as a material and a pair of directions.
+struct Trial {
+  std::vector<double> at;
+  std::string words;
+  Material material;
+  double theta_i, phi_i, theta_o, phi_o;  // degrees
+  Vec3<double> wi, wo;
+
+  Trial(const ShaderSubject& s, std::vector<double> point)
+      : at(s.possible(std::move(point))), words(s.words), material(s.at(at, words)) {
+    const std::size_t d = s.parameters();
+    const auto theta = [](double cosine) { return std::acos(cosine) * 180 / kPi; };
+    theta_i = theta(at[d]), phi_i = 90 * at[d + 1];
+    theta_o = theta(at[d + 2]), phi_o = 90 * at[d + 3];
+    wi = io::unit_vector(theta_i, phi_i), wo = io::unit_vector(theta_o, phi_o);
+  }
+  std::optional<shader::UndefinedValue> undefined(const ShaderSubject& s, Precision precision) const {
+    std::vector<double> values(s.function().values);
+    for (std::size_t k = 0; k < s.parameters(); ++k) {
+      const shader::Parameter& p = s.function().parameters[k];
+      for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c) values[p.first + c] = at[k];
+    }
+    return precision == Precision::float_type ? shader::undefined_value<float>(s.function(), values, wi, wo)
+                                              : shader::undefined_value<double>(s.function(), values, wi, wo);
+  }
+  Witness witness(const ShaderSubject& s, double value) const {
+    Witness w;
+    w.parameters = s.named(at);
+    w.angles = {{"theta_i", theta_i}, {"phi_i", phi_i}, {"theta_o", theta_o}, {"phi_o", phi_o}};
+    w.value = value;
+    w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + io::to_text(theta_i) + "," + io::to_text(phi_i) +
+                "," + io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval" + words +
+                " /dev/stdin";
+    return w;
+  }
+};
+
+}  // namespace
+
+std::vector<double> ShaderSubject::possible(std::vector<double> point) const {
+  for (std::size_t k = 0; k < parameters(); ++k)
+    if (function().parameters[k].whole) point[k] = std::floor(point[k] + 0.5);
+  return point;
+}
+
+Domain ShaderSubject::domain(bool with_viewer) const {
+  Domain d;
+  for (const shader::Parameter& p : function().parameters)
+    d.variables.push_back({p.name, p.min, p.max,
+                           p.log_scale && p.min > 0 ? Variable::Cut::logarithmic : Variable::Cut::middle});
+  add_direction(d, "i", turns);
+  if (with_viewer) add_direction(d, "o", true);
+  return d;
+}
+
+ShaderInputs ShaderSubject::inputs(std::span<const Bounds> box) const {
+  ShaderInputs in;
+  in.values.resize(function().values);
+  std::size_t at = 0;
+  for (const shader::Parameter& p : function().parameters) {
+    for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k) in.values[p.first + k] = box[at];
+    ++at;
+  }
+  in.cos_i = box[at];
+  in.turn_i = box[at + 1];
+  if (box.size() > at + 2) {
+    in.cos_o = box[at + 2];
+    in.turn_o = box[at + 3];
+  }
+  return in;
+}
+
+Material ShaderSubject::at(std::span<const double> values, std::string& said) const {
+  Material m = material;
+  Term& term = m.terms.front();
+  const auto& weights = model.weight_parameters();
+  const auto& shape = model.shape_parameters();
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    for (auto& w : term.weights) w[k] = values[weights[k]];
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    for (auto& values_of_shape : term.shape) values_of_shape[k] = values[shape[k]];
+  for (std::size_t k = 0; k < parameters(); ++k)
+    said += " --set " + function().parameters[k].name + "=" + io::to_text(values[k]);
+  return m;
+}
+
+std::vector<std::pair<std::string, double>> ShaderSubject::named(std::span<const double> values) const {
+  std::vector<std::pair<std::string, double>> all;
+  for (std::size_t k = 0; k < parameters(); ++k) all.emplace_back(function().parameters[k].name, values[k]);
+  return all;
+}
+
+std::vector<double> point_of(const Domain& domain, std::mt19937_64& e) {
+  std::vector<double> at;
+  const bool corner = e() % 4 == 0;
+  for (const Variable& v : domain.variables) {
+    const double u = corner ? double(e() % 2) : double(e() >> 11) * 0x1p-53;
+    at.push_back(v.cut == Variable::Cut::middle ? v.low + u * (v.high - v.low)
+                                                : v.low * std::pow(v.high / v.low, u));
+  }
+  return at;
+}
+
+Domain below(Domain domain) {
+  for (Variable& v : domain.variables)
+    if (v.name.starts_with("cos_")) v.high = v.low, v.low = kLowestTried;
+  return domain;
+}
+
+std::optional<Witness> fault_of(const ShaderSubject& s, const Claim& claim, const Domain& domain) {
+  std::mt19937_64 e(1);
+  for (int k = 0; k < kTrials; ++k) {
+    const Trial trial(s, point_of(domain, e));
+    std::vector<double> f(trial.material.channels.size());
+    eval(trial.material, trial.wi, trial.wo, f);
+    for (const double x : f) {
+      if (claim.property == Property::finite ? std::isfinite(x) : !(x < 0)) continue;
+      if (trial.undefined(s, claim.precision)) break;
+      return trial.witness(s, x);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> undefined_of(const ShaderSubject& s, Precision precision, const Domain& domain) {
+  std::mt19937_64 e(3);
+  for (int k = 0; k < kTrials; ++k)
+    if (const auto found = Trial(s, point_of(domain, e)).undefined(s, precision))
+      return shader::to_text(s.function(), *found);
+  return std::nullopt;
+}
+
+}  // namespace brdf::prove
