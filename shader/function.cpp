@@ -151,6 +151,18 @@ Function make_function(const ShaderChoice& choice) {
 
 namespace {
 
+// Of operations that a device may round to 16 bits.
+std::string said_of_half(const spirv::Module& module) {
+  for (const auto& [id, function] : module.functions)
+    for (const spirv::Block& block : function.blocks)
+      for (const spirv::Instruction& i : block.code)
+        if (module.relaxed.contains(i.result))
+          return "half, min16float and mediump are computed in 32 bits here" +
+                 (i.line > 0 ? " (line " + std::to_string(i.line) + ")" : std::string()) +
+                 ": what 16 bits lose or overflow on a device is not looked at";
+  return "";
+}
+
 Function function_of(Source source, const Compiled& compiled) {
   static std::atomic<std::uint64_t> count{0};
   source.whole = compiled.whole;
@@ -197,8 +209,8 @@ Function function_of(Source source, const Compiled& compiled) {
   f.constant = constant_value(f);
   f.notes = compiled.notes;
   if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
-  for (const std::string& note :
-       {chosen.note, chosen.results.note, undeclared(f), unmentioned(compiled.unmentioned)})
+  for (const std::string& note : {chosen.note, chosen.results.note, undeclared(f),
+                                  unmentioned(compiled.unmentioned), said_of_half(module)})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
     f.notes.push_back(
