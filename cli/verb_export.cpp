@@ -7,6 +7,7 @@
 #include "cli/terminal.h"
 #include "cli/verbs.h"
 #include "interop/programs.h"
+#include "interop/read_back.h"
 #include "interop/rgl.h"
 #include "interop/told.h"
 #include "io/error.h"
@@ -39,6 +40,27 @@ struct Made {
   io::Json json;
   Exit exit = Exit::good;
 };
+
+// The loss against --max-loss.
+Exit judged_loss(const ExportCall& o, const interop::Loss& loss) {
+  if (!o.max_loss || loss.rms <= *o.max_loss) return Exit::good;
+  Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
+  return Exit::failed;
+}
+
+// Of a table, as its users' programs read it back; `json` gets the loss.
+Exit say_table_loss(const ExportCall& o, const Material& wanted, const Material& table, io::Json& json) {
+  const std::optional<interop::Loss> loss = interop::loss_of_table(wanted, table);
+  if (!loss) {
+    Note() << "brdf export: how much is lost is not known: the file has other channels than the material";
+    if (!o.max_loss) return Exit::good;
+    Note() << "brdf export: --max-loss " << io::short_number(*o.max_loss) << " is not shown to hold";
+    return Exit::failed;
+  }
+  Note() << "brdf export: read back as the file's users do: " << interop::in_words(*loss);
+  json["loss"] = interop::to_json(*loss);
+  return judged_loss(o, *loss);
+}
 
 void write(const ExportCall& o, const std::string& text) {
   if (o.output.empty())
@@ -97,14 +119,20 @@ Made export_merl(const ExportCall& o) {
   Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
          << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
   for (const std::string& what : lost) Note() << "brdf export: lost: " << what;
-  return {{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
+  Made made{{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
+  if (!measured)
+    made.exit = say_table_loss(o, choose_material_file(o.material, "export").material,
+                               interop::read_back_merl(io::read_content(o.output)), made.json);
+  return made;
 }
 
 Made export_rgl(const ExportCall& o) {
   check_output(o);
   std::string bytes;
+  std::optional<Material> material;
   if (o.measured.empty()) {
     const io::MaterialFile file = choose_material_file(o.material, "export");
+    material = file.material;
     bytes = interop::rgl_of(file.material, exported_name(o, file), o.size);
   } else {
     const auto measurement = seen(o);
@@ -115,7 +143,10 @@ Made export_rgl(const ExportCall& o) {
   }
   io::write_file_atomically(o.output, bytes);
   Note() << "brdf export: " << bytes.size() << " bytes to " << o.output;
-  return {{{"kind", "table"}, {"bytes", bytes.size()}}};
+  Made made{{{"kind", "table"}, {"bytes", bytes.size()}}};
+  if (material)
+    made.exit = say_table_loss(o, *material, interop::read_back_rgl({o.output, bytes}), made.json);
+  return made;
 }
 
 std::optional<io::ShaderLanguage> language_of(const std::string& to) {
@@ -123,6 +154,17 @@ std::optional<io::ShaderLanguage> language_of(const std::string& to) {
   if (to == "cpp") return io::ShaderLanguage::cpp;
   if (to == "explorer") return io::ShaderLanguage::explorer;
   return std::nullopt;
+}
+
+// The formula itself, in float with the library's own functions.
+Made formula(const ExportCall& o, const Material& material) {
+  Made made{{{"kind", "formula"}}};
+  if (!o.max_loss) return made;
+  const interop::Loss loss = interop::Comparison(material).loss_of(interop::in_float(material));
+  Note() << "brdf export: the formula in float: " << interop::in_words(loss);
+  made.json["loss"] = interop::to_json(loss);
+  made.exit = judged_loss(o, loss);
+  return made;
 }
 
 Made export_formula(const ExportCall& o) {
@@ -133,14 +175,14 @@ Made export_formula(const ExportCall& o) {
     if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
     write(o, io::shader_text(file.material, *language, with_material, exported_name(o, file),
                              o.kernels == "builtin"));
-    return {{{"kind", "exact"}}};
+    return formula(o, file.material);
   }
   write(o,
         io::glsl_source(file.material, {.material = with_material,
                                         .whole = !o.include,
                                         .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
                                         .builtin_kernels = o.kernels == "builtin"}));
-  return {{{"kind", "exact"}}};
+  return formula(o, file.material);
 }
 
 Made export_program(const ExportCall& o, const interop::Program& program) {
@@ -148,10 +190,9 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
   write(o, made.text);
-  Note() << "brdf export: " << made.target << ": " << interop::in_words(made.projection);
-  const bool good = !o.max_loss || made.projection.loss.rms <= *o.max_loss;
-  if (!good) Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
-  return {to_json(program, made), good ? Exit::good : Exit::failed};
+  Note() << "brdf export: " << made.target << ": " << interop::in_words(made);
+  for (const std::string& sentence : made.not_held) Note() << "brdf export: not held: " << sentence;
+  return {to_json(program, made), judged_loss(o, made.loss)};
 }
 
 Made made_by(const ExportCall& o, const interop::Program* program) {
@@ -177,9 +218,13 @@ void check_use(const ExportCall& o, const interop::Program* program) {
     throw InputError(std::string(o.include ? "--include" : "--kernels") + ": is for shaders");
   if (o.to != kRgl && o.size != interop::kUsualTable)
     throw InputError("--size: is of the file that --to rgl writes");
-  if (!program && (o.naive || o.max_loss))
-    throw InputError(std::string(o.naive ? "--naive" : "--max-loss") + ": --to " + o.to +
-                     " writes the formula itself: nothing is lost");
+  if (!program && o.naive)
+    throw InputError("--naive: --to " + o.to + " has no parameters of another formula that could be copied");
+  if (o.max_loss && !o.measured.empty())
+    throw InputError("--max-loss: is of a material; what lies between samples is not known");
+  if (o.max_loss && o.kernels != "own")
+    throw InputError(
+        "--max-loss: with --kernels builtin the driver's functions decide: nothing is known of them");
 }
 
 Exit run_export(const ExportCall& o) {

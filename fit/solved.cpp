@@ -201,7 +201,8 @@ std::string physical_in_words(const FitData& data, const FitOptions& options, co
 }
 
 bool profile_intervals(const FitData& data, const FitOptions& options, const Progress& progress, Solved& s) {
-  if (!s.fit.solved() || s.fit.verdict == Verdict::interrupted || options.stop()) return false;
+  if (!options.profiles || !s.fit.solved() || s.fit.verdict == Verdict::interrupted || options.stop())
+    return false;
   if (s.fit.intervals == IntervalsBy::profile || data.rows() > kManyRows) return false;
   if (progress) progress("intervals of " + s.fit.form);
   const SampleStream stream(data, s.model, s.residual, options.aperture);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace brdf::interop {
 namespace {
@@ -53,21 +54,43 @@ struct Copy {
   bool metal() const {
     return wanted.lobe >= 0 && std::ranges::all_of(said, [](const Said& s) { return s.diffuse == 0; });
   }
-  double most_lobe() const { return std::min(std::ranges::max(said, {}, &Said::lobe).lobe, 1.0); }
-  double mean_f0() const {
+  double most_lobe() const { return std::min(std::ranges::max(said, {}, &Said::lobe).lobe, rules.most_lobe); }
+  // By which a lobe that is above its limit is more reflecting instead.
+  double excess() const {
+    const double lobe = std::ranges::max(said, {}, &Said::lobe).lobe;
+    return rules.most_lobe < 1 && lobe > rules.most_lobe ? lobe / rules.most_lobe : 1;
+  }
+  double mean(double Said::*of) const {
     double sum = 0;
-    for (const Said& s : said) sum += s.f0;
+    for (const Said& s : said) sum += s.*of;
     return sum / double(said.size());
+  }
+  // For parameters of one value for all colours. Indices of refraction that differ have no mean.
+  Said of_all() const {
+    Said all = said.front();
+    all.diffuse = mean(&Said::diffuse);
+    all.lobe = mean(&Said::lobe);
+    all.f0 = mean(&Said::f0);
+    for (const Said& s : said)
+      if (s.index != all.index || s.extinction != all.extinction) all.index = all.extinction = 0;
+    return all;
   }
   // Reflectance along the normal that the target's Fresnel term has: the colours' where those have one each.
   double f0_of(const Said& s) const {
-    if (!rules.grey_lobe) return mean_f0();
+    if (!rules.grey_lobe) return std::min(mean(&Said::f0) * excess(), 1.0);
     return most_lobe() > 0 ? s.normal() / most_lobe() : s.f0;
   }
   double lobe_of(const Said& s) const {
     if (rules.grey_lobe) return most_lobe();
     const bool has_fresnel = target.shape_index(Role::index) >= 0;
-    return !has_fresnel ? s.normal() : mean_f0() > 0 ? s.normal() / mean_f0() : s.lobe;
+    const double f0 = std::min(mean(&Said::f0) * excess(), 1.0);
+    return !has_fresnel ? s.normal() : f0 > 0 ? s.normal() / f0 : s.lobe;
+  }
+  // The lobe's weight stands beside its index where that can be one of a dielectric; a lobe of a higher reflectance is
+  // all index.
+  bool weighs_lobe() const {
+    constexpr double kMostOfADielectric = 0.25;  // of index 3
+    return target.shape_index(Role::specular) >= 0 && mean(&Said::f0) <= kMostOfADielectric;
   }
 
   double weight(const ParameterInfo& p, const Said& s) const {
@@ -95,10 +118,12 @@ struct Copy {
       case Role::width_across:
         return widths.across;
       case Role::specular:
-        return has_lobe ? 1 : 0;
+        return !has_lobe ? 0 : weighs_lobe() && !metal() ? mean(&Said::lobe) : 1;
       case Role::index:
         if (s.index > 0 || conductor) return s.index > 0 ? s.index : 1;
-        return metal() ? p.initial : has_lobe ? dielectric_index(s.normal()) : 1;
+        return metal() ? p.initial : has_lobe ? dielectric_index(weighs_lobe() ? s.f0 : s.normal()) : 1;
+      case Role::tint:
+        return metal() || !has_lobe ? p.initial : tint(s);
       case Role::f0:
         return f0_of(s);
       case Role::slope:
@@ -113,6 +138,12 @@ struct Copy {
         return p.initial;
     }
   }
+
+  // Of this colour's reflectance along the normal, over that of all.
+  double tint(const Said& s) const {
+    const double all = weighs_lobe() ? mean(&Said::lobe) * mean(&Said::f0) : of_all().normal();
+    return all > 0 ? s.normal() / all : 1;
+  }
 };
 
 double in_range(const ParameterInfo& p, double value) {
@@ -123,7 +154,13 @@ double in_range(const ParameterInfo& p, double value) {
 bool is_its_own(const Wanted& wanted, const Reflectance& target, const CopyRules& rules) {
   const std::vector<Term>& terms = wanted.material.terms;
   if (terms.size() != 1 || !(terms[0].form == target)) return false;
-  const int lobe = info(target).weight_index(Role::specular);
+  const ReflectanceInfo& form = info(target);
+  for (std::size_t k = 0; k < form.shape.size(); ++k)
+    for (const std::vector<double>& shape : terms[0].shape)
+      if (shape[k] != terms[0].shape[0][k] &&
+          std::ranges::find(rules.coloured, form.shape[k].role) == rules.coloured.end())
+        return false;
+  const int lobe = form.weight_index(Role::specular);
   const auto as_first = [&](const auto& weights) {
     const double weight = weights[std::size_t(lobe)];
     return weight == terms[0].weights[0][std::size_t(lobe)] && weight <= 1;
@@ -132,6 +169,13 @@ bool is_its_own(const Wanted& wanted, const Reflectance& target, const CopyRules
 }
 
 }  // namespace
+
+int superfluous(const Term& of_target) {
+  const ReflectanceInfo& form = info(of_target.form);
+  const int tint = form.shape_index(Role::tint), index = form.shape_index(Role::index);
+  if (tint < 0 || index < 0) return -1;
+  return of_target.shape.size() > 1 && of_target.shape[0][std::size_t(index)] > 1 ? index : tint;
+}
 
 Material copied(const Wanted& wanted, const Reflectance& target, const CopyRules& rules) {
   if (is_its_own(wanted, target, rules)) return wanted.material;
@@ -149,8 +193,11 @@ Material copied(const Wanted& wanted, const Reflectance& target, const CopyRules
   for (std::size_t s = 0; s < term.shape.size(); ++s)
     for (std::size_t k = 0; k < copy.target.shape.size(); ++k) {
       const ParameterInfo& p = copy.target.shape[k];
-      term.shape[s][k] = in_range(p, copy.shape(p, copy.said[s]));
+      const bool by_colour = std::ranges::find(rules.coloured, p.role) != rules.coloured.end();
+      term.shape[s][k] = in_range(p, copy.shape(p, by_colour ? copy.said[s] : copy.of_all()));
     }
+  // What is the same for all colours is one: a refit has fewer parameters then.
+  if (std::ranges::adjacent_find(term.shape, std::not_equal_to<>()) == term.shape.end()) term.shape.resize(1);
   return out;
 }
 

@@ -10,55 +10,95 @@
 namespace brdf::interop {
 namespace {
 
-// Both materials at the pairs, channel by channel: [channel][row].
-std::vector<std::vector<double>> values_of(const Material& material, const Directions<double>& d) {
-  std::vector<std::vector<double>> out(material.channels.size(), std::vector<double>(d.count));
-  std::vector<double> f(material.channels.size());
-  for (std::size_t k = 0; k < d.count; ++k) {
-    brdf::eval(material, d.wi(k), d.wo(k), f);
-    for (std::size_t c = 0; c < f.size(); ++c) out[c][k] = f[c];
+constexpr double kThetas[] = {0, 30, 60, 75};  // of the albedos
+
+// Of what integrals and searches leave open.
+bool no_more(double a, double b) {
+  return a <= b * (1 + 1e-3) + 1e-9;
+}
+constexpr double kAlbedoOpen = 2e-5;
+
+std::vector<std::vector<double>> albedos_of(const Material& m, const AlbedoOptions& options) {
+  std::vector<std::vector<double>> out;
+  for (const double theta : kThetas) {
+    std::vector<double>& row = out.emplace_back();
+    for (const AlbedoResult& a : directional_albedo(m, degrees(theta), {}, options)) row.push_back(a.value);
   }
   return out;
 }
 
-void compare_albedos(const Material& a, const Material& b, Loss& loss) {
-  for (const double theta : {0.0, 30.0, 60.0, 75.0}) {
-    const auto first = directional_albedo(a, degrees(theta), {}, {.tolerance = 1e-5});
-    const auto second = directional_albedo(b, degrees(theta), {}, {.tolerance = 1e-5});
-    for (std::size_t c = 0; c < first.size(); ++c) {
-      const double difference = std::abs(first[c].value - second[c].value);
-      if (difference <= loss.albedo) continue;
-      loss.albedo = difference;
-      loss.albedo_theta = theta;
-    }
-  }
-}
-
 }  // namespace
 
-Loss loss_of(const Wanted& wanted, const Material& carried) {
-  const io::SampleTable pairs = pairs_about(wanted, Pairs::judged);
-  const DirectionArrays<double> arrays = io::unit_directions(pairs);
-  const Directions<double> d = arrays.view();
-  const auto given = values_of(wanted.material, d), got = values_of(carried, d);
-  Loss loss;
+std::vector<std::vector<double>> values_at(const Material& material, const Directions<double>& d) {
+  std::vector<std::vector<double>> out(material.channels.size(), std::vector<double>(d.count, 0.0));
+  std::vector<double> one(d.count);
+  for (std::size_t c = 0; c < out.size(); ++c)
+    for (const Term& term : material.terms) {
+      eval_batch(term, c, d, one.data());
+      for (std::size_t k = 0; k < d.count; ++k) out[c][k] += one[k];
+    }
+  return out;
+}
+
+Figures figures_of(const std::vector<std::vector<double>>& wanted,
+                   const std::vector<std::vector<double>>& carried, const Directions<double>& d) {
   std::vector<double> differences;
+  differences.reserve(wanted.size() * d.count);
   double sum = 0;
-  for (std::size_t c = 0; c < given.size(); ++c)
+  for (std::size_t c = 0; c < wanted.size(); ++c)
     for (std::size_t k = 0; k < d.count; ++k) {
-      const double f = given[c][k], g = got[c][k], cos_i = d.wi_z[k];
-      const double residual = std::log1p(g * cos_i) - std::log1p(f * cos_i);
+      const double f = wanted[c][k], g = carried[c][k];
+      const double residual = std::log1p(g * d.wi_z[k]) - std::log1p(f * d.wi_z[k]);
       sum += residual * residual;
       differences.push_back(std::abs(g - f) / (f + kDark));
-      if (differences.back() <= loss.largest) continue;
-      loss.largest = differences.back();
-      loss.theta_i = pairs.theta_i[k];
-      loss.theta_o = pairs.theta_o[k];
-      loss.phi = std::remainder(pairs.phi_o[k] - pairs.phi_i[k], 360);
     }
-  loss.rms = std::sqrt(sum / double(differences.size()));
-  loss.median = io::median(differences);
-  compare_albedos(wanted.material, carried, loss);
+  const double largest = *std::ranges::max_element(differences);
+  return {std::sqrt(sum / double(differences.size())), io::median(differences), largest};
+}
+
+Comparison::Comparison(Material wanted, const AlbedoOptions& albedos)
+    : wanted_(std::move(wanted)),
+      albedo_options_(albedos),
+      pairs_(io::unit_directions(pairs_about(wanted_, Pairs::judged))),
+      net_(io::unit_directions(net_about(wanted_))),
+      at_pairs_(values_at(wanted_, pairs_.view())),
+      at_net_(values_at(wanted_, net_.view())),
+      albedos_(albedos_of(wanted_, albedos)) {}
+
+void Comparison::add_pairs(const Material& carried, Loss& loss) const {
+  const Figures f = figures_of(at_pairs_, values_at(carried, pairs_.view()), pairs_.view());
+  loss.rms = f.rms;
+  loss.median = f.median;
+}
+
+void Comparison::add_albedos(const Material& carried, Loss& loss) const {
+  const auto other = albedos_of(carried, albedo_options_);
+  for (std::size_t k = 0; k < std::size(kThetas); ++k)
+    for (std::size_t c = 0; c < albedos_[k].size(); ++c) {
+      const double difference = std::abs(albedos_[k][c] - other[k][c]);
+      if (difference <= loss.albedo) continue;
+      loss.albedo = difference;
+      loss.albedo_theta = kThetas[k];
+    }
+}
+
+Loss Comparison::loss_of(const Material& carried) const {
+  Loss loss;
+  add_pairs(carried, loss);
+  loss.largest = largest_of(carried);
+  add_albedos(carried, loss);
+  return loss;
+}
+
+std::optional<Loss> Comparison::better_loss_of(const Material& carried, const Loss& best,
+                                               const Loss& copy) const {
+  Loss loss;
+  add_pairs(carried, loss);
+  if (!(loss.rms < best.rms) || !no_more(loss.median, copy.median)) return std::nullopt;
+  loss.largest = largest_of(carried);
+  if (!no_more(loss.largest.difference, copy.largest.difference)) return std::nullopt;
+  add_albedos(carried, loss);
+  if (!is_better(loss, copy)) return std::nullopt;
   return loss;
 }
 
@@ -67,12 +107,37 @@ bool is_nearer(const Loss& one, const Loss& other) {
   return one.rms < other.rms && one.median <= std::max(2 * other.median, kSeen);
 }
 
+bool is_better(const Loss& one, const Loss& other) {
+  return one.rms < other.rms && no_more(one.median, other.median) &&
+         no_more(one.largest.difference, other.largest.difference) &&
+         one.albedo <= other.albedo + kAlbedoOpen;
+}
+
 std::string in_words(const Loss& loss) {
   const auto number = [](double x) { return io::short_number(x, 3); };
-  return "largest " + io::percent(loss.largest) + " (theta_i " + number(loss.theta_i) + ", theta_o " +
-         number(loss.theta_o) + ", phi " + number(std::abs(loss.phi)) + "), median " +
+  const Largest& l = loss.largest;
+  return "largest at least " + io::percent(l.difference) + " (theta_i " + number(l.theta_i) + ", theta_o " +
+         number(l.theta_o) + ", phi " + number(l.phi()) + ", " + l.channel + "), median " +
          io::percent(loss.median) + ", albedo within " + number(loss.albedo) + " (at " +
          number(loss.albedo_theta) + "), rms " + number(loss.rms);
+}
+
+io::Json to_json(const Loss& loss) {
+  const Largest& l = loss.largest;
+  return {{"rms", loss.rms},
+          {"median", loss.median},
+          {"largest", l.difference},
+          {"largest_is", "at least"},
+          {"theta_i", l.theta_i},
+          {"phi_i", l.phi_i},
+          {"theta_o", l.theta_o},
+          {"phi_o", l.phi_o},
+          {"phi", l.phi()},
+          {"channel", l.channel},
+          {"wanted", l.wanted},
+          {"carried", l.carried},
+          {"albedo_difference", loss.albedo},
+          {"albedo_theta", loss.albedo_theta}};
 }
 
 }  // namespace brdf::interop

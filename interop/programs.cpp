@@ -14,6 +14,7 @@
 #include "brdf/targets/pbrt.h"
 #include "brdf/targets/three.h"
 #include "fit/model/constraints.h"
+#include "interop/pbrt_colour.h"
 #include "interop/writers.h"
 #include "io/error.h"
 #include "io/numbers.h"
@@ -52,35 +53,49 @@ std::string as_command(const Term& term, Angle tangent) {
 }
 
 Limits limits_of(const Program& program) {
-  Limits limits{program.name, program.most, program.most_lobe};
-  for (const TargetRules& rules : program.targets) {
-    limits.targets.push_back(rules.target);
-    limits.fresnel_per_channel |= std::ranges::any_of(rules.copy.coloured, is_fresnel);
-  }
+  Limits limits{program.name, program.most, program.most_lobe, program.adds};
+  for (const TargetRules& rules : program.targets) limits.targets.push_back(rules.target);
   return limits;
+}
+
+// In the surface's frame.
+Term in_place(Term term, Angle tangent) {
+  term.tangent_phi = tangent;
+  return term;
 }
 
 // A material on its way to one program.
 struct Attempt {
   const Program& program;
-  const Wanted& asked;
+  const std::vector<Wanted>& parts;
+  const Comparison whole;  // their sum
   const std::string& name;
   std::optional<Loss> copied{};  // of what --naive writes
   std::vector<Refusal> refused{};
 
   // Throws InputError for what the program's controls do not reach.
   Exported with(const TargetRules& rules, bool naive) const {
+    std::vector<Projection> projections;
+    for (const Wanted& part : parts) projections.push_back(project(part, within_shares(rules, part), naive));
     Exported made;
-    made.projection = project(asked, rules, naive);
-    if (copied) made.projection.copied = *copied;
+    made.carried.channels = whole.wanted().channels;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Projection& p = projections[k];
+      made.refitted = made.refitted || p.refitted;
+      for (const Term& term : shown_by(rules, p.material).terms)
+        made.carried.terms.push_back(in_place(term, parts[k].tangent));
+      made.words.push_back(as_command(p.material.terms[0], parts[k].tangent));
+      for (std::string& sentence : not_held(parts[k], holds(rules)))
+        made.not_held.push_back(std::move(sentence));
+    }
+    made.loss = whole.loss_of(made.carried);
+    made.copied = copied ? *copied : made.loss;
     made.target = std::string(info(rules.target).name);
-    made.words = as_command(made.projection.material.terms[0], asked.tangent);
-    made.header = {
-        "Written by brdf " BRDF_VERSION ": " + io::provenance().command,
-        "for " + std::string(program.title) + ", as " + made.target + ": " + in_words(made.projection),
-        "the same here: brdf eval " + made.words};
-    made.header.insert(made.header.end(), program.conventions.begin(), program.conventions.end());
-    made.text = program.write({made.projection.material.terms[0], asked.tangent, name, made.header});
+    made.header = header_of(made);
+    Written written{{}, name, made.header};
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      written.parts.push_back({projections[k].material.terms[0], parts[k].tangent, parts[k].given});
+    made.text = program.write(written);
     return made;
   }
 
@@ -91,17 +106,74 @@ struct Attempt {
     for (const TargetRules& rules : program.targets) {
       try {
         Exported tried = with(rules, naive);
-        if (!best || is_nearer(tried.projection.loss, best->projection.loss)) best = std::move(tried);
+        if (!best || is_nearer(tried.loss, best->loss)) best = std::move(tried);
       } catch (const InputError& error) {
         refused.push_back({std::string(info(rules.target).name), error.what()});
       }
-      if (best && best->projection.exact()) break;
+      if (best && best->exact()) break;
     }
     return best;
+  }
+
+ private:
+  // Where shaders are mixed, the lobes of several parts share what the diffuse parts leave.
+  TargetRules within_shares(TargetRules rules, const Wanted& part) const {
+    if (!rules.sum_to_one || parts.size() < 2) return rules;
+    double diffuse = 0, lobes = 0;
+    for (const Wanted& each : parts)
+      diffuse += largest_weight(each, Role::diffuse), lobes += largest_weight(each, Role::specular);
+    if (diffuse + lobes > 1 && diffuse < 1)
+      rules.copy.most_lobe = (1 - diffuse) * largest_weight(part, Role::specular) / lobes;
+    return rules;
+  }
+  static double largest_weight(const Wanted& part, Role role) {
+    double most = 0;
+    for (const Term& term : part.material.terms)
+      if (const int k = info(term.form).weight_index(role); k >= 0)
+        for (const std::vector<double>& w : term.weights) most = std::max(most, w[std::size_t(k)]);
+    return most;
+  }
+  static Holds holds(const TargetRules& rules) {
+    const ReflectanceInfo& form = info(rules.target);
+    const bool coloured_fresnel = form.weight_index(Role::f0) >= 0 || form.weight_index(Role::specular) < 0 ||
+                                  std::ranges::any_of(rules.copy.coloured, is_fresnel);
+    return {!rules.copy.grey_lobe, coloured_fresnel};
+  }
+
+  std::vector<std::string> header_of(const Exported& made) const {
+    std::vector<std::string> header{
+        "Written by brdf " BRDF_VERSION ": " + io::provenance().command,
+        "for " + std::string(program.title) + ", as " + made.target + ": " + in_words(made)};
+    for (const std::string& sentence : made.not_held) header.push_back("not held: " + sentence);
+    for (std::size_t k = 0; k < made.words.size(); ++k)
+      header.push_back("the same here" +
+                       (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of " +
+                                                    std::to_string(made.words.size()) + " that add up"
+                                              : std::string()) +
+                       ": brdf eval " + made.words[k]);
+    if (!made.exact()) header.push_back(worst_place(made));
+    header.insert(header.end(), program.conventions.begin(), program.conventions.end());
+    return header;
+  }
+  // The pair of the largest difference, as a command that prints f of what the file says.
+  static std::string worst_place(const Exported& made) {
+    const Largest& l = made.loss.largest;
+    std::string pair;
+    for (const double angle : {l.theta_i, l.phi_i, l.theta_o, l.phi_o})
+      pair += (pair.empty() ? "" : ",") + io::to_text(angle);
+    return "the largest difference: " + l.channel + " is " + io::short_number(l.carried, 6) + " for " +
+           io::short_number(l.wanted, 6) + " /sr: printf 'theta_i,phi_i,theta_o,phi_o\\n" + pair +
+           "\\n' | brdf eval " + made.words[0] + " /dev/stdin";
   }
 };
 
 }  // namespace
+
+std::string in_words(const Exported& made) {
+  if (made.exact()) return "exact";
+  if (!made.refitted) return "copied: " + in_words(made.loss);
+  return "refitted: " + in_words(made.loss) + "; copied parameters: " + in_words(made.copied);
+}
 
 std::span<const Program> programs() {
   constexpr CopyRules kGrey{.grey_lobe = true};
@@ -110,6 +182,7 @@ std::span<const Program> programs() {
        "Blender 4.3 and later, Cycles",
        kAnyWeight,
        1,
+       true,
        false,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
        {{blender_metallic{}, kGrey, true}},
@@ -119,6 +192,7 @@ std::span<const Program> programs() {
        kAnyWeight,
        kAnyWeight,
        true,
+       true,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
        {{blender_glossy{}}, {blender_principled{}, {}, false, {index_up_to(blender_principled{}, 1.788)}}},
        write_blender_3_4},
@@ -126,33 +200,42 @@ std::span<const Program> programs() {
        "Mitsuba 3",
        1,
        1,
+       true,
        false,
        {"roughconductor: alpha as it stands; principled: roughness is the square root of alpha",
         "colours are linear; the tangent is the mesh's dp/du"},
-       {{mitsuba_roughconductor{}, {}, true}, {mitsuba_principled{}}},
+       {{mitsuba_roughconductor{}, {.coloured = {Role::index, Role::extinction}}, true},
+        {mitsuba_principled{}}},
        write_mitsuba},
       {"pbrt",
        "pbrt-v4",
        1,
        1,
+       true,
        false,
        {"roughness is alpha: remaproughness is false; colours are linear and become spectra",
         "mix: amount is the share of the second material; the tangent is the mesh's dp/du"},
-       {{pbrt_conductor{}, {.grey_lobe = true, .coloured = {Role::index, Role::extinction}}, true}},
+       {{pbrt_conductor{},
+         {.grey_lobe = true, .coloured = {Role::index, Role::extinction}},
+         true,
+         {},
+         shown_by_pbrt}},
        write_pbrt},
       {"gltf",
        "glTF 2.0, as its specification has it",
        1,
        1,
        false,
+       false,
        {"roughness is the square root of alpha (of the narrower axis); colours are linear",
         "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
-       {{gltf_metallic_roughness{}}},
+       {{gltf_metallic_roughness{}, {.coloured = {Role::tint}}}},
        write_gltf},
       {"three",
        "three.js 0.187, as glTF",
        1,
        1,
+       false,
        true,
        {"roughness is the square root of alpha (of the narrower axis); colours are linear",
         "lit by lights, not by an environment map"},
@@ -162,6 +245,7 @@ std::span<const Program> programs() {
        "MaterialX 1.39.6, its generated shaders",
        1,
        1,
+       true,
        false,
        {"roughness of the lobe is alpha, of the diffuse part the slopes' standard deviation; colours are "
         "linear (lin_rec709)",
@@ -172,6 +256,7 @@ std::span<const Program> programs() {
        "OSL, as its testrender shades",
        kAnyWeight,
        kAnyWeight,
+       true,
        false,
        {"widths are alphas; colours are linear; the tangent is dPdu, turned about N"},
        {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
@@ -186,13 +271,13 @@ const Program* find_program(std::string_view name) {
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {
-  const Wanted asked = wanted(material, limits_of(program));
-  Attempt attempt{program, asked, name};
+  const std::vector<Wanted> parts = wanted(material, limits_of(program));
+  Attempt attempt{program, parts, Comparison(sum_of(parts)), name};
   std::optional<Exported> copy = attempt.best(true);
-  if (copy && (naive || copy->projection.exact())) return std::move(*copy);
-  if (copy) attempt.copied = copy->projection.loss;
+  if (copy && (naive || copy->exact())) return std::move(*copy);
+  if (copy) attempt.copied = copy->loss;
   std::optional<Exported> best = naive ? std::nullopt : attempt.best(false);
-  if (best && copy && !is_nearer(best->projection.loss, copy->projection.loss)) best.reset();
+  if (best && copy && !is_better(best->loss, copy->loss)) best.reset();
   if (!best) best = std::move(copy);
   if (!best) throw Refused("--to " + std::string(program.name) + ": " + attempt.refused.back().reason);
   best->refused = std::move(attempt.refused);

@@ -5,13 +5,14 @@
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
 #include "interop/pairs.h"
+#include "interop/refit.h"
 #include "io/parallel.h"
 
 namespace brdf::interop {
 namespace {
 
 io::SampleTable wanted_values(const Wanted& wanted) {
-  io::SampleTable table = pairs_about(wanted, Pairs::fitted);
+  io::SampleTable table = pairs_about(wanted.material, Pairs::fitted);
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
   std::vector<double> f(table.channels.size());
@@ -53,7 +54,8 @@ void start_at(const Term& copy, fit::FitOptions& options) {
     if (int(k) == target.axes().across && !options.anisotropic) continue;
     fit::NamedValues values{std::string(target.shape[k].name), {}};
     for (const auto& shape : copy.shape) values.values.push_back(shape[k]);
-    const bool of_nothing = target.shape[k].role == Role::slope && without_diffuse;
+    const bool of_nothing =
+        (target.shape[k].role == Role::slope && without_diffuse) || int(k) == superfluous(copy);
     if (of_nothing || std::ranges::find(options.tie, values.name) != options.tie.end())
       values.values.resize(1);
     (of_nothing ? options.fix : options.start).push_back(std::move(values));
@@ -65,7 +67,7 @@ void start_at(const Term& copy, fit::FitOptions& options) {
 fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, const Term& copy) {
   const ReflectanceInfo& target = info(rules.target);
   fit::FitOptions options;
-  options.cross_validation = false;
+  options.cross_validation = options.profiles = false;
   // The copy is near, and the values have no noise: a few starts besides it find what a grid of hundreds does.
   options.grid_starts = false;
   options.random_starts = 4;
@@ -77,7 +79,7 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   for (std::size_t k = 0; options.per_channel && k < target.shape.size(); ++k) {
     const Role role = target.shape[k].role;
     const bool held = (int(k) == target.axes().across && !options.anisotropic) ||
-                      (role == Role::slope && has_no_diffuse(copy));
+                      (role == Role::slope && has_no_diffuse(copy)) || int(k) == superfluous(copy);
     const bool coloured = std::ranges::find(rules.copy.coloured, role) != rules.copy.coloured.end();
     if (!coloured && !held) options.tie.push_back(name(int(k)));
   }
@@ -86,6 +88,10 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
     if (copy.weights.size() > 1) options.tie.push_back(lobe);
     if (!rules.sum_to_one) options.bounds.push_back({lobe, 0, 1});
   }
+  if (rules.copy.most_lobe < 1)
+    options.bounds.push_back(
+        {std::string(target.weights[std::size_t(target.weight_index(Role::specular))].name), 0,
+         rules.copy.most_lobe});
   if (rules.sum_to_one) options.physical = fit::Physical::bounded;
   if (options.anisotropic) options.fix.push_back({std::string(fit::kTangentInfo.name), {0}});
   start_at(copy, options);
@@ -102,34 +108,34 @@ void bring_within(const std::vector<fit::NamedRange>& bounds, Term& copy) {
 
 }  // namespace
 
+Material shown_by(const TargetRules& rules, const Material& of_target) {
+  return rules.shown ? rules.shown(of_target) : of_target;
+}
+
 Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   Projection out;
   out.material = copied(wanted, rules.target, rules.copy);
   bring_within(rules.bounds, out.material.terms[0]);
-  out.copied = out.loss = loss_of(wanted, out.material);
+  const Comparison comparison(wanted.material);
+  out.copied = out.loss = comparison.loss_of(shown_by(rules, out.material));
   if (naive || out.loss.exact()) return out;
   const io::SampleTable table = wanted_values(wanted);
+  Refit refit(comparison, rules, table, out.material, out.copied);
   fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
   // Of f cos_i, then of its relative differences.
   for (const fit::Metric metric : {fit::Metric::log, fit::Metric::log_relative}) {
     options.metric = metric;
-    if (metric == fit::Metric::log_relative) options.random_starts = 1;
+    if (metric == fit::Metric::log_relative) options.random_starts = 0;
     const fit::FormFit best = fit::fit(table, {{rules.target}}, options).ranking.front();
-    if (!best.solved()) continue;
-    const Loss loss = loss_of(wanted, best.material);
-    if (!is_nearer(loss, out.copied)) continue;
-    out.material = best.material;
-    out.loss = loss;
-    out.refitted = true;
-    break;
+    if (best.solved()) refit.between(best.material);
+    if (refit.improved()) break;
   }
+  refit.polish();
+  if (!refit.improved()) return out;
+  out.material = refit.best();
+  out.loss = refit.loss();
+  out.refitted = true;
   return out;
-}
-
-std::string in_words(const Projection& projection) {
-  if (projection.exact()) return "exact";
-  if (!projection.refitted) return "copied: " + in_words(projection.loss);
-  return "refitted: " + in_words(projection.loss) + "; copied parameters: " + in_words(projection.copied);
 }
 
 }  // namespace brdf::interop

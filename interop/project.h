@@ -1,7 +1,7 @@
-// A material in another program's formula: exact, refitted or copied, each with its loss.
+// A part of a material in another program's formula: exact, refitted or copied, each with its loss.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,21 +18,21 @@ struct TargetRules {
   bool sum_to_one = false;  // a refit's weights are at most 1 together: shaders are mixed
   std::vector<fit::NamedRange>
       bounds{};  // of what the program's controls reach, besides the target's own ranges
+  // What the program shows of a material of one such term, where it is not the form channel by channel; null: it is.
+  Material (*shown)(const Material&) = nullptr;
 };
+
+// As the program shows it.
+Material shown_by(const TargetRules& rules, const Material& of_target);
 
 struct Projection {
   Material material;  // of one term, in the frame of the wanted one
   Loss loss, copied;  // of `material`, and of copied parameters
   bool refitted = false;
-
-  bool exact() const { return loss.exact(); }
 };
 
-// Copied parameters where they are exact or `naive` asks for them; else the target fitted to the wanted values, from the
-// copy and from the fitter's own starts, unless the copy is nearer.
+// Copied parameters where they are exact or `naive` asks for them; else the target's parameters of the least rms that are
+// worse than the copy in no stated figure, sought from fits to the wanted values and between those and the copy.
 Projection project(const Wanted& wanted, const TargetRules& rules, bool naive);
-
-// "exact", or "refitted: largest ...; copied parameters: largest ...".
-std::string in_words(const Projection& projection);
 
 }  // namespace brdf::interop

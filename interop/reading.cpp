@@ -13,7 +13,7 @@ Colour Reading::weight(Role role) const {
   const int k = form_.weight_index(role);
   if (k < 0) return out;
   for (std::size_t c = 0; c < 3; ++c)
-    out[c] = w_.term.weights[w_.term.weights.size() == 1 ? 0 : c][std::size_t(k)];
+    out[c] = part_.term.weights[part_.term.weights.size() == 1 ? 0 : c][std::size_t(k)];
   return out;
 }
 
@@ -22,13 +22,13 @@ Colour Reading::shape_colours(Role role) const {
   const int k = form_.shape_index(role);
   if (k < 0) return out;
   for (std::size_t c = 0; c < 3; ++c)
-    out[c] = w_.term.shape[w_.term.shape.size() == 1 ? 0 : c][std::size_t(k)];
+    out[c] = part_.term.shape[part_.term.shape.size() == 1 ? 0 : c][std::size_t(k)];
   return out;
 }
 
 double Reading::metallic() const {
   for (std::size_t k = 0; k < form_.shape.size(); ++k)
-    if (form_.shape[k].map == Map::metallic) return w_.term.shape[0][k];
+    if (form_.shape[k].map == Map::metallic) return part_.term.shape[0][k];
   return 0;
 }
 
@@ -36,8 +36,18 @@ double Reading::roughness() const {
   return std::sqrt(std::sqrt(alpha_x() * alpha_y()));
 }
 
+bool Reading::along_tangent() const {
+  return std::abs(std::remainder(turn(), 180)) < 1e-9;
+}
+
 bool Reading::crosswise() const {
   return std::abs(std::abs(std::remainder(turn(), 180)) - 90) < 1e-9;
+}
+
+void Reading::refuse_turn() const {
+  throw InputError("its tangent is the mesh's dp/du: lay dp/du at " + number(given_turn()) +
+                   " degrees from the surface's x axis, counter-clockwise seen from outside, and export with "
+                   "tangent_phi 0");
 }
 
 void Reading::check_widths(double least, double most_ratio, const std::string& control) const {
@@ -47,6 +57,27 @@ void Reading::check_widths(double least, double most_ratio, const std::string& c
   if (alpha_x() > most_ratio * alpha_y() * (1 + 1e-9))
     throw InputError("alpha_x/alpha_y " + io::short_number(alpha_x() / alpha_y()) + " is above " +
                      number(most_ratio) + ", where " + control + " ends");
+}
+
+Shares shares_of(const Written& w, const std::string& mix) {
+  Shares out;
+  double lobes = 0;
+  for (std::size_t k = 0; k < w.parts.size(); ++k) {
+    const Reading r(w.parts[k]);
+    const Colour kd = r.weight(Role::diffuse), ks = r.weight(Role::specular);
+    for (std::size_t c = 0; c < 3; ++c) out.diffuse[c] += kd[c];
+    const double share = *std::ranges::max_element(ks);
+    if (share == 0) continue;
+    lobes += share;
+    out.lobes.push_back({k, share, {ks[0] / share, ks[1] / share, ks[2] / share}});
+  }
+  const double most = *std::ranges::max_element(out.diffuse);
+  if (lobes + most > 1 + 1e-9)
+    throw InputError(mix + " reaches weights of 1 together, not " + number(lobes + most));
+  out.diffuse_share = lobes < 1 - 1e-12 ? 1 - lobes : 0;
+  for (double& colour : out.diffuse)
+    colour = out.diffuse_share > 0 ? std::min(colour / out.diffuse_share, 1.0) : 0;
+  return out;
 }
 
 bool is_black(const Colour& c) {

@@ -16,7 +16,7 @@ using io::identifier;
 
 class Reading {
  public:
-  explicit Reading(const Written& w) : w_(w), form_(info(w.term.form)) {}
+  explicit Reading(const WrittenPart& part) : part_(part), form_(info(part.term.form)) {}
 
   // Of the three colours; of one channel all the same.
   Colour weight(Role role) const;
@@ -32,9 +32,14 @@ class Reading {
   bool anisotropic() const { return alpha_x() != alpha_y(); }
   // Square root of the widths' geometric mean.
   double roughness() const;
-  double turn() const { return anisotropic() ? w_.tangent.degrees() : 0; }
-  // The wider axis lies across the tangent: where both widths are free they are exchanged instead.
+  double turn() const { return anisotropic() ? part_.tangent.degrees() : 0; }
+  // The azimuth that the material gives to the axis of its alpha_x.
+  double given_turn() const { return anisotropic() ? part_.given.degrees() : 0; }
+  // The wider axis lies along or across the mesh's tangent: where both widths are free they are written as they are.
+  bool along_tangent() const;
   bool crosswise() const;
+  // Of programs whose tangent is the mesh's: what must be true of the mesh, and how to export then.
+  [[noreturn]] void refuse_turn() const;
   std::pair<double, double> along_and_across() const {
     return crosswise() ? std::pair{alpha_y(), alpha_x()} : std::pair{alpha_x(), alpha_y()};
   }
@@ -43,9 +48,24 @@ class Reading {
   void check_widths(double least, double most_ratio, const std::string& control) const;
 
  private:
-  const Written& w_;
+  const WrittenPart& part_;
   const ReflectanceInfo& form_;
 };
+
+// The parts as shares of one surface, for programs that mix: a diffuse colour of what the lobes leave, and each lobe with
+// its share and colour.
+struct Shares {
+  struct Lobe {
+    std::size_t part;
+    double share;
+    Colour tint;  // at most 1
+  };
+  Colour diffuse{};  // of the diffuse share, which is what the lobes leave
+  double diffuse_share = 0;
+  std::vector<Lobe> lobes{};
+};
+// Throws InputError where the weights are above 1 together; `mix` names the program's node.
+Shares shares_of(const Written& w, const std::string& mix);
 
 bool is_black(const Colour& c);
 bool is_grey(const Colour& c);

@@ -19,12 +19,12 @@ struct Asked {
   }
 };
 
-// Whether the channels' shapes are the same, or differ in what the program takes for each.
-bool has_one_shape(const Term& term, const Limits& limits) {
+// Whether the channels' shapes are the same but for the boundary's reflectance.
+bool has_one_shape(const Term& term) {
   const ReflectanceInfo& form = info(term.form);
   for (std::size_t k = 0; k < form.shape.size(); ++k) {
     const Role role = form.shape[k].role;
-    if (role == Role::diffuse || (limits.fresnel_per_channel && is_fresnel(role))) continue;
+    if (role == Role::diffuse || is_fresnel(role)) continue;
     for (const std::vector<double>& shape : term.shape)
       if (shape[k] != term.shape[0][k]) return false;
   }
@@ -65,8 +65,9 @@ void check_properties(const Term& term, const Asked& asked) {
 void check_term(Term& term, const Asked& asked) {
   const ReflectanceInfo& form = info(term.form);
   check_properties(term, asked);
-  if (!has_one_shape(term, asked.limits))
-    asked.refuse(std::string(form.name) + " has a shape per channel, the program one for all colours");
+  if (!has_one_shape(term))
+    asked.refuse(std::string(form.name) +
+                 " has widths per channel: no file of the program says more than one width for all colours");
   if (std::adjacent_find(term.shape.begin(), term.shape.end(), std::not_equal_to<>()) == term.shape.end())
     term.shape.resize(1);
   for (std::size_t c = 0; c < term.weights.size(); ++c)
@@ -81,7 +82,7 @@ void check_term(Term& term, const Asked& asked) {
 }  // namespace
 
 bool is_fresnel(Role role) {
-  return role == Role::f0 || role == Role::index || role == Role::extinction;
+  return role == Role::f0 || role == Role::index || role == Role::extinction || role == Role::tint;
 }
 
 bool has_lobe(const Term& term) {
@@ -107,32 +108,76 @@ Widths widths_of(const Term& term) {
   return {};
 }
 
-Wanted wanted(const Material& given, const Limits& limits) {
-  const Asked asked{limits};
-  Wanted out{in_order(given, asked), {}, -1};
-  for (std::size_t t = 0; t < out.material.terms.size(); ++t) {
-    Term& term = out.material.terms[t];
-    check_term(term, asked);
-    if (!has_lobe(term)) continue;
-    if (out.lobe >= 0)
-      asked.refuse("it has one lobe beside the diffuse part, the material has those of " +
-                   std::string(info(out.material.terms[std::size_t(out.lobe)].form).name) + " and " +
-                   std::string(info(term.form).name));
-    out.lobe = int(t);
-  }
-  for (Term& term : out.material.terms) {
+namespace {
+
+// The lobe seen from the frame of its wider axis.
+void turn_to_axis(Wanted& part) {
+  for (Term& term : part.material.terms) {
     const auto [along, across] = info(term.form).axes();
     if (along < 0 || across < 0) continue;
     if (term.shape[0][std::size_t(along)] == term.shape[0][std::size_t(across)]) continue;
     const Widths widths = widths_of(term);
-    out.tangent = term.tangent_phi;
+    part.tangent = part.given = term.tangent_phi;
     if (widths.along < widths.across) {
       for (std::vector<double>& shape : term.shape)
         std::swap(shape[std::size_t(along)], shape[std::size_t(across)]);
-      out.tangent = radians(term.tangent_phi.radians() + kPi / 2);
+      part.tangent = radians(term.tangent_phi.radians() + kPi / 2);
     }
     term.tangent_phi = {};
   }
+}
+
+}  // namespace
+
+std::vector<Wanted> wanted(const Material& given, const Limits& limits) {
+  const Asked asked{limits};
+  const Material all = in_order(given, asked);
+  std::vector<Wanted> parts{{{all.channels, {}}}};
+  for (Term term : all.terms) {
+    check_term(term, asked);
+    const bool lobe = has_lobe(term);
+    if (!lobe || parts[0].lobe < 0) {
+      if (lobe) parts[0].lobe = int(parts[0].material.terms.size());
+      parts[0].material.terms.push_back(std::move(term));
+      continue;
+    }
+    if (!limits.adds)
+      asked.refuse(
+          "the program's files have one lobe beside the diffuse part, the material has more: those of " +
+          std::string(info(parts[0].material.terms[std::size_t(parts[0].lobe)].form).name) + " and " +
+          std::string(info(term.form).name));
+    parts.push_back({{all.channels, {std::move(term)}}, {}, {}, 0});
+  }
+  for (Wanted& part : parts) turn_to_axis(part);
+  return parts;
+}
+
+Material sum_of(const std::vector<Wanted>& parts) {
+  Material sum{parts.front().material.channels, {}};
+  for (const Wanted& part : parts)
+    for (Term term : part.material.terms) {
+      term.tangent_phi = radians(term.tangent_phi.radians() + part.tangent.radians());
+      sum.terms.push_back(std::move(term));
+    }
+  return sum;
+}
+
+std::vector<std::string> not_held(const Wanted& part, const Holds& target) {
+  std::vector<std::string> out;
+  if (part.lobe < 0) return out;
+  const Term& term = part.material.terms[std::size_t(part.lobe)];
+  const ReflectanceInfo& form = info(term.form);
+  const auto differ = [](const auto& rows, std::size_t k) {
+    return std::ranges::any_of(rows, [&](const std::vector<double>& row) { return row[k] != rows[0][k]; });
+  };
+  if (const int ks = form.weight_index(Role::specular);
+      !target.coloured_lobe && ks >= 0 && differ(term.weights, std::size_t(ks)))
+    out.push_back(std::string(form.weights[std::size_t(ks)].name) +
+                  " has a colour, and the lobe there has one weight for all colours");
+  for (std::size_t k = 0; k < form.shape.size() && !target.coloured_fresnel; ++k)
+    if (is_fresnel(form.shape[k].role) && differ(term.shape, k))
+      out.push_back(std::string(form.shape[k].name) +
+                    " has a value for each colour, and the lobe there has one for all");
   return out;
 }
 

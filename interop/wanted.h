@@ -1,4 +1,4 @@
-// A material as programs of one lobe can take it.
+// A material as other programs can take it.
 #pragma once
 
 #include <string_view>
@@ -19,21 +19,34 @@ class Refused : public InputError {
 struct Wanted {
   Material material;  // as seen from the frame of the wider axis
   Angle tangent{};    // azimuth of that axis in the surface's frame
-  int lobe = -1;      // the term that has one; -1: none has
+  Angle given{};      // azimuth of the axis of alpha_x, as the material has it
+  int lobe = -1;      // the term that has one; -1: no term has
 };
 
 // What a program's files can say, whichever of its targets is taken.
 struct Limits {
-  std::string_view program;          // as messages name it
-  double most = 1, most_lobe = 1;    // a weight above, or one of the lobe, is clamped
-  bool fresnel_per_channel = false;  // indices of refraction or reflectances along the normal for each colour
+  std::string_view program;        // as messages name it
+  double most = 1, most_lobe = 1;  // a weight above, or one of the lobe, is clamped
+  bool adds = false;               // sums of any number of lobes
   std::vector<Reflectance> targets{};
 };
 
-// Throws Refused for what no program of one lobe carries: other channels, a second lobe, a shape per channel (but for
-// what the limits allow), a form that is not reciprocal or does not fade out at grazing light and is none of the targets,
+// The material in red, green and blue, or of its one channel, cut into parts of one lobe each whose sum it is: the first has
+// all terms without a lobe. Throws Refused for what no file of the program carries: other channels, a second lobe where
+// the program adds none, a shape per channel (but for what tells the boundary's reflectance, which every program takes by
+// colour in some way), a form that is not reciprocal or does not fade out at grazing light and is none of the targets,
 // weights above the most.
-Wanted wanted(const Material& material, const Limits& limits);
+std::vector<Wanted> wanted(const Material& material, const Limits& limits);
+
+// The sum of the parts, in the surface's frame.
+Material sum_of(const std::vector<Wanted>& parts);
+
+// What a target of one lobe weight, or of one shape for all colours, cannot hold of the part: a sentence each.
+struct Holds {
+  bool coloured_lobe = true;     // a weight of the lobe for each colour
+  bool coloured_fresnel = true;  // the boundary's reflectance for each colour
+};
+std::vector<std::string> not_held(const Wanted& part, const Holds& target);
 
 // The widths of a term's lobe along and across the tangent, also of one with exponents (the slopes that scatter as much:
 // alpha^2 = 2/(n + 2)); 0.3 where it has neither.

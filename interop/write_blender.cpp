@@ -68,49 +68,105 @@ std::string script(const Written& w, const Script& nodes, bool turned) {
          "if __name__ == \"__main__\":\n    make_material()\n";
 }
 
-void diffuse(Script& s, const Colour& colour) {
-  s.node("diffuse", "BsdfDiffuse");
-  s.set("diffuse", "Color", colour);
-  s.set("diffuse", "Roughness", 0);
-}
-
-// Diffuse and lobe added; one alone where the other is black.
-void sum(Script& s, const Colour& kd, const std::string& lobe) {
-  if (is_black(kd) && !lobe.empty()) {
-    s.link(lobe, "output", "\"Surface\"");
-    return;
+// The shaders that make up the surface, added one after the other.
+class Sum {
+ public:
+  explicit Sum(Script& script) : s_(script) {}
+  void add(const std::string& node) {
+    if (!last_.empty()) {
+      const std::string sum = "sum_" + std::to_string(++sums_);
+      s_.node(sum, "AddShader");
+      s_.link(last_, sum, "0");
+      s_.link(node, sum, "1");
+      last_ = sum;
+    } else {
+      last_ = node;
+    }
   }
-  diffuse(s, kd);
-  if (lobe.empty()) {
-    s.link("diffuse", "output", "\"Surface\"");
-    return;
+  void add_diffuse(const std::string& node, const Colour& colour) {
+    s_.node(node, "BsdfDiffuse");
+    s_.set(node, "Color", colour);
+    s_.set(node, "Roughness", 0);
+    add(node);
   }
-  s.node("add", "AddShader");
-  s.link("diffuse", "add", "0");
-  s.link(lobe, "add", "1");
-  s.link("add", "output", "\"Surface\"");
-}
+  // A surface of nothing is black.
+  void finish() {
+    if (last_.empty()) add_diffuse("diffuse", {0, 0, 0});
+    s_.link(last_, "output", "\"Surface\"");
+  }
 
-std::string glossy(const Written& w) {
-  const Reading r(w);
-  const Colour ks = r.weight(Role::specular);
+ private:
+  Script& s_;
+  std::string last_;
+  int sums_ = 0;
+};
+
+// The lobe's node; the surface's tangent turns its axis where the widths differ.
+struct Lobe {
+  std::string node;
+  bool turned = false;
+};
+
+// Of one part: its lobe, none where that is black. `suffix` tells the parts' nodes apart.
+using LobeOf = Lobe (*)(const Reading& r, Script& s, const std::string& suffix);
+
+std::string sum_of_parts(const Written& w, LobeOf lobe_of) {
   Script s;
-  const bool turned = r.anisotropic() && !is_black(ks);
-  if (!is_black(ks)) {
-    r.check_widths(kLeastAlpha, 1e4, "Anisotropy");
-    s.node("glossy", turned ? "BsdfAnisotropic" : "BsdfGlossy", "distribution = \"GGX\"");
-    s.set("glossy", "Color", ks);
-    s.set("glossy", "Roughness", r.roughness());
-    // A < 0: alpha_x = roughness^2/(1 + A), alpha_y = roughness^2 (1 + A).
-    if (turned) s.set("glossy", "Anisotropy", std::sqrt(r.alpha_y() / r.alpha_x()) - 1);
-    if (turned) s.tangent("glossy", "Rotation", r.turn());
+  Sum sum(s);
+  bool turned = false;
+  for (std::size_t k = 0; k < w.parts.size(); ++k) {
+    const Reading r(w.parts[k]);
+    const std::string suffix = k > 0 ? "_" + std::to_string(k + 1) : "";
+    if (const Colour kd = r.weight(Role::diffuse); !is_black(kd)) sum.add_diffuse("diffuse" + suffix, kd);
+    const Lobe lobe = lobe_of(r, s, suffix);
+    if (!lobe.node.empty()) sum.add(lobe.node);
+    turned = turned || lobe.turned;
   }
-  sum(s, r.weight(Role::diffuse), is_black(ks) ? "" : "glossy");
+  sum.finish();
   return script(w, s, turned);
 }
 
+Lobe glossy(const Reading& r, Script& s, const std::string& suffix) {
+  const Colour ks = r.weight(Role::specular);
+  if (is_black(ks)) return {};
+  const std::string node = "glossy" + suffix;
+  r.check_widths(kLeastAlpha, 1e4, "Anisotropy");
+  s.node(node, r.anisotropic() ? "BsdfAnisotropic" : "BsdfGlossy", "distribution = \"GGX\"");
+  s.set(node, "Color", ks);
+  s.set(node, "Roughness", r.roughness());
+  if (!r.anisotropic()) return {node};
+  // A < 0: alpha_x = roughness^2/(1 + A), alpha_y = roughness^2 (1 + A).
+  s.set(node, "Anisotropy", std::sqrt(r.alpha_y() / r.alpha_x()) - 1);
+  s.tangent(node, "Rotation", r.turn());
+  return {node, true};
+}
+
+Lobe metallic(const Reading& r, Script& s, const std::string& suffix) {
+  const double ks = r.weight(Role::specular)[0];
+  if (ks == 0) return {};
+  const std::string node = "metallic" + suffix, black = "black" + suffix, share = "share" + suffix;
+  r.check_widths(kLeastAlpha, 10, "Anisotropy");
+  s.node(node, "BsdfMetallic", "distribution = \"GGX\"");
+  s.line(node + ".fresnel_type = \"F82\"");
+  s.set(node, "Base Color", r.weight(Role::f0));
+  s.set(node, "Edge Tint", {1, 1, 1});
+  s.set(node, "Roughness", r.roughness());
+  const bool turned = r.anisotropic();
+  if (turned) s.set(node, "Anisotropy", (1 - r.alpha_y() / r.alpha_x()) / 0.9);
+  if (turned) s.tangent(node, "Rotation", r.turn());
+  if (ks == 1) return {node, turned};
+  s.node(black, "BsdfDiffuse");
+  s.set(black, "Color", {0, 0, 0});
+  s.node(share, "MixShader");
+  s.set(share, "Fac", ks);
+  s.link(black, share, "1");
+  s.link(node, share, "2");
+  return {share, turned};
+}
+
 std::string principled(const Written& w) {
-  const Reading r(w);
+  const Reading r(w.parts.front());
+  if (w.parts.size() > 1) throw InputError("Principled BSDF has one lobe of this kind");
   r.check_widths(kLeastAlpha, 10, "Anisotropic");
   const double eta = r.shape(Role::index), root = (eta - 1) / (eta + 1);
   Script s;
@@ -131,36 +187,11 @@ std::string principled(const Written& w) {
 }  // namespace
 
 std::string write_blender(const Written& w) {
-  const Reading r(w);
-  const double ks = r.weight(Role::specular)[0];
-  Script s;
-  const bool turned = r.anisotropic() && ks > 0;
-  if (ks > 0) {
-    r.check_widths(kLeastAlpha, 10, "Anisotropy");
-    s.node("metallic", "BsdfMetallic", "distribution = \"GGX\"");
-    s.line("metallic.fresnel_type = \"F82\"");
-    s.set("metallic", "Base Color", r.weight(Role::f0));
-    s.set("metallic", "Edge Tint", {1, 1, 1});
-    s.set("metallic", "Roughness", r.roughness());
-    if (turned) s.set("metallic", "Anisotropy", (1 - r.alpha_y() / r.alpha_x()) / 0.9);
-    if (turned) s.tangent("metallic", "Rotation", r.turn());
-  }
-  std::string lobe = ks > 0 ? "metallic" : "";
-  if (ks > 0 && ks < 1) {
-    s.node("black", "BsdfDiffuse");
-    s.set("black", "Color", {0, 0, 0});
-    s.node("share", "MixShader");
-    s.set("share", "Fac", ks);
-    s.link("black", "share", "1");
-    s.link("metallic", "share", "2");
-    lobe = "share";
-  }
-  sum(s, r.weight(Role::diffuse), lobe);
-  return script(w, s, turned);
+  return sum_of_parts(w, metallic);
 }
 
 std::string write_blender_3_4(const Written& w) {
-  return Reading(w).has_weight(Role::specular) ? glossy(w) : principled(w);
+  return Reading(w.parts.front()).has_weight(Role::specular) ? sum_of_parts(w, glossy) : principled(w);
 }
 
 }  // namespace brdf::interop

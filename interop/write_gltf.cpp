@@ -10,7 +10,7 @@
 namespace brdf::interop {
 
 std::string write_gltf(const Written& w) {
-  const Reading r(w);
+  const Reading r(w.parts.front());
   r.check_widths(0, 1e4, "nothing");
   if (r.alpha_x() < r.alpha_y())
     throw InputError("its wider axis lies across the tangent, and glTF widens along it");
@@ -20,6 +20,8 @@ std::string write_gltf(const Written& w) {
   io::Json extensions;
   extensions["KHR_materials_ior"] = {{"ior", r.shape(Role::index)}};
   extensions["KHR_materials_specular"] = {{"specularFactor", r.shape(Role::specular)}};
+  if (const Colour tint = r.shape_colours(Role::tint); r.has_shape(Role::tint) && tint != Colour{1, 1, 1})
+    extensions["KHR_materials_specular"]["specularColorFactor"] = {tint[0], tint[1], tint[2]};
   if (r.anisotropic())
     extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", strength},
                                               {"anisotropyRotation", r.turn() * std::numbers::pi / 180}};

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 #include "interop/reading.h"
 #include "interop/writers.h"
@@ -14,13 +16,6 @@ std::string bsdf(const char* type, const std::string& attributes, const std::str
   return "  <bsdf type=\"" + std::string(type) + "\" " + attributes + ">\n" + inside + "  </bsdf>\n";
 }
 
-// There is no control of the tangent besides the mesh.
-void check_turn(const Reading& r, bool free_widths) {
-  if (r.turn() == 0 || (free_widths && r.crosswise())) return;
-  throw InputError("its tangent is the mesh's: turn the texture coordinates by " + number(r.turn()) +
-                   " degrees instead and export with tangent_phi 0");
-}
-
 std::string conductor(const Reading& r, const std::string& attributes, const Colour& tint) {
   r.check_widths(1e-4, 1e4, "nothing");
   std::string inside = value("string", "distribution", "ggx");
@@ -29,8 +24,11 @@ std::string conductor(const Reading& r, const std::string& attributes, const Col
     inside += value("float", "alpha_u", number(along)) + value("float", "alpha_v", number(across));
   else
     inside += value("float", "alpha", number(r.alpha_x()));
-  inside += value("float", "eta", number(r.shape(Role::index))) +
-            value("float", "k", number(r.shape(Role::extinction))) +
+  const auto of_colours = [](const char* name, const Colour& c) {
+    return is_grey(c) ? value("float", name, number(c[0])) : value("rgb", name, numbers(c));
+  };
+  inside += of_colours("eta", r.shape_colours(Role::index)) +
+            of_colours("k", r.shape_colours(Role::extinction)) +
             value("rgb", "specular_reflectance", numbers(tint));
   return bsdf("roughconductor", attributes, inside);
 }
@@ -39,25 +37,38 @@ std::string diffuse_bsdf(const std::string& attributes, const Colour& colour) {
   return bsdf("diffuse", attributes, value("rgb", "reflectance", numbers(colour)));
 }
 
-Colour over(const Colour& c, double by) {
-  return {std::min(c[0] / by, 1.0), std::min(c[1] / by, 1.0), std::min(c[2] / by, 1.0)};
-}
-
 // blendbsdf: weight w takes 1 - w of its first child and w of its second, in the order of their names.
-std::string mixed(const Reading& r, const std::string& id) {
-  const Colour kd = r.weight(Role::diffuse), ks = r.weight(Role::specular);
-  if (is_black(ks)) return diffuse_bsdf(id, kd);
-  if (!is_black(kd)) {
-    const double share = std::max({ks[0], ks[1], ks[2]}), most = std::max({kd[0], kd[1], kd[2]});
-    if (share + most > 1 + 1e-12)
-      throw InputError("a blendbsdf of diffuse and roughconductor reaches weights of 1 together, not " +
-                       number(share + most));
-    return bsdf("blendbsdf", id,
-                value("float", "weight", number(share)) +
-                    diffuse_bsdf("name=\"a_diffuse\"", over(kd, 1 - share)) +
-                    conductor(r, "name=\"b_lobe\"", over(ks, share)));
+std::string mixed(const Written& w, const std::string& id) {
+  const Shares shares = shares_of(w, "a blendbsdf of diffuse and roughconductor");
+  if (shares.lobes.empty()) return diffuse_bsdf(id, shares.diffuse);
+  if (shares.lobes.size() == 1 && is_black(shares.diffuse)) {
+    const Reading r(w.parts[shares.lobes.front().part]);
+    return conductor(r, id, r.weight(Role::specular));
   }
-  return conductor(r, id, ks);
+  // From the innermost blend outward: each takes the share of its last child.
+  struct Piece {
+    double share;
+    std::function<std::string(const std::string&)> text;
+  };
+  std::vector<Piece> pieces;
+  if (shares.diffuse_share > 0)
+    pieces.push_back({shares.diffuse_share, [&](const std::string& attributes) {
+                        return diffuse_bsdf(attributes, shares.diffuse);
+                      }});
+  for (const Shares::Lobe& lobe : shares.lobes)
+    pieces.push_back({lobe.share, [&](const std::string& attributes) {
+                        return conductor(Reading(w.parts[lobe.part]), attributes, lobe.tint);
+                      }});
+  double sum = pieces.front().share;
+  std::string text = pieces.front().text(pieces.size() == 1 ? id : "name=\"a_first\"");
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    sum += pieces[k].share;
+    const bool outermost = k + 1 == pieces.size();
+    text = bsdf(
+        "blendbsdf", outermost ? id : "name=\"a_first\"",
+        value("float", "weight", number(pieces[k].share / sum)) + text + pieces[k].text("name=\"b_second\""));
+  }
+  return text;
 }
 
 std::string principled(const Reading& r, const std::string& id) {
@@ -73,12 +84,14 @@ std::string principled(const Reading& r, const std::string& id) {
 }  // namespace
 
 std::string write_mitsuba(const Written& w) {
-  const Reading r(w);
   const std::string id = "id=\"" + identifier(w.name) + "\"";
-  const bool sum = r.has_weight(Role::specular);
-  check_turn(r, sum);
-  return xml_comment(w.header) + "<scene version=\"3.0.0\">\n" + (sum ? mixed(r, id) : principled(r, id)) +
-         "</scene>\n";
+  const Reading first(w.parts.front());
+  const bool sum = first.has_weight(Role::specular);
+  if (!sum && w.parts.size() > 1) throw InputError("principled has one lobe of this kind");
+  for (const WrittenPart& part : w.parts)
+    if (const Reading r(part); !r.along_tangent() && !(sum && r.crosswise())) r.refuse_turn();
+  return xml_comment(w.header) + "<scene version=\"3.0.0\">\n" +
+         (sum ? mixed(w, id) : principled(first, id)) + "</scene>\n";
 }
 
 }  // namespace brdf::interop

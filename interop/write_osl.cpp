@@ -1,5 +1,6 @@
 #include "interop/reading.h"
 #include "interop/writers.h"
+#include "io/text.h"
 
 namespace brdf::interop {
 namespace {
@@ -9,38 +10,43 @@ std::string colour(const Colour& c) {
 }
 
 // The closure of the lobe that the form stands for; "" where it has none.
-std::string lobe_closure(const Reading& r) {
+std::string lobe_closure(const Reading& r, const std::string& tangent) {
   if (r.has_shape(Role::exponent)) return "phong(N, " + number(r.shape(Role::exponent)) + ")";
   if (!r.has_shape(Role::width)) return "";
   r.check_widths(1e-4, 1e4, "nothing");
   const std::string widths = number(r.alpha_x()) + ", " + number(r.alpha_y());
   if (r.has_shape(Role::index))
-    return "microfacet(\"ggx\", N, T, " + widths + ", " + number(r.shape(Role::index)) + ", 0)";
-  return "ward(N, T, " + widths + ")";
+    return "microfacet(\"ggx\", N, " + tangent + ", " + widths + ", " + number(r.shape(Role::index)) + ", 0)";
+  return "ward(N, " + tangent + ", " + widths + ")";
 }
 
 std::string diffuse_closure(const Reading& r) {
   return r.has_shape(Role::slope) ? "oren_nayar(N, " + number(r.shape(Role::slope)) + ")" : "diffuse(N)";
 }
 
-std::string tangent(const Reading& r) {
-  if (r.turn() == 0) return "    vector T = normalize(dPdu);\n";
-  return "    vector T = normalize(vector(rotate(point(normalize(dPdu)), radians(" + number(r.turn()) +
-         "), point(0), point(N))));\n";
+std::string tangent(const Reading& r, const std::string& name) {
+  if (r.turn() == 0) return "    vector " + name + " = normalize(dPdu);\n";
+  return "    vector " + name + " = normalize(vector(rotate(point(normalize(dPdu)), radians(" +
+         number(r.turn()) + "), point(0), point(N))));\n";
 }
 
 }  // namespace
 
 std::string write_osl(const Written& w) {
-  const Reading r(w);
-  const Colour kd = r.weight(Role::diffuse), ks = r.weight(Role::specular);
-  const std::string lobe = is_black(ks) ? "" : lobe_closure(r);
-  std::string text = comments(w.header, "// ") + "surface " + identifier(w.name) + "()\n{\n";
-  if (lobe.find(", T, ") != lobe.npos) text += tangent(r);
-  text += "    Ci = ";
-  if (lobe.empty() || !is_black(kd)) text += colour(kd) + " * " + diffuse_closure(r);
-  if (!lobe.empty()) text += (is_black(kd) ? "" : "\n       + ") + colour(ks) + " * " + lobe;
-  return text + ";\n}\n";
+  std::string tangents;
+  std::vector<std::string> sum;
+  for (std::size_t k = 0; k < w.parts.size(); ++k) {
+    const Reading r(w.parts[k]);
+    const Colour kd = r.weight(Role::diffuse), ks = r.weight(Role::specular);
+    const std::string axis = w.parts.size() > 1 ? "T" + std::to_string(k + 1) : "T";
+    const std::string lobe = is_black(ks) ? "" : lobe_closure(r, axis);
+    if (lobe.find(", " + axis + ", ") != lobe.npos) tangents += tangent(r, axis);
+    if (!is_black(kd) || (lobe.empty() && w.parts.size() == 1))
+      sum.push_back(colour(kd) + " * " + diffuse_closure(r));
+    if (!lobe.empty()) sum.push_back(colour(ks) + " * " + lobe);
+  }
+  return comments(w.header, "// ") + "surface " + identifier(w.name) + "()\n{\n" + tangents +
+         "    Ci = " + io::joined(sum, "\n       + ") + ";\n}\n";
 }
 
 }  // namespace brdf::interop

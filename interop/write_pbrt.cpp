@@ -31,24 +31,42 @@ std::string conductor(const std::string& name, const Reading& r) {
 }  // namespace
 
 std::string write_pbrt(const Written& w) {
-  const Reading r(w);
-  if (r.turn() != 0 && !r.crosswise())
-    throw InputError("its tangent is the mesh's: turn the texture coordinates by " + number(r.turn()) +
-                     " degrees instead and export with tangent_phi 0");
-  const Colour kd = r.weight(Role::diffuse);
-  const double share = r.weight(Role::specular)[0];
-  const std::string name = identifier(w.name), head = comments(w.header, "# ");
-  if (share == 0) return head + diffuse_material(name, kd);
-  r.check_widths(1e-3, 1e4, "nothing");
-  if (share == 1) return head + conductor(name, r);
-  const Colour below{kd[0] / (1 - share), kd[1] / (1 - share), kd[2] / (1 - share)};
-  if (std::max({below[0], below[1], below[2]}) > 1 + 1e-9)
-    throw InputError("a mix of diffuse and conductor reaches weights of 1 together, not " +
-                     number(std::max({kd[0], kd[1], kd[2]}) + share));
-  return head + diffuse_material(name + "_diffuse", below) + conductor(name + "_lobe", r) +
-         material(name, "mix",
-                  "    \"string materials\" [ \"" + name + "_diffuse\" \"" + name + "_lobe\" ]\n" +
-                      list("float", "amount", number(share)));
+  for (const WrittenPart& part : w.parts)
+    if (const Reading r(part); !r.along_tangent() && !r.crosswise()) r.refuse_turn();
+  const std::string name = identifier(w.name);
+  const Shares shares = shares_of(w, "a mix of diffuse and conductor");
+  // A share of the sum so far, then the next material: mix takes "amount" of its second.
+  std::string text = comments(w.header, "# "), last;
+  double sum = 0;
+  const std::size_t pieces = shares.lobes.size() + (shares.diffuse_share > 0);
+  std::size_t made = 0;
+  const auto join = [&](const std::string& piece, double share) {
+    sum += share;
+    ++made;
+    if (last.empty()) {
+      last = piece;
+      return;
+    }
+    const std::string mixed = made == pieces ? name : name + "_mix_" + std::to_string(made);
+    text += material(mixed, "mix",
+                     "    \"string materials\" [ \"" + last + "\" \"" + piece + "\" ]\n" +
+                         list("float", "amount", number(share / sum)));
+    last = mixed;
+  };
+  if (shares.diffuse_share > 0) {
+    const std::string piece = pieces > 1 ? name + "_diffuse" : name;
+    text += diffuse_material(piece, shares.diffuse);
+    join(piece, shares.diffuse_share);
+  }
+  for (const Shares::Lobe& lobe : shares.lobes) {
+    const Reading r(w.parts[lobe.part]);
+    r.check_widths(1e-3, 1e4, "nothing");
+    const std::string piece =
+        pieces == 1 ? name : name + "_lobe" + (lobe.part > 0 ? "_" + std::to_string(lobe.part + 1) : "");
+    text += conductor(piece, r);
+    join(piece, lobe.share);
+  }
+  return text;
 }
 
 }  // namespace brdf::interop

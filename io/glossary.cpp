@@ -122,6 +122,8 @@ std::string_view words(Role role) {
       return "index of refraction";
     case Role::extinction:
       return "extinction";
+    case Role::tint:
+      return "tint of the reflectance along the normal";
     case Role::other:
       break;
   }

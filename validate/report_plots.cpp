@@ -151,6 +151,7 @@ std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
       case Role::diffuse:
       case Role::specular:
       case Role::f0:
+      case Role::tint:
       case Role::width_across:
       case Role::exponent_across:
         return kNoWidth;

@@ -100,6 +100,7 @@ struct FitOptions {
   // taken as f_r cos_i of the surface over the cos_i of the directions' own frame.
   std::optional<std::array<double, 2>> normal;
   bool cross_validation = true;
+  bool profiles = true;  // intervals by profiles, which take longer than the fit
   unsigned threads =
       1;  // models, and the starts of each, that are solved side by side; no result depends on it
   const std::atomic<bool>* interrupted = nullptr;  // set from outside: return the best so far

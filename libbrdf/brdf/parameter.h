@@ -25,6 +25,7 @@ enum class Role {
   slope,            // standard deviation of the facets' slope angle
   index,            // of refraction, real part
   extinction,       // its imaginary part
+  tint,             // factor of the reflectance along the normal, by colour
   other
 };
 
@@ -33,9 +34,9 @@ inline constexpr std::array<std::array<Role, 2>, 2> kAxisRoles{
     {{Role::width, Role::width_across}, {Role::exponent, Role::exponent_across}}};
 
 template <>
-inline constexpr std::array<std::string_view, 11> kNames<Role>{
+inline constexpr std::array<std::string_view, 12> kNames<Role>{
     "diffuse",         "specular", "f0",    "width",      "width_across", "exponent",
-    "exponent_across", "slope",    "index", "extinction", "other"};
+    "exponent_across", "slope",    "index", "extinction", "tint", "other"};
 
 // The texture map that holds a parameter as it stands, beside what its role says
 // (render/scene/texture_rule.h).

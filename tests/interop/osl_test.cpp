@@ -19,7 +19,7 @@ Exported to_osl(const std::string& form, const std::vector<std::string>& set) {
 
 double value(const Exported& e, const Vec3<double>& wi, const Vec3<double>& wo) {
   double f = 0;
-  eval(e.projection.material, wi, wo, std::span(&f, 1));
+  eval(e.carried, wi, wo, std::span(&f, 1));
   return f;
 }
 
@@ -62,7 +62,7 @@ TEST(Osl, ItsClosuresAreFormsOfOurs) {
                  ward = to_osl("ward", {"kd=0.1", "ks=0.4", "alpha_x=0.3", "alpha_y=0.1"}),
                  glass = to_osl("cook_torrance_dielectric",
                                 {"kd=0.1", "ks=0.9", "eta=1.7", "alpha_x=0.3", "alpha_y=0.1"});
-  for (const Exported* e : {&clay, &phong, &ward, &glass}) EXPECT_TRUE(e->projection.exact()) << e->text;
+  for (const Exported* e : {&clay, &phong, &ward, &glass}) EXPECT_TRUE(e->exact()) << e->text;
   Random random(3);
   for (int k = 0; k < 300; ++k) {
     const auto anywhere = [&] {

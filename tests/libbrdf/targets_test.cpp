@@ -110,9 +110,10 @@ double gltf(const Hit& c) {
   const double at = c["alpha_x"], ab = c["alpha_y"], a2 = at * ab;
   const double w2 = a2 / (std::pow(ab * c.h.x, 2) + std::pow(at * c.h.y, 2) + std::pow(a2 * c.h.z, 2));
   const auto length = [&](const Vec3<double>& w) { return std::hypot(at * w.x, ab * w.y, w.z); };
-  const double lobe = a2 * w2 * w2 / pi() * 0.5 / (c.l.z * length(c.v) + c.v.z * length(c.l));
+  const double free = 0.5 / (c.l.z * length(c.v) + c.v.z * length(c.l));
+  const double v = at == ab ? free : std::clamp(free, 0.0, 1.0), lobe = a2 * w2 * w2 / pi() * v;
   const double base = c["base_color"], rise = pow5(1 - c.l_h()), ior = c["eta"];
-  const double f0 = std::pow((1 - ior) / (1 + ior), 2);
+  const double f0 = std::min(std::pow((1 - ior) / (1 + ior), 2) * c["specular_color"], 1.0);
   const double fr = f0 * c["specular"] + (c["specular"] - f0 * c["specular"]) * rise;
   const double metal = lobe * (base + (1 - base) * rise), dielectric = base / pi() * (1 - fr) + lobe * fr;
   return dielectric * (1 - c["metallic"]) + metal * c["metallic"];

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "interop/loss.h"
+#include "interop/pairs.h"
+#include "validate/search.h"
+
+namespace brdf::interop {
+namespace {
+
+// Both materials at a pair of directions.
+class Difference {
+ public:
+  Difference(const Material& wanted, const Material& carried)
+      : wanted_(wanted), carried_(carried), f_(wanted.channels.size()), g_(wanted.channels.size()) {}
+
+  Largest at(double theta_i, double phi_i, double theta_o, double phi_o) {
+    const Vec3<double> wi = io::unit_vector(theta_i, phi_i), wo = io::unit_vector(theta_o, phi_o);
+    eval(wanted_, wi, wo, f_);
+    eval(carried_, wi, wo, g_);
+    Largest out{-1, theta_i, phi_i, theta_o, phi_o};
+    for (std::size_t c = 0; c < f_.size(); ++c) {
+      const double difference = std::abs(g_[c] - f_[c]) / (f_[c] + kDark);
+      if (!(difference > out.difference)) continue;
+      out.difference = difference;
+      out.wanted = f_[c], out.carried = g_[c];
+      out.channel = wanted_.channels[c];
+    }
+    return out;
+  }
+
+ private:
+  const Material &wanted_, &carried_;
+  std::vector<double> f_, g_;
+};
+
+// A point of the unit cube that the climbs move in: both polar angles, the azimuth between them, and of anisotropic
+// materials the light's.
+struct Cube {
+  bool turned;
+
+  std::size_t dimensions() const { return turned ? 4 : 3; }
+  std::vector<double> point(double theta_i, double phi_i, double theta_o, double phi_o) const {
+    const auto part = [](double degrees) { return degrees / 360 - std::floor(degrees / 360); };
+    std::vector<double> at{theta_i / kMostTheta, theta_o / kMostTheta, part(phi_o - phi_i)};
+    if (turned) at.push_back(part(phi_i));
+    return at;
+  }
+};
+
+}  // namespace
+
+double Largest::phi() const {
+  return std::abs(std::remainder(phi_o - phi_i, 360));
+}
+
+Largest Comparison::largest_of(const Material& carried) const {
+  constexpr std::size_t kClimbs = 12, kKept = 400;
+  Difference difference(wanted_, carried);
+  const Cube cube{is_anisotropic(wanted_)};
+  const Directions<double> net = net_.view();
+  const std::vector<std::vector<double>> values = values_at(carried, net);
+  // The climbs' own choice among these keeps them apart.
+  std::vector<std::pair<double, std::size_t>> worst(net.count);
+  for (std::size_t k = 0; k < net.count; ++k) {
+    worst[k] = {0, k};
+    for (std::size_t c = 0; c < values.size(); ++c)
+      worst[k].first =
+          std::max(worst[k].first, std::abs(values[c][k] - at_net_[c][k]) / (at_net_[c][k] + kDark));
+  }
+  const std::size_t kept = std::min(kKept, worst.size());
+  std::partial_sort(worst.begin(), worst.begin() + long(kept), worst.end(), std::greater<>());
+  Largest best;
+  best.difference = -1;
+  const auto place = [&](std::size_t k) {
+    std::array<double, 4> at;
+    io::polar_degrees(net.wi(k), at[0], at[1]);
+    io::polar_degrees(net.wo(k), at[2], at[3]);
+    return at;
+  };
+  std::vector<std::vector<double>> starts;
+  for (std::size_t k = 0; k < kept; ++k) {
+    const auto [theta_i, phi_i, theta_o, phi_o] = place(worst[k].second);
+    starts.push_back(cube.point(std::min(theta_i, kMostTheta), phi_i, std::min(theta_o, kMostTheta), phi_o));
+  }
+  const auto objective = [&](std::span<const double> x) {
+    const double phi_i = x.size() > 3 ? 360 * x[3] : 0;
+    const Largest here = difference.at(kMostTheta * x[0], phi_i, kMostTheta * x[1], phi_i + 360 * x[2]);
+    if (here.difference > best.difference) best = here;
+    return here.difference;
+  };
+  validate::SearchOptions options;
+  options.cover = 0;
+  options.starts = options.polish = kClimbs;
+  options.finest = 1e-6;
+  validate::maximise(objective, cube.dimensions(), options, starts);
+  return best;
+}
+
+}  // namespace brdf::interop

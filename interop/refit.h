@@ -1,0 +1,40 @@
+// The search for a target's parameters that are nearer than the copied ones and worse in no stated figure.
+#pragma once
+
+#include "interop/project.h"
+#include "io/samples.h"
+
+namespace brdf::interop {
+
+class Refit {
+ public:
+  // `table` has the wanted values at the fitted pairs.
+  Refit(const Comparison& wanted, const TargetRules& rules, const io::SampleTable& table,
+        const Material& copy, const Loss& of_copy);
+
+  // Tries these parameters, and some between them and the copy: what is a little nearer is seldom worse in anything.
+  void between(const Material& fitted);
+  // Climbs from the best so far, with the copy's figures at the fitted pairs as limits; tighter ones where the judged
+  // pairs or the search for the largest difference do not agree.
+  void polish();
+
+  bool improved() const { return improved_; }
+  const Material& best() const { return best_; }
+  const Loss& loss() const { return loss_; }
+
+ private:
+  Figures at_fitted_pairs(const Material& of_target) const;
+  bool consider(const Material& candidate);
+
+  const Comparison& wanted_;
+  const TargetRules& rules_;
+  const io::SampleTable& table_;
+  DirectionArrays<double> directions_;
+  const Material copy_;
+  const Loss of_copy_;
+  Material best_;
+  Loss loss_;
+  bool improved_ = false;
+};
+
+}  // namespace brdf::interop

@@ -1,0 +1,255 @@
+// Stated losses: found by a search, measured as the files' users read them, and never made worse by a refit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "brdf/random.h"
+#include "interop/pbrt_colour.h"
+#include "interop/programs.h"
+#include "interop/read_back.h"
+#include "interop/rgl.h"
+#include "io/settings.h"
+
+namespace brdf::interop {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Material chosen(const std::string& form, const std::vector<std::string>& set) {
+  return io::choose_material({.form = form, .set = set});
+}
+Exported written(const char* program, const Material& m, bool naive = false) {
+  return export_to(*find_program(program), m, "thing", naive);
+}
+
+// A rough wood of a faint wide lobe, a smooth varnish, a brushed metal, a paint of a coloured lobe.
+std::vector<Material> subjects() {
+  return {chosen("cook_torrance", {"kd=0.21,0.09,0.05", "ks=0.35", "f0=0.03", "alpha=0.32"}),
+          chosen("cook_torrance", {"kd=0.05,0.02,0.02", "ks=0.9", "f0=0.045", "alpha=0.06"}),
+          chosen("cook_torrance", {"kd=0", "ks=1", "f0=0.85,0.7,0.55", "alpha_x=0.35", "alpha_y=0.12"}),
+          chosen("cook_torrance", {"kd=0.12", "ks=0.5,0.35,0.15", "f0=0.4", "alpha=0.28"})};
+}
+
+// Over a grid that has no direction of the search's own net.
+double densest(const Material& wanted, const Material& carried, double step) {
+  const bool turned = is_anisotropic(wanted);
+  std::vector<double> f(wanted.channels.size()), g(f.size());
+  double worst = 0;
+  for (double phi_i = turned ? 0.7 : 0; phi_i < (turned ? 180 : 1); phi_i += turned ? 17 : 1)
+    for (double theta_i = 0.3 * step; theta_i <= 80; theta_i += step)
+      for (double theta_o = 0.3 * step; theta_o <= 80; theta_o += step)
+        for (double phi = 0.4; phi < (turned ? 360 : 180.5); phi += 2.9) {
+          eval(wanted, io::unit_vector(theta_i, phi_i), io::unit_vector(theta_o, phi_i + phi), f);
+          eval(carried, io::unit_vector(theta_i, phi_i), io::unit_vector(theta_o, phi_i + phi), g);
+          for (std::size_t c = 0; c < f.size(); ++c)
+            worst = std::max(worst, std::abs(g[c] - f[c]) / (f[c] + kDark));
+        }
+  return worst;
+}
+
+TEST(Largest, IsNotExceededOnADenserGrid) {
+  const bool thorough = std::getenv("BRDF_THOROUGH") != nullptr;
+  for (const char* program : {"gltf", "materialx", "mitsuba", "osl"})
+    for (const Material& m : subjects()) {
+      const Exported e = written(program, m, true);
+      const double found = densest(m, e.carried, thorough ? 1.3 : 3.7);
+      EXPECT_LE(found, 1.05 * e.loss.largest.difference + 1e-9) << program << ": " << in_words(e.loss);
+      // It is a value that is there.
+      std::vector<double> f(m.channels.size()), g(f.size());
+      const Largest& l = e.loss.largest;
+      eval(m, io::unit_vector(l.theta_i, l.phi_i), io::unit_vector(l.theta_o, l.phi_o), f);
+      eval(e.carried, io::unit_vector(l.theta_i, l.phi_i), io::unit_vector(l.theta_o, l.phi_o), g);
+      const std::size_t c = std::size_t(std::ranges::find(m.channels, l.channel) - m.channels.begin());
+      ASSERT_LT(c, f.size());
+      EXPECT_NEAR(f[c], l.wanted, 1e-12 * l.wanted);
+      EXPECT_NEAR(g[c], l.carried, 1e-12 * std::abs(l.carried));
+    }
+}
+
+TEST(Largest, IsAtGrazingLightWhereNoEvenGridHasIt) {
+  const Material wood = subjects()[0];
+  const Loss loss = written("gltf", wood, true).loss;
+  EXPECT_NEAR(loss.largest.theta_i, 80, 1);
+  EXPECT_NEAR(loss.largest.theta_o, 80, 1);
+  EXPECT_THAT(in_words(loss), HasSubstr("largest at least"));
+}
+
+// A lobe of half the weight is a share of a half, and its colour has a place of its own.
+TEST(Gltf, HoldsTheLobesWeightAndColour) {
+  const Exported plain = written(
+      "gltf", chosen("cook_torrance", {"kd=0.2,0.05,0.02", "ks=0.45", "f0=0.042", "alpha=0.02"}), true);
+  EXPECT_THAT(plain.text, HasSubstr("\"specularFactor\": 0.45"));
+  EXPECT_THAT(plain.text, Not(HasSubstr("specularColorFactor")));
+  EXPECT_LT(plain.loss.median, 0.03);
+  const Exported coloured = written("gltf", subjects()[3]);
+  EXPECT_THAT(coloured.text, HasSubstr("specularColorFactor"));
+  EXPECT_LT(coloured.loss.median, 0.05);
+  EXPECT_GT(coloured.loss.rms, 1e-4);
+}
+
+// KHR_materials_anisotropy: V = clamp(0.5/(N.L |(at T.V, ab B.V, N.V)| + N.V |(at T.L, ab B.L, N.L)|), 0, 1).
+TEST(Gltf, OfTwoWidthsIsHeldWhereTheExtensionHoldsIt) {
+  const double at = 0.28, ab = 0.09;
+  const Material source = chosen("cook_torrance", {"kd=0", "ks=1", "f0=0.8", "alpha_x=0.28", "alpha_y=0.09"});
+  const Exported e = written("gltf", source, true);
+  EXPECT_FALSE(e.exact());
+  for (const auto& [theta, phi] : {std::pair{74.0, 0.0}, {68.0, 90.0}, {35.0, 0.0}}) {
+    const Vec3<double> l = io::unit_vector(theta, phi), v = io::unit_vector(theta, phi + 180);
+    const auto length = [&](const Vec3<double>& w) { return std::hypot(at * w.x, ab * w.y, w.z); };
+    const double free = 0.5 / (l.z * length(v) + v.z * length(l)), held = std::min(free, 1.0);
+    const double d = 1 / (kPi * at * ab), cos_d = l.z;  // along the normal
+    const double fresnel = 0.8 + 0.2 * std::pow(1 - cos_d, 5);
+    double f = 0, exact = 0;
+    eval(e.carried, l, v, {&f, 1});
+    eval(source, l, v, {&exact, 1});
+    EXPECT_NEAR(f, d * held * fresnel, 1e-9 * f);
+    EXPECT_NEAR(exact, d * free * fresnel, 1e-9 * exact);
+  }
+  EXPECT_TRUE(written("gltf", chosen("cook_torrance", {"kd=0", "ks=1", "f0=0.8", "alpha=0.09"})).exact());
+  EXPECT_FALSE(written("three", source, true).loss.largest.difference > 1);  // three.js holds nothing
+}
+
+TEST(Pbrt, ShowsSpectraOfColouredIndices) {
+  const ColourSpectrum spectrum({0.21, 0.6, 1.4});
+  EXPECT_LT(spectrum.residual(), 1e-9);
+  const Exported gold = written("pbrt", chosen("cook_torrance_conductor", {"kd=0", "ks=1", "n=0.18,0.42,1.37",
+                                                                           "k=3.42,2.35,1.77", "alpha=0.2"}));
+  EXPECT_FALSE(gold.exact());
+  EXPECT_THAT(gold.text, Not(HasSubstr(": exact")));
+  const Exported grey =
+      written("pbrt", chosen("cook_torrance_conductor", {"kd=0.1", "ks=0.6", "n=1.1", "k=6", "alpha=0.2"}));
+  EXPECT_TRUE(grey.exact());
+  // Red of a yellow metal whose red is nearly all extinction: an eighth brighter along the normal than by channel.
+  Material yellow = make_material(find_program("pbrt")->targets[0].target, {"r", "g", "b"});
+  Term& term = yellow.terms[0];
+  const std::array n{0.0087, 0.505, 1.60}, k{9.8, 2.28, 1.80};
+  term.shape.clear();
+  for (std::size_t c = 0; c < 3; ++c) {
+    term.weights[c] = {0, 1};
+    term.shape.push_back({0.2, 0.2, n[c], k[c]});
+  }
+  std::vector<double> by_channel(3), shown(3);
+  const Vec3<double> up{0, 0, 1};
+  eval(yellow, up, up, by_channel);
+  eval(shown_by_pbrt(yellow), up, up, shown);
+  const std::array expected{0.124, 0.009, 0.027};
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(shown[c] / by_channel[c] - 1, expected[c], 0.002) << c;
+}
+
+// Indices by colour are Mitsuba's as they stand; the others hold the reflectance along the normal of each colour.
+TEST(Conductors, OfAnIndexPerColourAreWrittenByEveryProgram) {
+  const Material copper =
+      chosen("cook_torrance_conductor", {"kd=0", "ks=1", "n=0.25,0.95,1.2", "k=3.4,2.6,2.4", "alpha=0.25"});
+  for (const Program& program : programs()) {
+    const Exported e = export_to(program, copper, "copper", true);
+    EXPECT_LT(e.loss.rms, 0.12) << program.name;
+    std::vector<double> f(3), g(3);
+    const Vec3<double> up{0, 0, 1};
+    eval(copper, up, up, f);
+    eval(e.carried, up, up, g);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(g[c] / f[c], 1, 0.12) << program.name << " " << c;
+  }
+  const Material dull =
+      chosen("cook_torrance_conductor", {"kd=0", "ks=1", "n=3.4,2.7,2.1", "k=2.6,2.7,2.4", "alpha=0.25"});
+  EXPECT_THAT(written("mitsuba", dull, true).text, HasSubstr("<rgb name=\"eta\" value=\"3.4, 2.7, 2.1\"/>"));
+}
+
+Material coated() {
+  Material m = chosen("cook_torrance", {"kd=0.25,0.1,0.06", "ks=0.3", "f0=0.05", "alpha=0.35"});
+  m.terms.push_back(chosen("cook_torrance", {"kd=0", "ks=0.2", "f0=0.9,0.7,0.6", "alpha_x=0.2",
+                                             "alpha_y=0.08", "tangent_phi=25"})
+                        .terms[0]);
+  m.terms.back().weights.resize(3, m.terms.back().weights[0]);
+  return m;
+}
+
+TEST(Sums, OfTwoLobesAreTheSumOfTheirParts) {
+  Material two = coated();
+  for (const Program& program : programs()) {
+    if (!program.adds) {
+      try {
+        export_to(program, two, "two", true);
+        ADD_FAILURE() << program.name << " does not refuse";
+      } catch (const Refused& e) {
+        EXPECT_THAT(e.what(), HasSubstr("one lobe beside the diffuse part"));
+      }
+      continue;
+    }
+    if (program.name == "mitsuba" || program.name == "pbrt") two.terms[1].tangent_phi = {};
+    const Exported e = export_to(program, two, "two", true);
+    EXPECT_EQ(e.words.size(), 2u) << program.name;
+    EXPECT_LT(e.loss.rms, 0.08) << program.name << in_words(e);
+    two = coated();
+  }
+  EXPECT_TRUE(written("blender", two).exact());
+}
+
+// Shares of nested mixes: a of the second, 1 - a of the first.
+TEST(Sums, ArePbrtsNestedMixes) {
+  Material two = coated();
+  two.terms[1].tangent_phi = {};
+  const Exported e = written("pbrt", two, true);
+  std::vector<double> amounts;
+  for (std::size_t at = 0; (at = e.text.find("float amount\" [ ", at)) != e.text.npos;)
+    amounts.push_back(std::stod(e.text.substr(at += 16)));
+  ASSERT_EQ(amounts.size(), 2u);
+  const int ks = info(e.carried.terms[0].form).weight_index(Role::specular);
+  // The second lobe's share of all; the first's share of what that leaves.
+  EXPECT_NEAR(amounts[1], e.carried.terms[1].weights[0][std::size_t(ks)], 1e-8);
+  EXPECT_NEAR(amounts[0] * (1 - amounts[1]), e.carried.terms[0].weights[0][std::size_t(ks)], 1e-8);
+  EXPECT_THAT(e.text, HasSubstr("MakeNamedMaterial \"thing\"\n    \"string type\" \"mix\""));
+}
+
+// Who follows the advice gets the material: dp/du laid at the angle that is named, and tangent_phi 0.
+TEST(Advice, OnTheTangentGivesTheMaterialWhenItIsFollowed) {
+  for (const auto& [along, across, phi] : {std::tuple{0.11, 0.31, -37.0}, {0.33, 0.12, 62.0}})
+    for (const char* program : {"mitsuba", "pbrt"}) {
+      const auto at = [&](double tangent) {
+        return chosen("cook_torrance_conductor",
+                      {"kd=0", "ks=1", "n=1.2", "k=7", "alpha_x=" + std::to_string(along),
+                       "alpha_y=" + std::to_string(across), "tangent_phi=" + std::to_string(tangent)});
+      };
+      double angle = 0;
+      try {
+        written(program, at(phi));
+        ADD_FAILURE() << program << " does not refuse";
+      } catch (const Refused& e) {
+        const std::string said = e.what(), before = "lay dp/du at ";
+        ASSERT_THAT(said, HasSubstr(before));
+        angle = std::stod(said.substr(said.find(before) + before.size()));
+      }
+      const Exported e = written(program, at(0), true);
+      Material turned = e.carried;
+      for (Term& term : turned.terms)
+        term.tangent_phi = radians(term.tangent_phi.radians() + angle * kPi / 180);
+      double f = 0, g = 0;
+      const Vec3<double> wi = io::unit_vector(40, -37), wo = io::unit_vector(58, 141);
+      eval(at(phi), wi, wo, {&f, 1});
+      eval(turned, wi, wo, {&g, 1});
+      EXPECT_NEAR(g / f, 1, 0.12) << program << " " << angle;
+    }
+}
+
+TEST(Tables, AreMeasuredAsTheirUsersReadThem) {
+  const Material paint = chosen("cook_torrance", {"kd=0.3,0.2,0.1", "ks=1", "f0=0.05", "alpha=0.2"});
+  const io::Content file{"paint.bsdf", rgl_of(paint, "paint", 400'000)};
+  const Material table = read_back_rgl(file);
+  const auto loss = loss_of_table(paint, table);
+  ASSERT_TRUE(loss);
+  EXPECT_FALSE(loss->exact());
+  EXPECT_GT(loss->largest.difference, 0.01);
+  EXPECT_LT(loss->median, 0.02);
+  EXPECT_LE(densest(paint, table, 5.3), 1.1 * loss->largest.difference) << in_words(*loss);
+}
+
+TEST(Formulas, AreInFloat) {
+  const Loss loss = Comparison(subjects()[0]).loss_of(in_float(subjects()[0]));
+  EXPECT_GT(loss.rms, 1e-9);
+  EXPECT_LT(loss.rms, 1e-6);
+}
+
+}  // namespace
+}  // namespace brdf::interop
