@@ -26,7 +26,7 @@ namespace {
 
 struct ExportCall {
   MaterialOptions material;
-  std::string measured, to, output, kernels = "own";
+  std::string measured, to, output, name, kernels = "own";
   bool include = false, naive = false, json = false;
   std::optional<double> max_loss;
   io::Supplied supplied;
@@ -69,8 +69,9 @@ void write(const ExportCall& o, const std::string& text) {
     io::write_file_atomically(o.output, text);
 }
 
-// What the material is called there: its own name, or its file's.
+// What the material is called there: as --name says, by its own name, or its file's.
 std::string exported_name(const ExportCall& o, const io::MaterialFile& file) {
+  if (!o.name.empty()) return o.name;
   if (!file.name.empty()) return file.name;
   return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
                                  : o.material.form;
@@ -181,7 +182,10 @@ Made export_formula(const ExportCall& o) {
         io::glsl_source(file.material, {.material = with_material,
                                         .whole = !o.include,
                                         .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
-                                        .builtin_kernels = o.kernels == "builtin"}));
+                                        .builtin_kernels = o.kernels == "builtin",
+                                        // A whole shader has one material.
+                                        .name = o.include ? exported_name(o, file) : o.name,
+                                        .guarded = o.include}));
   return formula(o, file.material);
 }
 
@@ -216,6 +220,9 @@ void print_json(const ExportCall& o, const io::Json& made) {
 void check_use(const ExportCall& o, const interop::Program* program) {
   if ((program || o.to == kMerl || o.to == kRgl) && (o.include || o.kernels != "own"))
     throw InputError(std::string(o.include ? "--include" : "--kernels") + ": is for shaders");
+  if (!o.name.empty() && (o.to == kMerl || o.to == "explorer" || !o.measured.empty()))
+    throw InputError("--name: " + (o.measured.empty() ? "--to " + o.to : "--measured") +
+                     " writes no name of a material");
   if (o.to != kRgl && o.size != interop::kUsualTable)
     throw InputError("--size: is of the file that --to rgl writes");
   if (!program && o.naive)
@@ -272,6 +279,10 @@ void add_export(CLI::App& app) {
       ->capture_default_str();
   verb->add_flag("--include", options->include,
                  "Functions only, for an #include: without #version and main()");
+  verb->add_option(
+      "--name", options->name,
+      "What the material is called there (default: its own name, its file's or the form's); two in one "
+      "shader need two");
   verb->add_flag("--naive", options->naive, "Parameters as they are copied by hand, instead of refitted");
   verb->add_option("--max-loss", options->max_loss,
                    "Exit with 1 where more is lost: the rms of ln(1 + f cos_i), about a relative error")
@@ -291,11 +302,14 @@ void add_export(CLI::App& app) {
       "precision.\n"
       "With --form alone the functions take the parameters as arguments; with --set or --material a "
       "function\n"
-      "brdf_material(wi, wo) with the parameters as constants is added.\n"
+      "brdf_material(wi, wo) with the parameters as constants is added. With --include, in HLSL and in C++ "
+      "several\n"
+      "texts go together: each material is brdf_material_NAME there, in C++ NAME::brdf_material.\n"
       "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
       "          brdf export --form ward --set alpha=0.1 --to glsl\n"
       "          brdf export --form ward --to glsl --kernels builtin\n"
       "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
+      "          brdf export --material gold.json --name inlay --to glsl-es --include -o inlay.glsl\n"
       "          brdf export --form ward --to explorer -o ward.brdf\n"
       "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
       "          brdf export --material copper.json --to gltf --naive\n"

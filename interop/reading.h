@@ -75,7 +75,7 @@ std::string number(double x);
 std::string numbers(const Colour& c, const char* separator = ", ");
 // The header's lines as comments.
 std::string comments(const std::vector<std::string>& header, const std::string& prefix);
-// The same in XML, where no two hyphens may meet.
-std::string xml_comment(const std::vector<std::string>& header);
+// The same in XML, as an instruction: in comments no two hyphens may meet, and commands could not be pasted.
+std::string xml_header(const std::vector<std::string>& header);
 
 }  // namespace brdf::interop

@@ -106,7 +106,7 @@ std::string write_materialx(const Written& w) {
   graph.begin("surfacematerial", "material", "");
   graph.link("surfaceshader", "surfaceshader", "surface");
   graph.end();
-  return "<?xml version=\"1.0\"?>\n" + xml_comment(w.header) +
+  return "<?xml version=\"1.0\"?>\n" + xml_header(w.header) +
          "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n" + graph.text() + "</materialx>\n";
 }
 

@@ -45,7 +45,7 @@ std::string write_osl(const Written& w) {
       sum.push_back(colour(kd) + " * " + diffuse_closure(r));
     if (!lobe.empty()) sum.push_back(colour(ks) + " * " + lobe);
   }
-  return comments(w.header, "// ") + "surface " + identifier(w.name) + "()\n{\n" + tangents +
+  return comments(w.header, "// ") + "surface " + io::identifier(w.name, io::NameIn::osl) + "()\n{\n" + tangents +
          "    Ci = " + io::joined(sum, "\n       + ") + ";\n}\n";
 }
 

@@ -20,10 +20,21 @@
 namespace brdf::io {
 namespace {
 
-// Attributes by which OpenEXR tells kinds of files apart: a comment of that name would be taken for one.
-constexpr std::array kReserved{"type",    "name",   "version",       "chunkCount",
-                               "tiles",   "view",   "multiView",     "maxSamplesPerPixel",
-                               "preview", "envmap", "chromaticities"};
+// Attributes by which OpenEXR tells kinds of files apart, and its standard attributes of other types than string: a comment
+// of that name would be taken for one, and other programs pass it over or complain. From IMF_STD_ATTRIBUTE_DEF of OpenEXR
+// 3.1.5, and what later versions have besides.
+constexpr std::array kReserved{
+    "type", "name", "version", "chunkCount", "tiles", "view", "multiView", "preview", "envmap",
+    "chromaticities", "deepImageState", "idManifest", "maxSamplesPerPixel",
+    // float
+    "whiteLuminance", "xDensity", "utcOffset", "longitude", "latitude", "altitude", "focus", "expTime",
+    "aperture", "isoSpeed", "dwaCompressionLevel", "cameraCCTSetting", "cameraTintSetting", "shutterAngle",
+    "nominalFocalLength", "pinholeFocalLength", "effectiveFocalLength", "entrancePupilOffset", "tStop",
+    "sensorPhotositePitch",
+    // int, rational, two numbers, boxes, matrices, codes
+    "imageCounter", "acesImageContainerFlag", "framesPerSecond", "captureRate", "adoptedNeutral",
+    "cameraColorBalance", "sensorCenterOffset", "sensorOverallDimensions", "originalDataWindow",
+    "sensorAcquisitionRectangle", "worldToCamera", "worldToNDC", "keyCode", "timeCode"};
 constexpr std::size_t kLongestKey = 255;
 
 struct ExrColumn {

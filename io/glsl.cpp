@@ -7,6 +7,8 @@
 #include "brdf/trace.h"
 #include "io/channel_colours.h"
 #include "io/error.h"
+#include "io/fingerprint.h"
+#include "io/identifier.h"
 #include "io/in_colour.h"
 #include "io/provenance.h"
 #include "io/text.h"
@@ -42,15 +44,15 @@ std::string value(const Term& term, const ChannelColours& colours, const std::st
   return text + ")";
 }
 
-// vec3 brdf_material(wi, wo): the sum of the terms with their parameters as constants.
-std::string material_function(const Material& given) {
+// vec3 FUNCTION(wi, wo): the sum of the terms with their parameters as constants.
+std::string material_function(const Material& given, const std::string& function) {
   const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
   if (!colours)
     throw InputError("--to glsl needs 1 or 3 channels, the material has " +
                      std::to_string(material.channels.size()) + " that say nothing of colour");
   std::string text = colours->note.empty() ? "" : "// " + colours->note + "\n";
-  text += "vec3 brdf_material(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
+  text += "vec3 " + function + "(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
   for (const Term& term : material.terms) {
     require_red_first(term, *colours);
     if (term.tangent_phi == Angle{}) {
@@ -68,11 +70,12 @@ std::string material_function(const Material& given) {
   return text + "  return f;\n}\n";
 }
 
-// The library's kernels by GLSL's own functions; erfcx, which GLSL has not, stays.
+// The library's kernels by GLSL's own functions; erfcx, which GLSL has not, stays, and what the forms themselves take.
 std::string builtin_kernels(const GlslOptions& options) {
   const std::string own = glsl_kernels(options);
   const std::size_t begin = own.find("float brdf_erfcx("), end = own.find("float brdf_angle(");
-  return "float brdf_exp(float x) {\n  return exp(x);\n}\n"
+  return own.substr(0, own.find("float brdf_exp(")) +
+         "float brdf_exp(float x) {\n  return exp(x);\n}\n"
          "float brdf_log(float x) {\n  return log(x);\n}\n"
          "float brdf_log1p(float x, float rest) {\n  float u = 1.0 + x;\n"
          "  return u == 1.0 ? x + rest : log(u) * (x / (u - 1.0)) + rest / u;\n}\n" +
@@ -81,8 +84,8 @@ std::string builtin_kernels(const GlslOptions& options) {
 }
 
 // What `--shader` reads: the function, and its parameters' ranges where it takes them.
-std::string annotations(const Material& material, bool whole_material) {
-  if (whole_material) return "//: entry brdf_material(wi, wo)\n";
+std::string annotations(const Material& material, const std::string& function) {
+  if (!function.empty()) return "//: entry " + function + "(wi, wo)\n";
   if (material.terms.size() != 1) return "";
   const ReflectanceInfo& form = info(material.terms.front().form);
   std::string text = "//: entry brdf_eval_" + std::string(form.name) + "(wi, wo)\n";
@@ -97,32 +100,77 @@ std::string annotations(const Material& material, bool whole_material) {
   return text;
 }
 
+// While one material stands in a shader, brdf_material is it; two would have to be told apart.
+std::string alias(const std::string& function) {
+  return "#ifndef BRDF_ONE_MATERIAL\n#define BRDF_ONE_MATERIAL\n#define brdf_material " + function +
+         "\n#else\n#undef brdf_material\n#endif\n";
+}
+
+// Texts of several exports one after another: what they share stands in the shader once.
+std::string guarded_source(const GlslParts& parts, const std::string& given) {
+  std::string text =
+      parts.head + guarded("BRDF_KERNELS", parts.kernels,
+                           "two exported texts with different kernels in one shader: export both "
+                           "by one version of brdf with the same --to and --kernels");
+  for (const auto& [name, functions] : parts.forms)
+    text += guarded("BRDF_EVAL_" + name, functions,
+                    "two versions of " + name + " in one shader: export both by one version of brdf");
+  if (parts.material.empty()) return text;
+  const std::string name = identifier(given);
+  return text + guarded("BRDF_MATERIAL_" + name, parts.material + alias("brdf_material_" + name),
+                        "two materials called " + name + " in one shader: export one of them with --name");
+}
+
 }  // namespace
+
+std::string text_number(const std::string& text) {
+  const std::string hash = fingerprint({text});
+  return std::to_string(
+      std::stoul(hash.substr(hash.size() - std::min<std::size_t>(hash.size(), 7)), nullptr, 16));
+}
+
+std::string guarded(const std::string& macro, const std::string& text, const std::string& clash) {
+  const std::string number = text_number(text);
+  return "#ifndef " + macro + "\n#define " + macro + " " + number + "\n" + text +
+         (clash.empty() ? "" : "#elif " + macro + " != " + number + "\n#error brdf: " + clash + "\n") +
+         "#endif\n";
+}
 
 std::string glsl_number(double value) {
   std::string text = to_text(static_cast<double>(static_cast<float>(value)));
   return text.find_first_of(".e") == text.npos ? text + ".0" : text;
 }
 
-std::string glsl_source(const Material& material, const GlslContent& content) {
+GlslParts glsl_parts(const Material& material, const GlslContent& content) {
   const GlslOptions options{.dialect = content.dialect};
+  const std::string function =
+      content.material ? "brdf_material" + (content.name.empty() ? "" : "_" + identifier(content.name)) : "";
+  GlslParts parts;
+  parts.head = "// Written by brdf " BRDF_VERSION ": " + provenance().command +
+               "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n" +
+               annotations(material, function);
+  parts.kernels = content.builtin_kernels ? builtin_kernels(options) : glsl_kernels(options);
+  for (const Term& term : material.terms) {
+    const std::string name(info(term.form).name);
+    if (std::ranges::any_of(parts.forms, [&](const auto& form) { return form.first == name; })) continue;
+    if (!info(term.form).has_glsl) throw InputError(name + " cannot be written as GLSL");
+    parts.forms.emplace_back(name, term.form->glsl(options));
+  }
+  if (content.material) parts.material = material_function(material, function);
+  return parts;
+}
+
+std::string glsl_source(const Material& material, const GlslContent& content) {
+  const GlslParts parts = glsl_parts(material, content);
+  if (content.guarded) return guarded_source(parts, content.name);
   const bool es = content.dialect == GlslDialect::es;
   // In ES the version must be the first line.
   std::string text = content.whole && es ? "#version 300 es\n" : "";
-  text += "// Written by brdf " BRDF_VERSION ": " + provenance().command +
-          "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n" +
-          annotations(material, content.material);
+  text += parts.head;
   if (content.whole) text += es ? "precision highp float;\nprecision highp int;\n" : "#version 450\n";
-  text += content.builtin_kernels ? builtin_kernels(options) : glsl_kernels(options);
-  std::vector<Reflectance> written;
-  for (const Term& term : material.terms) {
-    if (std::find(written.begin(), written.end(), term.form) != written.end()) continue;
-    if (!info(term.form).has_glsl)
-      throw InputError(std::string(info(term.form).name) + " cannot be written as GLSL");
-    written.push_back(term.form);
-    text += term.form->glsl(options);
-  }
-  if (content.material) text += material_function(material);
+  text += parts.kernels;
+  for (const auto& [name, functions] : parts.forms) text += functions;
+  text += parts.material;
   if (content.whole) text += "void main() {}\n";
   return text;
 }

@@ -1,47 +1,14 @@
 #include "io/shader_texts.h"
 
-#include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "io/cpp_text.h"
 #include "io/glsl.h"
-#include "io/identifier.h"
+#include "io/shader_words.h"
 #include "io/text.h"
 
 namespace brdf::io {
 namespace {
-
-bool in_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
-}
-
-// Every word outside of comments as `change` has it; numbers and members (f.r) count as words.
-template <class Change>
-std::string with_words(const std::string& text, Change&& change) {
-  std::string out;
-  for (std::size_t k = 0; k < text.size();) {
-    std::size_t end = k;
-    if (text.compare(k, 2, "//") == 0) {
-      end = std::min(text.find('\n', k), text.size());
-      out += text.substr(k, end - k);
-    } else if (in_word(text[k])) {
-      while (end < text.size() &&
-             (in_word(text[end]) || ((text[end] == '-' || text[end] == '+') && text[end - 1] == 'e' &&
-                                     std::isdigit(static_cast<unsigned char>(text[k])))))
-        ++end;
-      out += change(text.substr(k, end - k));
-    } else {
-      out += text[end++];
-    }
-    k = end;
-  }
-  return out;
-}
-
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
-    text.replace(at, what.size(), by);
-}
 
 std::string hlsl(std::string text) {
   replace_all(text, "vec3(0.0)", "vec3(0.0, 0.0, 0.0)");
@@ -49,47 +16,9 @@ std::string hlsl(std::string text) {
     if (word == "vec3") return "float3";
     if (word == "floatBitsToUint") return "asuint";
     if (word == "uintBitsToFloat") return "asfloat";
+    if (word == "atan") return "atan2";  // of a sine and a cosine: no other is written
     return word;
   });
-}
-
-constexpr const char* kCppBegin = R"(#pragma once
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-
-namespace NAME {
-using uint = std::uint32_t;
-using std::sqrt;
-struct vec3 {
-  union { float x, r; };
-  union { float y, g; };
-  union { float z, b; };
-  vec3(float first, float second, float third) : x(first), y(second), z(third) {}
-  explicit vec3(float all) : vec3(all, all, all) {}
-  vec3& operator+=(const vec3& v) { x += v.x; y += v.y; z += v.z; return *this; }
-};
-inline uint floatBitsToUint(float x) { uint bits; std::memcpy(&bits, &x, 4); return bits; }
-inline float uintBitsToFloat(uint bits) { float x; std::memcpy(&x, &bits, 4); return x; }
-)";
-
-// Functions become inline, numbers float's.
-std::string cpp(const std::string& text, const std::string& name) {
-  const std::string plain = with_words(text, [](std::string word) -> std::string {
-    if (word == "precise") return "const";
-    const bool number = std::isdigit(static_cast<unsigned char>(word[0]));
-    return number && word.find_first_of(".e") != word.npos ? word + "f" : word;
-  });
-  std::string out;
-  for (std::size_t k = 0; k < plain.size();) {
-    const std::size_t end = plain.find('\n', k) + 1;
-    const std::string line = plain.substr(k, end - k);
-    out += line.starts_with("float ") || line.starts_with("vec3 ") ? "inline " + line : line;
-    k = end;
-  }
-  std::string begin = kCppBegin;
-  replace_all(begin, "NAME", name);
-  return begin + out + "}  // namespace " + name + "\n";
 }
 
 // A slider's line: its type, name and range.
@@ -130,15 +59,16 @@ std::string explorer(const Material& material, const std::string& functions, boo
 
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
                         const std::string& name, bool builtin_kernels) {
-  const std::string glsl =
-      glsl_source(material, {.material = with_material, .whole = false, .builtin_kernels = builtin_kernels});
+  GlslContent content{.material = with_material, .whole = false, .builtin_kernels = builtin_kernels};
   switch (language) {
     case ShaderLanguage::hlsl:
-      return hlsl(glsl);
+      content.name = name;
+      content.guarded = true;
+      return hlsl(glsl_source(material, content));
     case ShaderLanguage::cpp:
-      return cpp(glsl, identifier(name));
+      return cpp_text(material, with_material, name, builtin_kernels);
     case ShaderLanguage::explorer:
-      return explorer(material, glsl, with_material);
+      return explorer(material, glsl_source(material, content), with_material);
   }
   return {};
 }

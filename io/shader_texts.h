@@ -9,7 +9,7 @@ namespace brdf::io {
 
 enum class ShaderLanguage {
   hlsl,  // shader model 5: `precise`, asuint and asfloat
-  cpp,   // C++17 in float, a header; the same bits as libbrdf where contraction is off (-ffp-contract=off)
+  cpp,   // C++17 in float, a header (io/cpp_text.h)
   explorer,  // a .brdf file: parameters as sliders, vec3 BRDF(L, V, N, X, Y)
 };
 

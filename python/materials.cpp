@@ -146,13 +146,18 @@ py::list albedo(const Optics& optics, fit::AlbedoChoice choice) {
   return out;
 }
 
-// Whole shaders have no functions to include; GlslContent says what the words mean.
+// Whole shaders have no functions to include; GlslContent says what the words mean. Functions to include carry the material's
+// name, or its form's.
 std::string glsl(const Optics& optics, const std::string& to, bool material, bool include) {
   if (to != "glsl" && to != "glsl-es") throw InputError("--to: " + to + " not in {glsl,glsl-es}");
-  return io::glsl_source(optics.file.material,
-                         {.material = material,
-                          .whole = !include,
-                          .dialect = to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan});
+  const io::MaterialFile& file = optics.file;
+  const std::string name =
+      file.name.empty() ? std::string(info(file.material.terms.front().form).name) : file.name;
+  return io::glsl_source(file.material, {.material = material,
+                                         .whole = !include,
+                                         .dialect = to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
+                                         .name = include ? name : "",
+                                         .guarded = include});
 }
 
 py::bytes sphere(const Optics& optics, int side) {

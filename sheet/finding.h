@@ -47,11 +47,11 @@ struct Finding {
   double value = 0;  // the worst found
   double bound = 0;  // what it may be
   std::string statement;
-  std::optional<Witness> witness;
-  std::optional<Restricted> tied;                        // of an anisotropic form's energy: equal widths
-  long evaluations = 0;                                  // of the subject's f
-  std::vector<NamedRow> rows = {};                       // of a table: all of them
-  std::vector<std::pair<std::string, double>> channels;  // the value of each, where it is judged by channels
+  std::optional<Witness> witness = {};
+  std::optional<Restricted> tied = {};                        // of an anisotropic form's energy: equal widths
+  long evaluations = 0;                                       // of the subject's f
+  std::vector<NamedRow> rows = {};                            // of a table: all of them
+  std::vector<std::pair<std::string, double>> channels = {};  // the value of each, judged by channels
   std::string proof = {};  // "proved" or "sampled", where somebody who can prove has looked
   double share =
       0;  // of the pairs inside the hemisphere at which a shader's value has the fault, from 0 to 1
@@ -83,7 +83,10 @@ io::Json to_json(const Finding& finding);
 io::Json to_json(const std::vector<Finding>& findings);
 
 inline Finding not_applicable(std::string subject, std::string check, std::string why) {
-  return {std::move(subject), std::move(check), Outcome::not_applicable, 0, 0, std::move(why), {}, {}, 0, {}};
+  return {.subject = std::move(subject),
+          .check = std::move(check),
+          .outcome = Outcome::not_applicable,
+          .statement = std::move(why)};
 }
 
 }  // namespace brdf::sheet

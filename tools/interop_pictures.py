@@ -147,7 +147,7 @@ def write_png(path, pictures):
 
 
 def by_its_formula(exported, folder):
-    said = re.search(r"the same here: brdf eval (.*)", exported.read_text())[1].replace("- -", "--")
+    said = re.search(r"the same here: brdf eval (.*)", exported.read_text())[1]
     return as_it_is(sys.argv[1], said, folder)
 
 

@@ -8,8 +8,17 @@
 #include <concepts>
 #include <type_traits>
 
-#ifdef __FAST_MATH__
-#error "libbrdf relies on IEEE arithmetic: -ffast-math makes its kernels wrong by up to 41 %"
+// (x + magic) - magic and compensated sums are what fast mathematics takes apart. g++ tells of its parts since version 11; clang
+// tells of -ffast-math alone, and is told to keep the order instead: to the end of the source, which a user's own sums are
+// not the worse for.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error \
+    "libbrdf relies on IEEE arithmetic: -ffast-math, -Ofast, -funsafe-math-optimizations and -fassociative-math make its kernels wrong by up to 41 %"
+#endif
+#if defined(__clang__)
+#pragma clang fp reassociate(off)
+#elif defined(__GNUC__) && __GNUC__ < 11
+#pragma GCC optimize("no-associative-math")
 #endif
 
 namespace brdf {

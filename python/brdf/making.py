@@ -60,8 +60,9 @@ def export(source: Union[Material, str], to: str, output: Path | None = None, *,
     """Shader source of a material or of a form by its name, to "glsl" (4.50, Vulkan) or "glsl-es" (3.00, WebGL 2):
     `brdf export`.
 
-    Of a material a function brdf_material(wi, wo) is added. include: functions only, for an #include. Written to `output`
-    where given. InputError where a form has no GLSL.
+    Of a material a function brdf_material(wi, wo) is added. include: functions only, for an #include; several go into one
+    shader, where each material's function is brdf_material_NAME, by the material's name or its form's, and brdf_material is
+    it too while there is one. Written to `output` where given. InputError where a form has no GLSL.
     """
     if not isinstance(source, (Material, str)):
         raise InputError(f"{source!r}: a shader is made of a material, or of a form by its name")

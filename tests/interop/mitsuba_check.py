@@ -64,7 +64,7 @@ def main():
         for name, words in MATERIALS.items():
             scene = pathlib.Path(folder) / f"{name}.xml"
             subprocess.run([brdf, "export", *shlex.split(words), "--to", "mitsuba", "-o", scene], check=True, capture_output=True)
-            said = re.search(r"the same here: brdf eval (.*)", scene.read_text())[1].replace("- -", "--")
+            said = re.search(r"the same here: brdf eval (.*)", scene.read_text())[1]
             target, source = evaluated(brdf, said, directions), evaluated(brdf, words, directions)
             values = list(seen(bsdf_of(scene), pairs))
             worst, expected, found = largest(target, values), rms(source, target, pairs), rms(source, values, pairs)

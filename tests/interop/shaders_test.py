@@ -1,40 +1,26 @@
 #!/usr/bin/env python3
-"""shaders_test.py BRDF FOLDER: what is exported as HLSL, as GLSL ES 3.00 and for BRDF Explorer compiles, of every form and
-target: HLSL by glslc, the others by glslangValidator (without SPIR-V). Every form's HLSL, run on the Vulkan device, has the
-library's float values: not a bit differs on a software driver."""
+"""shaders_test.py BRDF FOLDER [--few]: every form and target compiles in every language, with both kinds of kernels, whole and
+to be included, as a form and as a material: GLSL by glslc, glslangValidator and spirv-cross, GLSL ES 3.00 and BRDF Explorer's by
+glslangValidator, HLSL by glslc and glslangValidator, C++ by g++ and clang++ with warnings as errors. Every form's HLSL, run on the
+Vulkan device, has the library's float values: not a bit differs on a software driver. No name that C++ has for itself gets into
+a text. --few: of three forms, with the compilers that are here, and nothing is run."""
+import itertools
 import json
 import pathlib
 import re
-import shutil
-import subprocess
 import sys
 
+from compilers import LANGUAGES, Exporter, cpp_compilers, need, of_explorer, run, user_of, wrong_with
+
 brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+few = "--few" in sys.argv[3:]
 NO_DRIVER = 3
+FEW = ("lambert", "ward", "cook_torrance_beckmann")
 
 
-def run(*words):
-    return subprocess.run([str(w) for w in words], text=True, capture_output=True)
-
-
-def of_explorer(text):
-    """The fragment shader that the Explorer makes of the file: sliders as uniforms, version 410."""
-    assert text.startswith("analytic\n")
-    sliders, shader = re.fullmatch(
-        r"analytic\n::begin parameters\n(.*)::end parameters\n::begin shader\n(.*)::end shader\n", text, re.S).groups()
-    uniforms = ""
-    for line in sliders.splitlines():
-        kind, name, *numbers = line.split()
-        assert len(numbers) == 3 and all(map(lambda x: float(x) >= 0, numbers)), line
-        uniforms += f"uniform {dict(float='float', color='vec3')[kind]} {name};\n"
-    return f"#version 410\n{uniforms}{shader}out vec3 colour;\nvoid main() {{ colour = BRDF(vec3(0, 0, 1), vec3(0, 0, 1), " \
-           "vec3(0, 0, 1), vec3(1, 0, 0), vec3(0, 1, 0)); }\n"
-
-
-def differing_on_device(form):
+def differing_on_device(exporter, form):
     """Values of a million that differ from the library's, of the form's HLSL on the device; None without a device."""
-    path = folder / f"{form}.hlsl"
-    run(brdf, "export", "--form", form, "--to", "hlsl", "-o", path)
+    path = exporter.write(f"{form}.device.hlsl", exporter.text("--form", form, "--to", "hlsl"))
     proof = run(brdf, "validate", "--shader", path, "--gpu", "--json")
     if proof.returncode == NO_DRIVER:
         return None
@@ -43,9 +29,9 @@ def differing_on_device(form):
     return row["differing" if json.loads(proof.stdout)["software"] else "beyond_tolerance"]
 
 
-def prove(forms):
+def prove(exporter, forms):
     """How many forms' HLSL is not the library, bit for bit."""
-    differing = {form: differing_on_device(form) for form in forms}
+    differing = {form: differing_on_device(exporter, form) for form in forms}
     if None in differing.values():
         print("no Vulkan driver: HLSL was not run")
         return 0
@@ -54,35 +40,80 @@ def prove(forms):
     return len(wrong)
 
 
+def shader(exporter, to, include, as_material, words):
+    """The whole shader or source of an export."""
+    text = exporter.text("--to", to, *words, *(["--include"] if include else []))
+    if to == "explorer":
+        return of_explorer(text)
+    call = {"call": "brdf_material(vec3(0.0, 0.6, 0.8), vec3(0.6, 0.0, 0.8))"} if as_material else {}
+    return text if to == "glsl-es" and not include or to == "glsl" and not include else user_of(to, text, **call)
+
+
+def compile_all(exporter, models):
+    """Every language, kernels, --include, form or material; how many texts, and how many do not compile."""
+    compiled = failed = 0
+    for model in models:
+        weight = next(iter(model["parameters"]))
+        for to, kernels, as_material in itertools.product(LANGUAGES, ("own", "builtin"), (False, True)):
+            for include in ((False, True) if to.startswith("glsl") else (False,)):
+                words = ["--form", model["form"], "--kernels", kernels]
+                words += ["--set", f"{weight['name']}={weight['default']}"] if as_material else []
+                wrong = wrong_with(to, shader(exporter, to, include, as_material, words), exporter)
+                compiled += 1
+                if wrong:
+                    failed += 1
+                    print(f"{' '.join(words)} --to {to}{' --include' if include else ''}: {wrong}")
+    return compiled, failed
+
+
+HEADERS = "#include <cmath>\n#include <cstdint>\n#include <cstring>\n"
+
+
+def names_taken():
+    """Words of C++ and of what the exported header includes that can be no namespace, by asking the compilers."""
+    taken = set()
+    for compiler in cpp_compilers():
+        for standard in ("c++17", "gnu++20"):
+            text = run(compiler, f"-std={standard}", "-E", "-P", "-x", "c++", "-", input=HEADERS).stdout
+            macros = run(compiler, f"-std={standard}", "-dM", "-E", "-x", "c++", "-", input=HEADERS).stdout
+            words = sorted({w for w in re.findall(r"\w+", text + macros) if re.fullmatch(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*", w)})
+            limit = "-fmax-errors=0" if "g++" == compiler else "-ferror-limit=0"
+            while True:
+                # A word a line: the errors' lines name them. Those are left out until nothing is wrong.
+                source = HEADERS + "".join(f"namespace {w} {{ struct own {{ int a; }}; }}\n" for w in words)
+                checked = run(compiler, f"-std={standard}", limit, "-w", "-fsyntax-only", "-x", "c++", "-", input=source)
+                lines = {int(n) - 4 for n in re.findall(r"^<stdin>:(\d+):\d+: error", checked.stderr, re.M)}
+                hit = {words[n] for n in lines if 0 <= n < len(words)}
+                if not hit:
+                    assert checked.returncode == 0, checked.stderr
+                    break
+                taken |= hit
+                words = [w for w in words if w not in hit]
+    return sorted(taken)
+
+
+def names_are_free(exporter):
+    """How many of those words stand as they are in a text."""
+    taken = names_taken()
+    wrong = [word for word in taken
+             if f"namespace material_{word} {{" not in exporter.text("--form", "lambert", "--to", "cpp", "--name", word)]
+    print(f"{len(taken)} names that C++ has, {len(wrong)} are written {wrong or ''}")
+    assert len(taken) > 800
+    return len(wrong)
+
+
 def main():
-    for tool in ("glslc", "glslangValidator"):
-        if not shutil.which(tool):
-            sys.exit(f"no {tool}: tools/setup interop installs it")
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    models = json.loads(run(brdf, "models", "--json").stdout)
-    failed = compiled = 0
-    for form in [m["form"] for m in models["forms"] + models["targets"]]:
-        weight = next(p for m in models["forms"] + models["targets"] if m["form"] == form for p in m["parameters"])
-        for to, suffix in (("hlsl", "hlsl"), ("glsl-es", "frag"), ("explorer", "frag")):
-            words = [] if to == "explorer" else ["--set", f"{weight['name']}={weight['default']}"]
-            made = run(brdf, "export", "--form", form, *words, "--to", to)
-            text = made.stdout
-            if to == "hlsl":
-                text += "[numthreads(1, 1, 1)] void main() {}\n"
-            elif to == "explorer":
-                text = of_explorer(text)
-            path = folder / f"{form}.{to}.{suffix}"
-            path.write_text(text)
-            check = (run("glslc", "-x", "hlsl", "-fshader-stage=compute", "-fentry-point=main", path, "-o", folder / "spv")
-                     if to == "hlsl" else run("glslangValidator", path))
-            compiled += 1
-            if made.returncode or check.returncode:
-                failed += 1
-                print(f"{form} to {to}: {made.stderr}{check.stdout}{check.stderr}")
-    print(f"{compiled} shaders, {failed} do not compile")
-    failed += prove([m["form"] for m in models["forms"]])
-    sys.exit(failed > 0 or compiled < 60)
+    need("glslc", "glslangValidator", "g++", *([] if few else ["spirv-cross"]))
+    exporter = Exporter(brdf, folder)
+    catalogue = json.loads(run(brdf, "models", "--json").stdout)
+    models = [m for m in catalogue["forms"] + catalogue["targets"] if not few or m["form"] in FEW]
+    compiled, failed = compile_all(exporter, models)
+    print(f"{compiled} texts by {', '.join(['glslc', *cpp_compilers()])} and what else is here, {failed} do not compile")
+    assert compiled == 28 * len(models) and len(models) >= (3 if few else 30)
+    if not few:
+        failed += names_are_free(exporter)
+        failed += prove(exporter, [m["form"] for m in catalogue["forms"]])
+    sys.exit(failed > 0)
 
 
 main()

@@ -188,6 +188,29 @@ TEST_F(RoundTrips, OpenExrHoldsNumbersOfSixDigits) {
   expect_same(again(back, ".exr"), back);
 }
 
+// Other programs read these as numbers and the like, and complain about a string.
+TEST_F(RoundTrips, OpenExrHasNoStringUnderTheNameOfAnAttributeOfAnotherType) {
+  constexpr const char* kTyped[] = {"aperture",    "expTime",        "isoSpeed",       "focus",
+                                    "xDensity",    "utcOffset",      "timeCode",       "worldToCamera",
+                                    "keyCode",     "whiteLuminance", "imageCounter",   "shutterAngle",
+                                    "captureRate", "latitude",       "framesPerSecond"};
+  constexpr const char* kStrings[] = {"owner", "capDate", "wrapmodes", "lensModel"};
+  std::string text;
+  for (const char* key : kTyped) text += "# " + std::string(key) + ": 2.5\n";
+  for (const char* key : kStrings) text += "# " + std::string(key) + ": somebody\n";
+  const SampleTable table = read(text + kAngles + "fr\n1,2,3,4,5\n");
+  expect_same(again(table, ".exr"), table);
+  const std::string bytes = read_content(folder_.path() / "file.exr").bytes;
+  const auto holds = [&](const std::string& name) {
+    return bytes.find(std::string(1, '\0') + name + '\0' + "string" + '\0') != bytes.npos;
+  };
+  for (const std::string key : kTyped) {
+    EXPECT_FALSE(holds(key)) << key;
+    EXPECT_TRUE(holds("comment." + key)) << key;
+  }
+  for (const std::string key : kStrings) EXPECT_TRUE(holds(key)) << key;
+}
+
 TEST_F(RoundTrips, OpenExrRoundsOnceToFloat) {
   const SampleTable table =
       read(kAngles + "fr,sigma_fr\n89.99999999,180,12.345678901,5,0.12345678901234567,1e-60\n");
