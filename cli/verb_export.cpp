@@ -172,6 +172,9 @@ Made export_formula(const ExportCall& o) {
   io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const bool with_material = !o.material.material.empty() || !o.material.set.empty();
+  if (!with_material && !o.name.empty() && o.to != "cpp")
+    throw InputError("--name: --to " + o.to +
+                     " of a form alone writes no material; --set or --material makes one");
   if (const auto language = language_of(o.to)) {
     if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
     write(o, io::shader_text(file.material, *language, with_material, exported_name(o, file),
@@ -274,7 +277,7 @@ void add_export(CLI::App& app) {
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
   verb->add_option(
           "--kernels", options->kernels,
-          "exp, log and their like: own (the library's, bit for bit) or builtin (GLSL's, to be read)")
+          "exp, log and their like: own (the library's, bit for bit) or builtin (the language's, to be read)")
       ->check(CLI::IsMember({"own", "builtin"}))
       ->capture_default_str();
   verb->add_flag("--include", options->include,

@@ -8,29 +8,28 @@ namespace brdf::io {
 namespace {
 
 // (x + 12582912) - 12582912 and compensated products are what fast mathematics takes apart. clang has no macro for its parts
-// (-funsafe-math-optimizations), g++ has them since version 11; contraction has none.
-constexpr const char* kBegin =
-    R"cpp(#pragma once
+// (-funsafe-math-optimizations), g++ 12 has them; with options of its own a function is not inlined there, which costs half the
+// speed, so they are for older versions alone. Contraction rounds otherwise and does no harm.
+constexpr const char* kBegin = R"text(#pragma once
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error \
-              "brdf: the values are wrong under -ffast-math, -Ofast, -funsafe-math-optimizations, -fassociative-math and /fp:fast: compile without it, or this header in a file of its own"
+#error "brdf: the values are wrong under -ffast-math, -Ofast, -funsafe-math-optimizations, -fassociative-math and /fp:fast: compile without it, or this header in a file of its own"
 #endif
 #if defined(__clang__)
 #define BRDF_AS_WRITTEN _Pragma("clang fp reassociate(off) contract(off)")
 #else
 #define BRDF_AS_WRITTEN
 #endif
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
 #pragma GCC push_options
-#pragma GCC optimize("no-associative-math", "no-reciprocal-math", "fp-contract=off")
+#pragma GCC optimize("no-associative-math")
 #endif
-)cpp";
+)text";
 
-constexpr const char* kEnd = R"(#if defined(__GNUC__) && !defined(__clang__)
+constexpr const char* kEnd = R"(#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
 #pragma GCC pop_options
 #endif
 #undef BRDF_AS_WRITTEN

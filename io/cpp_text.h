@@ -7,8 +7,8 @@
 
 namespace brdf::io {
 
-// Own kernels have the library's float values bit for bit; only clang's -ffp-contract=fast, which heeds no pragma, rounds
-// otherwise. The header refuses -ffast-math and its like where a macro tells, and keeps the arithmetic as it is written where none does.
+// The library's float values, with own kernels bit for bit where contraction is off (-ffp-contract=off). The header refuses
+// -ffast-math and its like where a macro tells, and keeps the arithmetic as it is written where none does.
 // The forms' functions, and with `with_material` brdf_material(wi, wo), stand in a namespace of this name (io/identifier.h);
 // vec3 and the kernels in one that several headers share.
 std::string cpp_text(const Material& material, bool with_material, const std::string& name,

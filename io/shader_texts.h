@@ -8,8 +8,8 @@
 namespace brdf::io {
 
 enum class ShaderLanguage {
-  hlsl,  // shader model 5: `precise`, asuint and asfloat
-  cpp,   // C++17 in float, a header (io/cpp_text.h)
+  hlsl,      // shader model 5: `precise`, asuint and asfloat
+  cpp,       // C++17 in float, a header (io/cpp_text.h)
   explorer,  // a .brdf file: parameters as sliders, vec3 BRDF(L, V, N, X, Y)
 };
 

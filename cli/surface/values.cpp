@@ -68,6 +68,7 @@ const std::map<std::string, Value, std::less<>> kByName{
     {"--map", Value::text},
     {"--such-that", Value::text},
     {"--size", Value::text},
+    {"--name", Value::text},
     {"--quantity", Value::text},
     {"--check", Value::json},
 };

@@ -8,7 +8,7 @@
 #include <concepts>
 #include <type_traits>
 
-// (x + magic) - magic and compensated sums are what fast mathematics takes apart. g++ tells of its parts since version 11; clang
+// (x + magic) - magic and compensated sums are what fast mathematics takes apart. g++ 12 tells of its parts; clang
 // tells of -ffast-math alone, and is told to keep the order instead: to the end of the source, which a user's own sums are
 // not the worse for.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
@@ -17,7 +17,7 @@
 #endif
 #if defined(__clang__)
 #pragma clang fp reassociate(off)
-#elif defined(__GNUC__) && __GNUC__ < 11
+#elif defined(__GNUC__) && __GNUC__ < 12
 #pragma GCC optimize("no-associative-math")
 #endif
 

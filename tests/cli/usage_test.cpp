@@ -75,6 +75,11 @@ TEST_F(Cli, RefusesOptionsWithoutEffect) {
   expect_refused("trade --compare a.json b.json --quick", "--quick excludes --compare");
   expect_refused("export --form ward --to gltf --kernels builtin", "--kernels: is for shaders");
   expect_refused("export --form ward --to merl --include -o m.binary", "--include: is for shaders");
+  expect_refused("export --form ward --to glsl --name x",
+                 "--name: --to glsl of a form alone writes no material");
+  expect_refused("export --form ward --to merl --name x -o m.binary", "--name: --to merl writes no name");
+  expect_refused("export --form ward --set ks=0.2 --to explorer --name x",
+                 "--name: --to explorer writes no name");
   expect_refused("export --form ward --to glsl --size 1M", "--size: is of the file that --to rgl writes");
 }
 
@@ -229,6 +234,10 @@ TEST_F(Cli, ExportWritesShaderSource) {
   const Outcome snippet = run("export --form cook_torrance --to glsl --include");
   EXPECT_THAT(snippet.out, testing::Not(HasSubstr("#version")));
   EXPECT_THAT(snippet.out, testing::Not(HasSubstr("main()")));
+  EXPECT_THAT(run("export --material m.json --to glsl --include").out,
+              HasSubstr("vec3 brdf_material_m(vec3 wi, vec3 wo) {"));
+  EXPECT_THAT(run("export --material m.json --to glsl --name 'a b'").out,
+              HasSubstr("vec3 brdf_material_a_b(vec3 wi, vec3 wo) {"));
   EXPECT_EQ(run("export --material m.json --to glsl -o m.glsl").exit_code, 0);
   EXPECT_THAT(file_text(folder_.path() / "m.glsl"),
               HasSubstr("f += brdf_eval_ward(wi, wo, 0.10000000149011612, 0.25, vec3(0.10000000149011612"));
