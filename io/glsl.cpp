@@ -143,8 +143,9 @@ std::string glsl_number(double value) {
 
 GlslParts glsl_parts(const Material& material, const GlslContent& content) {
   const GlslOptions options{.dialect = content.dialect};
+  const bool named = content.guarded || !content.name.empty();
   const std::string function =
-      content.material ? "brdf_material" + (content.name.empty() ? "" : "_" + identifier(content.name)) : "";
+      content.material ? "brdf_material" + (named ? "_" + identifier(content.name) : "") : "";
   GlslParts parts;
   parts.head = "// Written by brdf " BRDF_VERSION ": " + provenance().command +
                "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n" +

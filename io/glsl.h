@@ -17,7 +17,7 @@ struct GlslContent {
   GlslDialect dialect = GlslDialect::vulkan;
   // exp, log and the rest by GLSL's own functions: to be read, and for scalars other than float; not the library's bits.
   bool builtin_kernels = false;
-  // The function's name is brdf_material_NAME; empty: brdf_material.
+  // The function's name is brdf_material_NAME; empty and not guarded: brdf_material.
   std::string name = {};
   // Of functions only: several texts can stand in one shader. Kernels and forms are taken from the first, each material has its
   // own function, and while there is one material, brdf_material is it too.

@@ -17,7 +17,7 @@ COMPILERS = [name for name in ("g++", "clang++", "clang++-16") if shutil.which(n
 WARNINGS = ["-Wall", "-Wextra", "-Werror"]
 # As users of CMake have the headers of others: warnings in them are not theirs.
 SYSTEM = [f"-isystem{path}" for path in ("/usr/include/OpenEXR", "/usr/include/Imath")]
-FLAGS = ["-O2", "-O3", "-ffast-math", "-Ofast", "-funsafe-math-optimizations",
+FLAGS = ["-O2", "-O3", "-O2 -ffast-math", "-Ofast", "-O2 -funsafe-math-optimizations",
          "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math", "-O2 -ffp-contract=fast"]
 # e^-x at x = 1/8, 2/8, ...: the kernel rounds with (x + magic) - magic.
 PROGRAM = """#include <cstdio>

@@ -17,10 +17,10 @@ from measured import draw_pairs, evaluated, write_directions
 brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 
 # What takes arithmetic apart, and what must not.
-FLAGS = ["-O2", "-O3", "-ffast-math", "-Ofast", "-funsafe-math-optimizations",
+FLAGS = ["-O2", "-O3", "-O2 -ffast-math", "-Ofast", "-O2 -funsafe-math-optimizations",
          "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math", "-O2 -ffp-contract=fast -march=native",
          "-O2 -freciprocal-math", "-O3 -march=native -funsafe-math-optimizations", "-O2 -ffinite-math-only"]
-UNSAFE = ("-ffast-math", "-Ofast")  # both compilers have a macro for these
+UNSAFE = ("-O2 -ffast-math", "-Ofast")  # both compilers have a macro for these
 MATERIALS = {"ward": "--form ward --set kd=0.15 --set ks=0.4 --set alpha_x=0.08 --set alpha_y=0.12",
              "cook_torrance_student": "--form cook_torrance_student --set kd=0.1 --set ks=0.5 --set alpha=0.2",
              "phong": "--form phong --set kd=0.1 --set ks=0.5 --set exponent=60"}
