@@ -8,6 +8,8 @@ namespace brdf {
 // f = kd/pi + ks D G1(wi) G1(wo) F/(4 cos_i cos_o), F of the complex index n + i k.
 // Source: Mitsuba 3 b45b0a930, src/bsdfs/roughconductor.cpp:315- (eval), include/mitsuba/render/microfacet.h (G,
 // smith_g1), include/mitsuba/render/fresnel.h (fresnel_conductor), src/bsdfs/diffuse.cpp:139.
+// Left out: the variants that compute spectra, which make them of colours as pbrt does (src/core/properties.cpp:669-698);
+// rgb variants compute by channel.
 // Domain: alpha 1e-4..1, n and k 0..20.
 // Symmetry: anisotropic, reciprocal.
 // Known violations: none for kd + ks <= 1.

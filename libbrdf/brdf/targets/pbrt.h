@@ -10,6 +10,9 @@ namespace brdf {
 // (ConductorBxDF::f), materials.h:493 (ConductorMaterial).
 // Domain: alpha 1e-4..1 (a width below 1e-3 is a mirror there), n and k 0..20.
 // Symmetry: anisotropic, reciprocal.
+// Known: this is a channel of grey n and k. Of coloured ones pbrt makes smooth spectra and takes F at each wavelength
+// (util/spectrum.h, RGBUnboundedSpectrum; materials.h, ConductorMaterial::GetBxDF), which depends on all three channels:
+// interop/pbrt_colour.h. "reflectance" in place of n and k, which is exact along the normal alone, is not used.
 // Known violations: none for kd + ks <= 1.
 struct pbrt_conductor : Takes<LobeWeights, RoughConductor> {
   static constexpr std::string_view name = "pbrt_conductor";
