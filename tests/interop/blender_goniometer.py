@@ -1,10 +1,10 @@
 """Runs inside Blender: measures exported materials.
 
-    blender -b --factory-startup --python blender_goniometer.py -- PAIRS.csv SCRIPT.py...
+    blender -b --factory-startup --python blender_goniometer.py -- SCRIPT.py...
 
 A plane in z = 0, tangent +x, a sun of angle 0 and irradiance 1, an orthographic camera, no bounces: a pixel is f_r cos_i.
 Beside each SCRIPT.py, which defines make_material(name, tangent), SCRIPT.csv gets f_r in red, green and blue of every
-pair (theta_i, phi_i, theta_o, phi_o in degrees, a row each).
+pair in SCRIPT_pairs.csv (theta_i, phi_i, theta_o, phi_o in degrees, a row each).
 """
 import csv
 import math
@@ -79,12 +79,12 @@ def measure(pairs, scene, sun, camera, picture):
 
 
 def main():
-    pairs_file, *scripts = sys.argv[sys.argv.index("--") + 1 :]
-    with open(pairs_file) as file:
-        pairs = [[float(x) for x in row] for row in csv.reader(file)]
+    scripts = sys.argv[sys.argv.index("--") + 1 :]
     scene, plane, sun, camera = scene_with_plane()
     with tempfile.TemporaryDirectory() as folder:
         for script in map(pathlib.Path, scripts):
+            with open(script.with_name(f"{script.stem}_pairs.csv")) as file:
+                pairs = [[float(x) for x in row] for row in csv.reader(file)]
             names = {}
             exec(compile(script.read_text(), script, "exec"), names)
             plane.data.materials.clear()

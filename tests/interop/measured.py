@@ -1,14 +1,50 @@
-"""What programs' virtual goniometers share: pairs of directions, materials as the library evaluates them, losses."""
+"""What programs' virtual goniometers share: pairs of directions, materials as the library evaluates them, differences."""
 import math
 import random
 import shlex
 import subprocess
 
+PAIRS = 140
+MOST = 80  # degrees
 
-def draw_pairs(count, most=80):
-    """theta_i, phi_i, theta_o, phi_o in degrees."""
+
+def polar(v):
+    return [math.degrees(math.acos(min(1, v[2]))), math.degrees(math.atan2(v[1], v[0])) % 360]
+
+
+def unit(theta, phi):
+    t, p = math.radians(theta), math.radians(phi)
+    return [math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)]
+
+
+def about_mirror(draw, least, most):
+    """A pair up to 80 degrees whose half vector's slope is between these."""
+    while True:
+        incident = [draw.uniform(0, MOST), draw.uniform(0, 360)]
+        wi, slope, turn = unit(*incident), math.exp(draw.uniform(math.log(least), math.log(most))), draw.uniform(0, 2 * math.pi)
+        half = [slope * math.cos(turn), slope * math.sin(turn), 1]
+        scale = 2 * sum(a * b for a, b in zip(half, wi)) / (1 + slope * slope)
+        outgoing = [scale * h - w for h, w in zip(half, wi)]
+        if outgoing[2] > math.cos(math.radians(MOST)):
+            return incident + polar(outgoing)
+
+
+def draw_pairs():
+    """theta_i, phi_i, theta_o, phi_o in degrees: anywhere; from the mirror direction out to a rough lobe's foot; mirrored; grazing
+    on both sides, the mirror directions of 80 degrees among them."""
     draw = random.Random(20)
-    return [[round(draw.uniform(0, high), 3) for high in (most, 360, most, 360)] for _ in range(count)]
+    pairs = [[draw.uniform(0, high) for high in (MOST, 360, MOST, 360)] for _ in range(60)]
+    pairs += [about_mirror(draw, 0.005, 1) for _ in range(40)]
+    for _ in range(16):
+        theta, phi = draw.uniform(0, MOST), draw.uniform(0, 360)
+        pairs.append([theta, phi, theta, phi + 180])
+    for _ in range(20):
+        phi = draw.uniform(0, 360)
+        pairs.append([draw.uniform(65, MOST), phi, draw.uniform(65, MOST), phi + 180 + draw.gauss(0, 25)])
+    pairs += [[MOST, phi, MOST, phi + 180] for phi in (0, 45, 90, 300)]
+    assert len(pairs) == PAIRS
+    return [[round(theta_i, 3), round(phi_i % 360, 3), round(theta_o, 3), round(phi_o % 360, 3)]
+            for theta_i, phi_i, theta_o, phi_o in pairs]
 
 
 def rows_of(pairs):
@@ -35,6 +71,10 @@ def rms(ours, theirs, pairs):
     return math.sqrt(sum(r * r for r in residuals) / len(residuals))
 
 
+def differences(target, seen):
+    """Relative ones."""
+    return [abs(b / a - 1) for x, y in zip(target, seen) for a, b in zip(x, y)]
+
+
 def largest(target, seen):
-    """The largest relative difference."""
-    return max(abs(b / a - 1) for x, y in zip(target, seen) for a, b in zip(x, y))
+    return max(differences(target, seen))

@@ -20,7 +20,6 @@ except ImportError:
     sys.exit(77)
 
 brdf = sys.argv[1]
-PAIRS = 100
 MATERIALS = {
     "white": "--form lambert --set rho=0.9,0.5,0.2",
     "gold": "--form mitsuba_roughconductor --set kd=0 --set ks=1 --set n=0.2 --set k=3 --set alpha=0.2",
@@ -58,7 +57,7 @@ def bsdf_of(scene):
 
 def main():
     mitsuba.set_variant("scalar_rgb")
-    pairs, failed = draw_pairs(PAIRS), False
+    pairs, failed = draw_pairs(), False
     with tempfile.TemporaryDirectory() as folder:
         directions = write_directions(pathlib.Path(folder) / "directions.csv", pairs)
         for name, words in MATERIALS.items():

@@ -1,0 +1,109 @@
+"""What the tests of programs have in common: the shared materials exported for one of them, and what is judged of the values
+that it shows."""
+import concurrent.futures
+import json
+import os
+import shlex
+import shutil
+import statistics
+import subprocess
+
+from materials import MATERIALS, OWN
+from measured import PAIRS, differences, draw_pairs, evaluated, rms, write_directions
+
+DARK = 1e-3  # 1/sr: stated relative differences are of f_r + this
+NARROW = 0.1  # widths below: there a program's arithmetic in float is seen
+
+
+class Export:
+    """One material as a program's file, with what was said of it."""
+
+    def __init__(self, brdf, words, to, path, *options):
+        run = subprocess.run([brdf, "export", *shlex.split(words), "--to", to, "-o", path, "--json", *options], text=True,
+                             capture_output=True)
+        assert run.returncode == 0, run.stderr
+        self.words, self.path, self.said = words, path, json.loads(run.stdout)
+        said = self.said["same_here"]
+        self.terms = [words.removeprefix("brdf eval ") for words in ([said] if isinstance(said, str) else said)]
+        self.text = path.read_text()
+        # A comment of XML holds no two hyphens.
+        stated = self.text.replace("- -", "--")
+        assert all(words in stated for words in self.terms), f"{path} does not state what it holds"
+
+    def widths(self):
+        """The stated alpha_x and alpha_y; none where the surface is diffuse."""
+        named = dict(word.split("=") for word in shlex.split(self.terms[0]) if "=" in word)
+        diffuse = (named.get("metallic") == "0" and named.get("specular") == "0") or set(named.get("ks", "").split(",")) == {"0"}
+        return [] if diffuse else [float(named[key]) for key in ("alpha_x", "alpha_y") if key in named]
+
+    def witness(self):
+        """The pair of the stated largest difference; none where it is nothing."""
+        loss = self.said["loss"]
+        return [] if loss["largest"] < 1e-9 else [[loss[key] for key in ("theta_i", "phi_i", "theta_o", "phi_o")]]
+
+
+class Exports:
+    """The materials of materials.py for one program, in FOLDER. `naive` ones get copied parameters."""
+
+    def __init__(self, brdf, to, suffix, folder, naive=()):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        self.brdf, self.folder, self.pairs = brdf, folder, draw_pairs()
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            def made(item):
+                name, words = item
+                options = ["--naive"] if name in naive else []
+                return name, Export(brdf, words, to, folder / f"{name}{suffix}", *options)
+            self.of = dict(pool.map(made, (MATERIALS | OWN[to]).items()))
+
+    def pairs_of(self, name):
+        """The pairs that a program measures of a material: the shared ones, and the stated witness."""
+        return self.pairs + self.of[name].witness()
+
+    def values(self, name):
+        """f_r at pairs_of(name): of the material, and of what the file says."""
+        directions = write_directions(self.folder / f"{name}_directions.csv", self.pairs_of(name))
+        terms = [evaluated(self.brdf, words, directions) for words in self.of[name].terms]
+        return evaluated(self.brdf, self.of[name].words, directions), [[sum(c) for c in zip(*rows)] for rows in zip(*terms)]
+
+
+def summary_of(client, found):
+    """`found`: of each material whether its lobe is narrow, and the relative differences from what its file says."""
+    wide, narrow = ([max(apart) for kind, apart in found if kind == wanted] for wanted in (False, True))
+    return {"client": client, "materials": len(found), "pairs": len(found[0][1]) // 3,
+            "median": statistics.median(x for _, apart in found for x in apart), "largest": max(wide),
+            "narrow": len(narrow), "largest_of_narrow": max(narrow, default=0)}
+
+
+class Judged:
+    """What a program showed of each material, against what its files say."""
+
+    def __init__(self, exports, client):
+        self.exports, self.client, self.found, self.failed = exports, client, [], []
+
+    def add(self, name, seen, bound):
+        """`seen`: f_r at pairs_of(name). The largest relative difference from what the file says is below `bound`, and the loss
+        that is said is the one that is seen."""
+        source, target = self.exports.values(name)
+        assert len(seen) == len(target) == len(self.exports.pairs_of(name))
+        apart = differences(target[:PAIRS], seen[:PAIRS])
+        said, found = (rms(source, values, self.exports.pairs) for values in (target, seen))
+        largest = max((abs(b - a) / (a + DARK) for x, y in zip(source[PAIRS:], seen[PAIRS:]) for a, b in zip(x, y)), default=0)
+        stated = self.exports.of[name].said["loss"]["largest"]
+        good = (max(apart) < bound and abs(said - found) < max(1e-4, bound / 10) and
+                abs(largest - stated) < 2 * bound * (1 + stated))
+        if name in MATERIALS:
+            self.found.append((min(self.exports.of[name].widths(), default=1) < NARROW, apart))
+        print(f"{name:15} largest difference {max(apart):.2g} of {bound:.2g}, loss said {said:.6f} seen {found:.6f}, "
+              f"at the stated place {stated:.6f} seen {largest:.6f}{'' if good else '  FAILED'}", flush=True)
+        if not good:
+            self.failed.append(name)
+
+    def end(self):
+        """Writes summary.json for tools/interop_clients.py; true where all is as it was said."""
+        summary = summary_of(self.client, self.found)
+        (self.exports.folder / "summary.json").write_text(json.dumps(summary) + "\n")
+        print(json.dumps(summary))
+        if self.failed:
+            print("not as said:", ", ".join(self.failed))
+        return not self.failed and len(self.found) == len(MATERIALS)
