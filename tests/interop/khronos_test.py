@@ -35,10 +35,11 @@ def visibility_and_value(pair):
 
 
 def tolerance(widths):
-    """Relative, of a shader in float. An isotropic lobe's denominator is 1 - c^2 (1 - alpha^2), whose roundings weigh 1/alpha^2."""
+    """Relative, of a shader in float. An isotropic lobe's denominator is 1 - c^2 (1 - alpha^2), whose roundings weigh 1/alpha^2;
+    that of two widths is a sum of squares."""
     if not widths:
         return 1e-6
-    return 1e-6 + 7e-7 / widths[0] ** 2 if widths[0] == widths[1] else 1e-5
+    return 1e-6 + (7e-7 if widths[0] == widths[1] else 1.2e-7) / min(widths) ** 2
 
 
 class Viewer:
