@@ -71,9 +71,9 @@ def rms(ours, theirs, pairs):
     return math.sqrt(sum(r * r for r in residuals) / len(residuals))
 
 
-def differences(target, seen):
-    """Relative ones."""
-    return [abs(b / a - 1) for x, y in zip(target, seen) for a, b in zip(x, y)]
+def differences(target, seen, beyond=0):
+    """Relative ones, of what the values differ by beyond so much."""
+    return [max(0, abs(b - a) - beyond) / a for x, y in zip(target, seen) for a, b in zip(x, y)]
 
 
 def largest(target, seen):
