@@ -226,7 +226,7 @@ std::span<const Program> programs() {
        1,
        1,
        false,
-       false,
+       true,
        {"roughness is the square root of alpha (of the narrower axis); colours are linear",
         "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
        {{gltf_metallic_roughness{}, {.coloured = {Role::tint}}}},
