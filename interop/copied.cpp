@@ -77,11 +77,16 @@ struct Copy {
   }
   // Reflectance along the normal that the target's Fresnel term has: the colours' where those have one each.
   double f0_of(const Said& s) const {
-    if (!rules.grey_lobe) return std::min(mean(&Said::f0) * excess(), 1.0);
+    if (!rules.grey_lobe) return std::min((has_coloured_index() ? s.f0 : mean(&Said::f0)) * excess(), 1.0);
     return most_lobe() > 0 ? s.normal() / most_lobe() : s.f0;
+  }
+  // The reflectance along the normal of each colour stands in its index, none of it in the lobe's weight.
+  bool has_coloured_index() const {
+    return std::ranges::find(rules.coloured, Role::index) != rules.coloured.end();
   }
   double lobe_of(const Said& s) const {
     if (rules.grey_lobe) return most_lobe();
+    if (has_coloured_index()) return s.lobe / excess();
     const bool has_fresnel = target.shape_index(Role::index) >= 0;
     const double f0 = std::min(mean(&Said::f0) * excess(), 1.0);
     return !has_fresnel ? s.normal() : f0 > 0 ? s.normal() / f0 : s.lobe;
