@@ -314,6 +314,7 @@ void add_validate(CLI::App& app) {
       "          brdf validate --shader ggx.glsl --such-that \"albedo + f0 <= 1\" --against cook_torrance "
       "--map "
       "alpha=roughness*roughness\n"
+      "          brdf validate --shader car_paint.glsl --seconds 5\n"
       "          brdf validate --all --numerics\n"
       "          brdf validate --integrators\n"
       "          brdf validate --microsurface\n"

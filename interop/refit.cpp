@@ -85,7 +85,8 @@ std::vector<Knob> knobs_of(Term& term, const TargetRules& rules) {
     const ParameterInfo& p = form.shape[k];
     double low = p.min, high = p.max;
     for (const fit::NamedRange& bound : rules.bounds)
-      if (bound.name == p.name) low = std::max(low, bound.low), high = std::min(high, bound.high);
+      if (form.shape_index(bound.name) == int(k))
+        low = std::max(low, bound.low), high = std::min(high, bound.high);
     if ((tied && int(k) == across) || int(k) == superfluous(term) || p.map == Map::metallic) continue;
     std::vector<double*> all;
     for (std::vector<double>& shape : term.shape) {

@@ -90,8 +90,8 @@ std::string write_mitsuba(const Written& w) {
   if (!sum && w.parts.size() > 1) throw InputError("principled has one lobe of this kind");
   for (const WrittenPart& part : w.parts)
     if (const Reading r(part); !r.along_tangent() && !(sum && r.crosswise())) r.refuse_turn();
-  return xml_header(w.header) + "<scene version=\"3.0.0\">\n" +
-         (sum ? mixed(w, id) : principled(first, id)) + "</scene>\n";
+  return xml_header(w.header) + "<scene version=\"3.0.0\">\n" + (sum ? mixed(w, id) : principled(first, id)) +
+         "</scene>\n";
 }
 
 }  // namespace brdf::interop

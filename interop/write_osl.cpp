@@ -45,8 +45,8 @@ std::string write_osl(const Written& w) {
       sum.push_back(colour(kd) + " * " + diffuse_closure(r));
     if (!lobe.empty()) sum.push_back(colour(ks) + " * " + lobe);
   }
-  return comments(w.header, "// ") + "surface " + io::identifier(w.name, io::NameIn::osl) + "()\n{\n" + tangents +
-         "    Ci = " + io::joined(sum, "\n       + ") + ";\n}\n";
+  return comments(w.header, "// ") + "surface " + io::identifier(w.name, io::NameIn::osl) + "()\n{\n" +
+         tangents + "    Ci = " + io::joined(sum, "\n       + ") + ";\n}\n";
 }
 
 }  // namespace brdf::interop

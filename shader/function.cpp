@@ -11,6 +11,8 @@
 #include "shader/binding.h"
 #include "shader/entry.h"
 #include "shader/front/compile.h"
+#include "shader/front/languages.h"
+#include "shader/front/stripped.h"
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
 #include "shader/symmetry.h"
@@ -151,15 +153,18 @@ Function make_function(const ShaderChoice& choice) {
 
 namespace {
 
-// Of operations that a device may round to 16 bits.
-std::string said_of_half(const spirv::Module& module) {
-  for (const auto& [id, function] : module.functions)
-    for (const spirv::Block& block : function.blocks)
-      for (const spirv::Instruction& i : block.code)
-        if (module.relaxed.contains(i.result))
-          return "half, min16float and mediump are computed in 32 bits here" +
-                 (i.line > 0 ? " (line " + std::to_string(i.line) + ")" : std::string()) +
-                 ": what 16 bits lose or overflow on a device is not looked at";
+// Of types that a device may compute in 16 bits. The compiler's module does not say it of all of them.
+std::string said_of_half(const Source& source) {
+  const Stripped bare = stripped(source.text);
+  const bool hlsl = source.language == Language::hlsl;
+  for (const Token& token : tokens_of(bare.text)) {
+    const std::string word(token.text.substr(0, token.text.find_last_not_of("1234") + 1));
+    const bool is_half = hlsl ? word == "half" || token.text.starts_with("min16float")
+                              : token.is("mediump") || token.is("lowp");
+    if (is_half && bare.text.find("define " + word) == bare.text.npos)
+      return std::string(token.text) + " is computed in 32 bits here (line " + std::to_string(token.line) +
+             "): what 16 bits lose or overflow on a device is not looked at";
+  }
   return "";
 }
 
@@ -210,7 +215,7 @@ Function function_of(Source source, const Compiled& compiled) {
   f.notes = compiled.notes;
   if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
   for (const std::string& note : {chosen.note, chosen.results.note, undeclared(f),
-                                  unmentioned(compiled.unmentioned), said_of_half(module)})
+                                  unmentioned(compiled.unmentioned), said_of_half(f.source)})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
     f.notes.push_back(

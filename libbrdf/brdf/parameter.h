@@ -36,7 +36,7 @@ inline constexpr std::array<std::array<Role, 2>, 2> kAxisRoles{
 template <>
 inline constexpr std::array<std::string_view, 12> kNames<Role>{
     "diffuse",         "specular", "f0",    "width",      "width_across", "exponent",
-    "exponent_across", "slope",    "index", "extinction", "tint", "other"};
+    "exponent_across", "slope",    "index", "extinction", "tint",         "other"};
 
 // The texture map that holds a parameter as it stands, beside what its role says
 // (render/scene/texture_rule.h).

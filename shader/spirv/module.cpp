@@ -66,9 +66,6 @@ class Parser {
       case spv::OpNoLine:
         line_ = 0;
         return;
-      case spv::OpDecorate:
-        if (word(w, 1) == spv::DecorationRelaxedPrecision) module_.relaxed.insert(w[0]);
-        return;
       case spv::OpEntryPoint:
         module_.entry = word(w, 1);
         return;

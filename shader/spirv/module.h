@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -70,7 +69,6 @@ struct Module {
   std::map<Id, std::map<std::uint32_t, std::string>> member_names;
   Id entry = 0;          // of the function that a driver would call
   Id extended = 0;       // the set of GLSL's functions
-  std::set<Id> relaxed;  // results that a device may compute in 16 bits: half, min16float, mediump
 
   const Type& type(Id id) const;
   // How many scalars a value of that type has. Throws InputError on types that have none, and on huge ones.

@@ -12,7 +12,9 @@
 #include "interop/read_back.h"
 #include "interop/rgl.h"
 #include "io/material_json.h"
+#include "io/merl.h"
 #include "io/settings.h"
+#include "io/temporary_folder.h"
 
 namespace brdf::interop {
 namespace {
@@ -265,6 +267,24 @@ TEST(Tables, AreMeasuredAsTheirUsersReadThem) {
   EXPECT_GT(loss->largest.difference, 0.01);
   EXPECT_LT(loss->median, 0.02);
   EXPECT_LE(densest(paint, table, 5.3), 1.1 * loss->largest.difference) << in_words(*loss);
+}
+
+TEST(Tables, OfMerlAreReadByTheCell) {
+  const Material paint = chosen("cook_torrance", {"kd=0.25,0.2,0.1", "ks=1", "f0=0.05", "alpha=0.22"});
+  io::SampleTable cells;
+  io::merl::add_cell_directions(cells);
+  cells.channels = paint.channels;
+  cells.values = values_at(paint, io::unit_directions(cells).view());
+  cells.sigma.resize(3);
+  const io::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "paint.binary";
+  io::merl::write(path, cells);
+  const Material table = read_back_merl(io::read_content(path));
+  const auto loss = loss_of_table(paint, table);
+  ASSERT_TRUE(loss);
+  EXPECT_GT(loss->largest.difference, 0.02);
+  EXPECT_LT(loss->median, 0.01);
+  EXPECT_LE(densest(paint, table, 2.3), 1.05 * loss->largest.difference) << in_words(*loss);
 }
 
 TEST(Formulas, AreInFloat) {

@@ -48,7 +48,7 @@ def near_the_mirror(count):
     return [[a, b, min(a + (c - 40) / 8, 80), b + 180 + (d - 180) / 30] for a, b, c, d in draw_pairs(count)]
 
 
-def cpp_has_the_right_value_or_does_not_compile_under_any_flags(e):
+def cpp_has_the_right_value_or_does_not_compile_under_unsafe_flags(e):
     """-ffast-math and its parts made (x + 12582912) - 12582912 nothing, in silence."""
     pairs = near_the_mirror(PAIRS)
     directions = write_directions(e.folder / "pairs.csv", pairs)
@@ -199,7 +199,7 @@ def commands_in_xml_can_be_pasted(e):
 def main():
     need("glslc", "glslangValidator", "g++")
     exporter = Exporter(brdf, folder)
-    tests = [cpp_has_the_right_value_or_does_not_compile_under_any_flags, cpp_has_the_same_bits_of_every_compiler,
+    tests = [cpp_has_the_right_value_or_does_not_compile_under_unsafe_flags, cpp_has_the_same_bits_of_every_compiler,
              two_forms_stand_in_one_shader, two_materials_stand_in_one_shader_by_their_names,
              one_material_is_brdf_material_and_two_are_not, two_materials_of_one_name_are_told_the_way_out,
              different_kernels_in_one_shader_are_told, no_name_breaks_the_text, osl_has_no_reserved_name,

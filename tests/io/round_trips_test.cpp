@@ -202,7 +202,8 @@ TEST_F(RoundTrips, OpenExrHasNoStringUnderTheNameOfAnAttributeOfAnotherType) {
   expect_same(again(table, ".exr"), table);
   const std::string bytes = read_content(folder_.path() / "file.exr").bytes;
   const auto holds = [&](const std::string& name) {
-    return bytes.find(std::string(1, '\0') + name + '\0' + "string" + '\0') != bytes.npos;
+    const std::size_t at = bytes.find(name + '\0' + "string" + '\0');  // after another attribute's value
+    return at != bytes.npos && bytes[at - 1] != '.';
   };
   for (const std::string key : kTyped) {
     EXPECT_FALSE(holds(key)) << key;

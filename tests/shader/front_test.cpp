@@ -471,8 +471,8 @@ TEST(Half, IsSaidToBeComputedInMoreBits) {
       .with("mediump.glsl",
             "float brdf(vec3 L, vec3 V, vec3 N, float kd) {\n"
             "  mediump float d = L.z;\n  return kd * d * d;\n}\n");
-  EXPECT_THAT(notes_of(tree.load("half.hlsl")), HasSubstr("computed in 32 bits here (line 2)"));
-  EXPECT_THAT(notes_of(tree.load("mediump.glsl")), HasSubstr("computed in 32 bits here (line"));
+  EXPECT_THAT(notes_of(tree.load("half.hlsl")), HasSubstr("half is computed in 32 bits here (line 2)"));
+  EXPECT_THAT(notes_of(tree.load("mediump.glsl")), HasSubstr("mediump is computed in 32 bits here (line 2)"));
   EXPECT_THAT(notes_of(tree.load("whole.hlsl")), Not(HasSubstr("32 bits")));
 }
 
