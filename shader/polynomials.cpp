@@ -69,7 +69,7 @@ Form Polynomials::form_of(const Terms& terms, Hand hand, int depth) {
   if (degree_of(terms) == 0) return still(terms[0], hand);
   const auto [place, added] = places_.try_emplace(terms, int(known_.size()));
   if (added) known_.push_back(terms);
-  return {Form::Kind::partial, hand, false, false, std::uint16_t(std::min(depth, kMostOperations + 1)),
+  return {Form::Kind::partial, hand, false, false, std::uint16_t(std::min(depth, kFarthest + 1)),
           place->second};
 }
 

@@ -78,7 +78,7 @@ inline Form unknown() {
 }
 int degree_of(const Terms& terms);
 
-inline constexpr int kMostOperations = 200;  // operations from the coordinates
+inline constexpr int kFarthest = 200;  // operations from the coordinates
 
 class Polynomials {
  public:

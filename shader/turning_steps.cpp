@@ -19,7 +19,7 @@ Turning TurningSteps::step(State& s, const Step& x) {
   at(s, o.result_integer, x.r) = out;
   const bool partial = out.kind == Form::Kind::partial;
   if (partial || (out.is_still() && partial_operand)) depth_ = std::max(depth_, depth);
-  if (partial && depth > kMostOperations && too_deep_ == 0) too_deep_ = std::max(x.line, 1u);
+  if (partial && depth > kFarthest && too_deep_ == 0) too_deep_ = std::max(x.line, 1u);
   if (partial || !out.is_still() || !partial_operand) return partial ? Turning::partial : Turning::still;
   if (out.square) return Turning::squares;
   const bool pair =

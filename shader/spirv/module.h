@@ -67,8 +67,8 @@ struct Module {
   std::map<Id, Function> functions;
   std::map<Id, std::string> names;
   std::map<Id, std::map<std::uint32_t, std::string>> member_names;
-  Id entry = 0;          // of the function that a driver would call
-  Id extended = 0;       // the set of GLSL's functions
+  Id entry = 0;     // of the function that a driver would call
+  Id extended = 0;  // the set of GLSL's functions
 
   const Type& type(Id id) const;
   // How many scalars a value of that type has. Throws InputError on types that have none, and on huge ones.
