@@ -166,11 +166,13 @@ bool is_its_own(const Wanted& wanted, const Reflectance& target, const CopyRules
           std::ranges::find(rules.coloured, form.shape[k].role) == rules.coloured.end())
         return false;
   const int lobe = form.weight_index(Role::specular);
-  const auto as_first = [&](const auto& weights) {
+  const auto fits = [&](const std::vector<double>& weights) {
+    if (lobe < 0) return true;
     const double weight = weights[std::size_t(lobe)];
-    return weight == terms[0].weights[0][std::size_t(lobe)] && weight <= 1;
+    if (rules.most_lobe < 1 && weight > rules.most_lobe) return false;
+    return !rules.grey_lobe || (weight == terms[0].weights[0][std::size_t(lobe)] && weight <= 1);
   };
-  return !rules.grey_lobe || std::ranges::all_of(terms[0].weights, as_first);
+  return std::ranges::all_of(terms[0].weights, fits);
 }
 
 }  // namespace

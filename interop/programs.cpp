@@ -118,7 +118,7 @@ struct Attempt {
  private:
   // Where shaders are mixed, the lobes of several parts share what the diffuse parts leave.
   TargetRules within_shares(TargetRules rules, const Wanted& part) const {
-    if (!rules.sum_to_one || parts.size() < 2) return rules;
+    if (!rules.sum_to_one) return rules;
     double diffuse = 0, lobes = 0;
     for (const Wanted& each : parts)
       diffuse += largest_weight(each, Role::diffuse), lobes += largest_weight(each, Role::specular);

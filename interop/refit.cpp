@@ -135,6 +135,7 @@ bool Refit::consider(const Material& candidate) {
 }
 
 void Refit::between(const Material& fitted) {
+  fitted_.push_back(fitted);
   for (const double t : {1.0, 0.7, 0.45, 0.3, 0.2, 0.1, 0.05})
     if (consider(blend(copy_, fitted, t))) return;
 }
@@ -144,32 +145,37 @@ Figures Refit::at_fitted_pairs(const Material& of_target) const {
   return figures_of(table_.values, values_at(shown_by(rules_, of_target), d), d);
 }
 
+bool Refit::climb_from(Material candidate, const Figures& limits, double share) {
+  const std::vector<Knob> knobs = knobs_of(candidate.terms[0], rules_);
+  if (knobs.empty()) return false;
+  std::vector<double> start;
+  for (const Knob& knob : knobs) start.push_back(std::clamp(knob.place(), 0.0, 1.0));
+  const auto objective = [&](std::span<const double> x) {
+    for (std::size_t k = 0; k < knobs.size(); ++k) knobs[k].set(x[k]);
+    const Figures f = at_fitted_pairs(candidate);
+    const auto above = [&](double figure, double limit) {
+      return std::max(figure / (limit + 1e-9) - share, 0.0);
+    };
+    return -(f.rms / limits.rms + 10 * above(f.median, limits.median) +
+             10 * above(f.largest, limits.largest) + 100 * excess_of(candidate.terms[0], rules_));
+  };
+  validate::SearchOptions options;
+  options.cover = 0;
+  options.starts = options.polish = 1;
+  options.steps = 40;
+  options.finest = 1e-3;
+  const validate::Best best = validate::maximise(objective, knobs.size(), options, {start});
+  for (std::size_t k = 0; k < knobs.size(); ++k) knobs[k].set(best.point[k]);
+  return consider(candidate);
+}
+
 void Refit::polish() {
   const Figures limits = at_fitted_pairs(copy_);
-  for (const double share : {0.98, 0.85, 0.6}) {
-    Material candidate = best_;
-    const std::vector<Knob> knobs = knobs_of(candidate.terms[0], rules_);
-    if (knobs.empty()) return;
-    std::vector<double> start;
-    for (const Knob& knob : knobs) start.push_back(std::clamp(knob.place(), 0.0, 1.0));
-    const auto objective = [&](std::span<const double> x) {
-      for (std::size_t k = 0; k < knobs.size(); ++k) knobs[k].set(x[k]);
-      const Figures f = at_fitted_pairs(candidate);
-      const auto above = [&](double figure, double limit) {
-        return std::max(figure / (limit + 1e-9) - share, 0.0);
-      };
-      return -(f.rms / limits.rms + 10 * above(f.median, limits.median) +
-               10 * above(f.largest, limits.largest) + 100 * excess_of(candidate.terms[0], rules_));
-    };
-    validate::SearchOptions options;
-    options.cover = 0;
-    options.starts = options.polish = 1;
-    options.steps = 30;
-    options.finest = 1e-3;
-    const validate::Best best = validate::maximise(objective, knobs.size(), options, {start});
-    for (std::size_t k = 0; k < knobs.size(); ++k) knobs[k].set(best.point[k]);
-    if (consider(candidate)) return;
-  }
+  std::vector<Material> starts{best_};
+  for (const Material& fitted : fitted_) starts.push_back(blend(copy_, fitted, 0.5));
+  for (const Material& start : starts)
+    for (const double share : {0.98, 0.85, 0.6})
+      if (climb_from(start, limits, share)) break;
 }
 
 }  // namespace brdf::interop

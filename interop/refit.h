@@ -14,8 +14,8 @@ class Refit {
 
   // Tries these parameters, and some between them and the copy: what is a little nearer is seldom worse in anything.
   void between(const Material& fitted);
-  // Climbs from the best so far, with the copy's figures at the fitted pairs as limits; tighter ones where the judged
-  // pairs or the search for the largest difference do not agree.
+  // Climbs from the best so far, and from half of the way to what was fitted, with the copy's figures at the fitted pairs
+  // as limits; tighter ones where the judged pairs or the search for the largest difference do not agree.
   void polish();
 
   bool improved() const { return improved_; }
@@ -25,6 +25,8 @@ class Refit {
  private:
   Figures at_fitted_pairs(const Material& of_target) const;
   bool consider(const Material& candidate);
+  // By the objective and the share of the limits that it keeps to.
+  bool climb_from(Material candidate, const Figures& limits, double share);
 
   const Comparison& wanted_;
   const TargetRules& rules_;
@@ -35,6 +37,7 @@ class Refit {
   Material best_;
   Loss loss_;
   bool improved_ = false;
+  std::vector<Material> fitted_;
 };
 
 }  // namespace brdf::interop
