@@ -118,7 +118,7 @@ struct Attempt {
  private:
   // Where shaders are mixed, the lobes of several parts share what the diffuse parts leave.
   TargetRules within_shares(TargetRules rules, const Wanted& part) const {
-    if (!rules.sum_to_one) return rules;
+    if (!rules.sum_to_one || parts.size() < 2) return rules;
     double diffuse = 0, lobes = 0;
     for (const Wanted& each : parts)
       diffuse += largest_weight(each, Role::diffuse), lobes += largest_weight(each, Role::specular);
@@ -172,7 +172,9 @@ struct Attempt {
 std::string in_words(const Exported& made) {
   if (made.exact()) return "exact";
   if (!made.refitted) return "copied: " + in_words(made.loss);
-  return "refitted: " + in_words(made.loss) + "; copied parameters: " + in_words(made.copied);
+  const std::string words = "refitted: " + in_words(made.loss);
+  // Copied parameters that the program cannot hold have no loss of their own.
+  return made.copied.rms == made.loss.rms ? words : words + "; copied parameters: " + in_words(made.copied);
 }
 
 std::span<const Program> programs() {
@@ -185,7 +187,7 @@ std::span<const Program> programs() {
        true,
        false,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
-       {{blender_metallic{}, kGrey, true}},
+       {{blender_metallic{}, kGrey}},
        write_blender},
       {"blender-3.4",
        "Blender 3.4, Cycles",

@@ -118,7 +118,7 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   bring_within(rules.bounds, out.material.terms[0]);
   const Comparison comparison(wanted.material);
   out.copied = out.loss = comparison.loss_of(shown_by(rules, out.material));
-  if (naive || out.loss.exact()) return out;
+  if (naive || (out.loss.exact() && !exceeds(out.material.terms[0], rules))) return out;
   const io::SampleTable table = wanted_values(wanted);
   Refit refit(comparison, rules, table, out.material, out.copied);
   fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);

@@ -114,6 +114,10 @@ double excess_of(const Term& term, const TargetRules& rules) {
 
 }  // namespace
 
+bool exceeds(const Term& of_target, const TargetRules& rules) {
+  return excess_of(of_target, rules) > 1e-12;
+}
+
 Refit::Refit(const Comparison& wanted, const TargetRules& rules, const io::SampleTable& table,
              const Material& copy, const Loss& of_copy)
     : wanted_(wanted),
@@ -123,10 +127,15 @@ Refit::Refit(const Comparison& wanted, const TargetRules& rules, const io::Sampl
       copy_(copy),
       of_copy_(of_copy),
       best_(copy),
-      loss_(of_copy) {}
+      loss_(of_copy),
+      copy_holds_(!exceeds(copy.terms[0], rules)) {
+  if (copy_holds_) return;
+  loss_.rms = loss_.median = loss_.albedo = loss_.largest.difference = HUGE_VAL;
+  of_copy_ = loss_;
+}
 
 bool Refit::consider(const Material& candidate) {
-  if (excess_of(candidate.terms[0], rules_) > 1e-12) return false;
+  if (exceeds(candidate.terms[0], rules_)) return false;
   const auto loss = wanted_.better_loss_of(shown_by(rules_, candidate), loss_, of_copy_);
   if (!loss) return false;
   best_ = candidate;
@@ -170,7 +179,7 @@ bool Refit::climb_from(Material candidate, const Figures& limits, double share) 
 }
 
 void Refit::polish() {
-  const Figures limits = at_fitted_pairs(copy_);
+  const Figures limits = copy_holds_ ? at_fitted_pairs(copy_) : Figures{1, HUGE_VAL, HUGE_VAL};
   std::vector<Material> starts{best_};
   for (const Material& fitted : fitted_) starts.push_back(blend(copy_, fitted, 0.5));
   for (const Material& start : starts)

@@ -6,9 +6,12 @@
 
 namespace brdf::interop {
 
+// Whether the term's weights are above 1 together where the program mixes shaders.
+bool exceeds(const Term& of_target, const TargetRules& rules);
+
 class Refit {
  public:
-  // `table` has the wanted values at the fitted pairs.
+  // `table` has the wanted values at the fitted pairs. A copy whose weights the program cannot hold together limits nothing.
   Refit(const Comparison& wanted, const TargetRules& rules, const io::SampleTable& table,
         const Material& copy, const Loss& of_copy);
 
@@ -33,10 +36,10 @@ class Refit {
   const io::SampleTable& table_;
   DirectionArrays<double> directions_;
   const Material copy_;
-  const Loss of_copy_;
+  Loss of_copy_;
   Material best_;
   Loss loss_;
-  bool improved_ = false;
+  bool copy_holds_ = true, improved_ = false;
   std::vector<Material> fitted_;
 };
 
