@@ -118,7 +118,7 @@ struct Attempt {
  private:
   // Where shaders are mixed, the lobes of several parts share what the diffuse parts leave.
   TargetRules within_shares(TargetRules rules, const Wanted& part) const {
-    if (!rules.sum_to_one || parts.size() < 2) return rules;
+    if (!rules.mixes || parts.size() < 2) return rules;
     double diffuse = 0, lobes = 0;
     for (const Wanted& each : parts)
       diffuse += largest_weight(each, Role::diffuse), lobes += largest_weight(each, Role::specular);
@@ -187,7 +187,7 @@ std::span<const Program> programs() {
        true,
        false,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
-       {{blender_metallic{}, kGrey}},
+       {{blender_metallic{}, kGrey, true}},
        write_blender},
       {"blender-3.4",
        "Blender 3.4, Cycles",
@@ -196,7 +196,7 @@ std::span<const Program> programs() {
        true,
        true,
        {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
-       {{blender_glossy{}}, {blender_principled{}, {}, false, {index_up_to(blender_principled{}, 1.788)}}},
+       {{blender_glossy{}}, {blender_principled{}, {}, false, false, {index_up_to(blender_principled{}, 1.788)}}},
        write_blender_3_4},
       {"mitsuba",
        "Mitsuba 3",
@@ -206,7 +206,7 @@ std::span<const Program> programs() {
        false,
        {"roughconductor: alpha as it stands; principled: roughness is the square root of alpha",
         "colours are linear; the tangent is the mesh's dp/du"},
-       {{mitsuba_roughconductor{}, {.coloured = {Role::index, Role::extinction}}, true},
+       {{mitsuba_roughconductor{}, {.coloured = {Role::index, Role::extinction}}, true, true},
         {mitsuba_principled{}}},
        write_mitsuba},
       {"pbrt",
@@ -219,6 +219,7 @@ std::span<const Program> programs() {
         "mix: amount is the share of the second material; the tangent is the mesh's dp/du"},
        {{pbrt_conductor{},
          {.grey_lobe = true, .coloured = {Role::index, Role::extinction}},
+         true,
          true,
          {},
          shown_by_pbrt}},

@@ -15,7 +15,8 @@ namespace brdf::interop {
 struct TargetRules {
   Reflectance target;
   CopyRules copy{};
-  bool sum_to_one = false;  // a refit's weights are at most 1 together: shaders are mixed
+  bool sum_to_one = false;  // a refit's weights are at most 1 together
+  bool mixes = false;       // all weights are: the file mixes shaders by shares
   std::vector<fit::NamedRange>
       bounds{};  // of what the program's controls reach, besides the target's own ranges
   // What the program shows of a material of one such term, where it is not the form channel by channel; null: it is.

@@ -101,7 +101,7 @@ std::vector<Knob> knobs_of(Term& term, const TargetRules& rules) {
 
 // A mix of shaders holds weights of 1 together.
 double excess_of(const Term& term, const TargetRules& rules) {
-  if (!rules.sum_to_one) return 0;
+  if (!rules.mixes) return 0;
   const ReflectanceInfo& form = info(term.form);
   double lobe = 0, diffuse = 0;
   for (const std::vector<double>& w : term.weights)

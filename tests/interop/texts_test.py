@@ -45,7 +45,7 @@ def direction(theta, phi):
 
 def near_the_mirror(count):
     """Pairs at which a lobe is seen: the viewer some degrees off the mirror direction."""
-    return [[a, b, min(a + (c - 40) / 8, 80), b + 180 + (d - 180) / 30] for a, b, c, d in draw_pairs(count)]
+    return [[a, b, min(a + (c - 40) / 8, 80), b + 180 + (d - 180) / 30] for a, b, c, d in draw_pairs()[:count]]
 
 
 def cpp_has_the_right_value_or_does_not_compile_under_unsafe_flags(e):
@@ -182,7 +182,7 @@ def commands_in_xml_can_be_pasted(e):
     """A name with the instruction's end in it, too."""
     odd = e.folder / "a?>--b.json"
     odd.write_text((e.folder / material(e, "plain", 0.2)[1]).read_text())
-    directions = write_directions(e.folder / "pairs.csv", draw_pairs(5))
+    directions = write_directions(e.folder / "pairs.csv", draw_pairs()[:5])
     for program, words in itertools.product(("materialx", "mitsuba"), (["--material", odd.name], ["--form", "lambert"])):
         path = e.folder / "m.xml"
         e.text(*words, "--to", program, "-o", path)
