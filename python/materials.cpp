@@ -146,17 +146,20 @@ py::list albedo(const Optics& optics, fit::AlbedoChoice choice) {
   return out;
 }
 
-// Whole shaders have no functions to include; GlslContent says what the words mean. Functions to include carry the material's
-// name, or its form's.
-std::string glsl(const Optics& optics, const std::string& to, bool material, bool include) {
+// Whole shaders have no functions to include; GlslContent says what the words mean. Functions to include carry the name
+// that is given, the material's, or its form's.
+std::string glsl(const Optics& optics, const std::string& to, bool material, bool include,
+                 const std::string& given) {
   if (to != "glsl" && to != "glsl-es") throw InputError("--to: " + to + " not in {glsl,glsl-es}");
   const io::MaterialFile& file = optics.file;
-  const std::string name =
-      file.name.empty() ? std::string(info(file.material.terms.front().form).name) : file.name;
+  if (!material && !given.empty()) throw InputError("name: a form alone has no function of a material");
+  std::string name = given;
+  if (include && name.empty())
+    name = file.name.empty() ? std::string(info(file.material.terms.front().form).name) : file.name;
   return io::glsl_source(file.material, {.material = material,
                                          .whole = !include,
                                          .dialect = to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
-                                         .name = include ? name : "",
+                                         .name = name,
                                          .guarded = include});
 }
 

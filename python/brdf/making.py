@@ -56,18 +56,19 @@ def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = 
     return samples.arranged(polarisation, repeats).write(name)
 
 
-def export(source: Union[Material, str], to: str, output: Path | None = None, *, include: bool = False) -> str:
+def export(source: Union[Material, str], to: str, output: Path | None = None, *, include: bool = False,
+           name: str = "") -> str:
     """Shader source of a material or of a form by its name, to "glsl" (4.50, Vulkan) or "glsl-es" (3.00, WebGL 2):
     `brdf export`.
 
     Of a material a function brdf_material(wi, wo) is added. include: functions only, for an #include; several go into one
-    shader, where each material's function is brdf_material_NAME, by the material's name or its form's, and brdf_material is
-    it too while there is one. Written to `output` where given. InputError where a form has no GLSL.
+    shader, where each material's function is brdf_material_NAME, by `name`, the material's name or its form's, and
+    brdf_material is it too while there is one. Written to `output` where given. InputError where a form has no GLSL.
     """
     if not isinstance(source, (Material, str)):
         raise InputError(f"{source!r}: a shader is made of a material, or of a form by its name")
     whole = source if isinstance(source, Material) else material(source)
-    text = whole._optics.glsl(to, isinstance(source, Material), include)
+    text = whole._optics.glsl(to, isinstance(source, Material), include, name)
     if output is not None:
         _brdf.write_text(path_of(output), text)
     return text

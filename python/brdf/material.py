@@ -222,11 +222,11 @@ class Material:
 
         return validate(self, **options)
 
-    def export(self, to: str, output: Path | None = None, *, include: bool = False) -> str:
+    def export(self, to: str, output: Path | None = None, *, include: bool = False, name: str = "") -> str:
         """Its shader source: to "glsl" or "glsl-es" (`brdf export`). Written to `output` where given."""
         from .making import export
 
-        return export(self, to, output, include=include)
+        return export(self, to, output, include=include, name=name)
 
     def plot(self, theta_i: Iterable[float] = (0, 30, 60), table: Table | None = None, axes: Any = None) -> Any:
         """Slices of the plane of incidence by matplotlib, with a table's values as points; returns its axes."""
