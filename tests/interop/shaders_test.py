@@ -12,7 +12,7 @@ import sys
 
 from compilers import LANGUAGES, Exporter, cpp_compilers, need, of_explorer, run, user_of, wrong_with
 
-brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+brdf, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 few = "--few" in sys.argv[3:]
 NO_DRIVER = 3
 FEW = ("lambert", "ward", "cook_torrance_beckmann")

@@ -14,7 +14,7 @@ import xml.etree.ElementTree as ElementTree
 from compilers import WARNINGS, Exporter, cpp_compilers, need, run, user_of, wrong_with
 from measured import draw_pairs, evaluated, write_directions
 
-brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+brdf, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 
 # What takes arithmetic apart, and what must not.
 FLAGS = ["-O2", "-O3", "-O2 -ffast-math", "-Ofast", "-O2 -funsafe-math-optimizations",
