@@ -25,7 +25,7 @@ Exported exported(const std::string& program, const Material& m, bool naive = fa
 }
 std::string refusal(const std::string& program, const Material& m) {
   try {
-    exported(program, m);
+    exported(program, m, true);  // what is refused is refused before it is fitted
   } catch (const InputError& error) {
     return error.what();
   }
