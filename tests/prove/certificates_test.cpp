@@ -40,7 +40,7 @@ Material mixed() {
 const std::string& of_material() {
   static const std::string text = [] {
     Options options;
-    options.search = {12, 5};
+    options.search = {3, 5};
     const NamedMaterial named{"mixed.json", mixed()};
     return to_certificate(prove(named.material, named.file, options), std::span(&named, 1));
   }();
