@@ -103,8 +103,7 @@ std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
                                   measured::MeasuredReflectance::Beside::likeliest);
 }
 
-io::SampleTable material_at_merl_cells(const ExportCall& o) {
-  const Material material = choose_material_file(o.material, "export").material;
+io::SampleTable at_merl_cells(const Material& material) {
   if (is_anisotropic(material))
     throw interop::Refused("--to merl: the material is anisotropic, and MERL files are isotropic");
   synth::Instrument instrument;
@@ -115,15 +114,16 @@ io::SampleTable material_at_merl_cells(const ExportCall& o) {
 Made export_merl(const ExportCall& o) {
   check_output(o);
   const bool measured = !o.measured.empty();
-  const io::SampleTable cells = measured ? measured::at_merl_cells(seen(o)) : material_at_merl_cells(o);
+  std::optional<Material> material;
+  if (!measured) material = choose_material_file(o.material, "export").material;
+  const io::SampleTable cells = material ? at_merl_cells(*material) : measured::at_merl_cells(seen(o));
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
   Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
          << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
   for (const std::string& what : lost) Note() << "brdf export: lost: " << what;
   Made made{{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
-  if (!measured)
-    made.exit = say_table_loss(o, choose_material_file(o.material, "export").material,
-                               interop::read_back_merl(io::read_content(o.output)), made.json);
+  if (material)
+    made.exit = say_table_loss(o, *material, interop::read_back_merl(io::read_content(o.output)), made.json);
   return made;
 }
 

@@ -21,7 +21,7 @@ class Difference {
     eval(carried_, wi, wo, g_);
     Largest out{-1, theta_i, phi_i, theta_o, phi_o};
     for (std::size_t c = 0; c < f_.size(); ++c) {
-      const double difference = std::abs(g_[c] - f_[c]) / (f_[c] + kDark);
+      const double difference = relative_difference(f_[c], g_[c]);
       if (!(difference > out.difference)) continue;
       out.difference = difference;
       out.wanted = f_[c], out.carried = g_[c];
@@ -58,7 +58,7 @@ double Largest::phi() const {
 Largest Comparison::largest_of(const Material& carried) const {
   constexpr std::size_t kClimbs = 12, kKept = 400;
   Difference difference(wanted_, carried);
-  const Cube cube{is_anisotropic(wanted_)};
+  const Cube cube{may_turn(wanted_)};
   const Directions<double> net = net_.view();
   const std::vector<std::vector<double>> values = values_at(carried, net);
   // The climbs' own choice among these keeps them apart.
@@ -66,8 +66,7 @@ Largest Comparison::largest_of(const Material& carried) const {
   for (std::size_t k = 0; k < net.count; ++k) {
     worst[k] = {0, k};
     for (std::size_t c = 0; c < values.size(); ++c)
-      worst[k].first =
-          std::max(worst[k].first, std::abs(values[c][k] - at_net_[c][k]) / (at_net_[c][k] + kDark));
+      worst[k].first = std::max(worst[k].first, relative_difference(at_net_[c][k], values[c][k]));
   }
   const std::size_t kept = std::min(kKept, worst.size());
   std::partial_sort(worst.begin(), worst.begin() + long(kept), worst.end(), std::greater<>());

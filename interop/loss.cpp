@@ -29,6 +29,11 @@ std::vector<std::vector<double>> albedos_of(const Material& m, const AlbedoOptio
 
 }  // namespace
 
+double relative_difference(double wanted, double carried) {
+  const double difference = std::abs(carried - wanted) / (std::abs(wanted) + kDark);
+  return std::isfinite(difference) ? difference : HUGE_VAL;
+}
+
 std::vector<std::vector<double>> values_at(const Material& material, const Directions<double>& d) {
   std::vector<std::vector<double>> out(material.channels.size(), std::vector<double>(d.count, 0.0));
   std::vector<double> one(d.count);
@@ -50,7 +55,7 @@ Figures figures_of(const std::vector<std::vector<double>>& wanted,
       const double f = wanted[c][k], g = carried[c][k];
       const double residual = std::log1p(g * d.wi_z[k]) - std::log1p(f * d.wi_z[k]);
       sum += residual * residual;
-      differences.push_back(std::abs(g - f) / (f + kDark));
+      differences.push_back(relative_difference(f, g));
     }
   const double largest = *std::ranges::max_element(differences);
   return {std::sqrt(sum / double(differences.size())), io::median(differences), largest};

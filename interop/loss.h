@@ -11,8 +11,10 @@
 
 namespace brdf::interop {
 
-// Relative differences are of f_r + kDark, so that what is black anyway does not count.
+// Relative differences are of |f_r| + kDark, so that what is black anyway does not count.
 inline constexpr double kDark = 1e-3;  // 1/sr
+// Infinite where one of them is no number.
+double relative_difference(double wanted, double carried);
 
 // The largest relative difference that a search found, at most 80 degrees from the normal: the true one is no smaller.
 struct Largest {

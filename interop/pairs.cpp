@@ -48,7 +48,7 @@ constexpr double kRadii[] = {0, 0.3, 0.7, 1.2, 2, 3.5};
 // The azimuths of light that the net has: with the axes, across them and between.
 std::vector<double> light_azimuths(const Material& material) {
   std::vector<double> out;
-  if (is_anisotropic(material))
+  if (may_turn(material))
     for (const LobePlace& lobe : lobe_places(material))
       for (const double turn : {0, 45, 90})
         if (std::ranges::find(out, lobe.tangent + turn) == out.end()) out.push_back(lobe.tangent + turn);
@@ -57,6 +57,11 @@ std::vector<double> light_azimuths(const Material& material) {
 }
 
 }  // namespace
+
+bool may_turn(const Material& material) {
+  const auto outside = [](const Term& term) { return info(term.form).outside; };
+  return is_anisotropic(material) || std::ranges::any_of(material.terms, outside);
+}
 
 std::vector<LobePlace> lobe_places(const Material& material) {
   std::vector<LobePlace> places;
@@ -85,14 +90,14 @@ io::SampleTable pairs_about(const Material& material, Pairs which) {
   table.values.resize(table.channels.size());
   table.sigma.resize(table.channels.size());
   for (const LobePlace& lobe : lobe_places(material))
-    add_about(table, lobe, steps_of(which), is_anisotropic(material));
+    add_about(table, lobe, steps_of(which), may_turn(material));
   return table;
 }
 
 io::SampleTable net_about(const Material& material) {
   io::SampleTable table;
   table.channels = material.channels;
-  const bool turned = is_anisotropic(material);
+  const bool turned = may_turn(material);
   for (const double phi_i : light_azimuths(material))
     for (double theta_i = 0; theta_i <= kMostTheta; theta_i += kStep) {
       for (double theta_o = 0; theta_o <= kMostTheta; theta_o += kStep)

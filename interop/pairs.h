@@ -19,6 +19,9 @@ struct LobePlace {
   double tangent = 0;  // degrees
 };
 
+// Whether values may change as the sample is turned: of two widths, and of code that is not in the catalogue.
+bool may_turn(const Material& material);
+
 // Of a material's terms; one of the usual widths where no term has a lobe.
 std::vector<LobePlace> lobe_places(const Material& material);
 

@@ -82,8 +82,9 @@ struct Attempt {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const Projection& p = projections[k];
       made.refitted = made.refitted || p.refitted;
-      for (const Term& term : shown_by(rules, p.material).terms)
-        made.carried.terms.push_back(in_place(term, parts[k].tangent));
+      const Material shown = shown_by(rules, p.material);
+      made.by_channel = made.by_channel || !(shown == p.material);
+      for (const Term& term : shown.terms) made.carried.terms.push_back(in_place(term, parts[k].tangent));
       made.words.push_back(as_command(p.material.terms[0], parts[k].tangent));
       for (std::string& sentence : not_held(parts[k], holds(rules)))
         made.not_held.push_back(std::move(sentence));
@@ -145,25 +146,28 @@ struct Attempt {
         "Written by brdf " BRDF_VERSION ": " + io::provenance().command,
         "for " + std::string(program.title) + ", as " + made.target + ": " + in_words(made)};
     for (const std::string& sentence : made.not_held) header.push_back("not held: " + sentence);
+    const std::string count = std::to_string(made.words.size());
     for (std::size_t k = 0; k < made.words.size(); ++k)
-      header.push_back("the same here" +
-                       (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of " +
-                                                    std::to_string(made.words.size()) + " that add up"
-                                              : std::string()) +
-                       ": brdf eval " + made.words[k]);
+      header.push_back(
+          std::string(made.by_channel ? "by channel here, without the program's spectra" : "the same here") +
+          (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of " + count + " that add up" : "") +
+          ": brdf eval " + made.words[k]);
     if (!made.exact()) header.push_back(worst_place(made));
     header.insert(header.end(), program.conventions.begin(), program.conventions.end());
     return header;
   }
-  // The pair of the largest difference, as a command that prints f of what the file says.
+  // The pair of the largest difference; where one command has the program's values, that which prints f there.
   static std::string worst_place(const Exported& made) {
     const Largest& l = made.loss.largest;
     std::string pair;
     for (const double angle : {l.theta_i, l.phi_i, l.theta_o, l.phi_o})
       pair += (pair.empty() ? "" : ",") + io::to_text(angle);
-    return "the largest difference: " + l.channel + " is " + io::short_number(l.carried, 6) + " for " +
-           io::short_number(l.wanted, 6) + " /sr: printf 'theta_i,phi_i,theta_o,phi_o\\n" + pair +
-           "\\n' | brdf eval " + made.words[0] + " /dev/stdin";
+    const std::string said = "the largest difference: " + l.channel + " is " +
+                             io::short_number(l.carried, 6) + " for " + io::short_number(l.wanted, 6) +
+                             " /sr at theta_i,phi_i,theta_o,phi_o " + pair;
+    if (made.words.size() > 1 || made.by_channel) return said;
+    return said + ": printf 'theta_i,phi_i,theta_o,phi_o\\n" + pair + "\\n' | brdf eval " + made.words[0] +
+           " /dev/stdin";
   }
 };
 

@@ -53,6 +53,8 @@ struct Exported {
   std::vector<std::string> header;  // as in the text
   // The projected material as other verbs take it, a term each: --form NAME --set ...; the values add up.
   std::vector<std::string> words;
+  bool by_channel =
+      false;  // these words have the form's values, and the program shows others (TargetRules::shown)
   std::vector<std::string> not_held{};  // what the target has no place for, a sentence each
   std::vector<Refusal> refused{};       // of the program's other targets
 

@@ -116,11 +116,12 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   Projection out;
   out.material = copied(wanted, rules.target, rules.copy);
   bring_within(rules.bounds, out.material.terms[0]);
+  if (naive) return out;
   const Comparison comparison(wanted.material);
-  out.copied = out.loss = comparison.loss_of(shown_by(rules, out.material));
-  if (naive || (out.loss.exact() && !exceeds(out.material.terms[0], rules))) return out;
+  const Loss of_copy = comparison.loss_of(shown_by(rules, out.material));
+  if (of_copy.exact() && !exceeds(out.material.terms[0], rules)) return out;
   const io::SampleTable table = wanted_values(wanted);
-  Refit refit(comparison, rules, table, out.material, out.copied);
+  Refit refit(comparison, rules, table, out.material, of_copy);
   fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
   // Of f cos_i, then of its relative differences.
   for (const fit::Metric metric : {fit::Metric::log, fit::Metric::log_relative}) {
@@ -133,7 +134,6 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   refit.polish();
   if (!refit.improved()) return out;
   out.material = refit.best();
-  out.loss = refit.loss();
   out.refitted = true;
   return out;
 }

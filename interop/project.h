@@ -28,7 +28,6 @@ Material shown_by(const TargetRules& rules, const Material& of_target);
 
 struct Projection {
   Material material;  // of one term, in the frame of the wanted one
-  Loss loss, copied;  // of `material`, and of copied parameters
   bool refitted = false;
 };
 

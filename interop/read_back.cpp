@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brdf/reflectance.h"
-#include "io/channel_colours.h"
+#include "interop/wanted.h"
 #include "io/merl.h"
 #include "io/rgl.h"
 
@@ -35,27 +35,6 @@ class ValuesModel : public ReflectanceModel {
   std::vector<std::string> channels_;
   ReflectanceInfo info_;
 };
-
-double degrees_from_normal(const Vec3<double>& w) {
-  return std::atan2(std::hypot(w.x, w.y), w.z) * 180 / kPi;
-}
-double azimuth_of(const Vec3<double>& w) {
-  return std::atan2(w.y, w.x) * 180 / kPi;
-}
-
-// The material's channels in red, green and blue, where their names say which they are.
-std::optional<Material> in_colours(const Material& m) {
-  const auto colours = io::channel_colours(m.channels);
-  if (m.channels.size() != 3 || !colours) return std::nullopt;
-  Material out = m;
-  out.channels = {"r", "g", "b"};
-  for (std::size_t t = 0; t < m.terms.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c) {
-      out.terms[t].weights[c] = m.terms[t].weights[colours->of[c]];
-      if (m.terms[t].shape.size() == 3) out.terms[t].shape[c] = m.terms[t].shape[colours->of[c]];
-    }
-  return out;
-}
 
 }  // namespace
 
@@ -89,8 +68,10 @@ Material read_back_merl(const io::Content& file) {
     for (std::size_t c = 0; c < 3; ++c) (*planes)[cell][c] = float(table.values[c][k]);
   }
   const auto values = [planes](const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> f) {
-    const std::size_t cell =
-        io::merl::find_cell(degrees_from_normal(wi), azimuth_of(wi), degrees_from_normal(wo), azimuth_of(wo));
+    double theta_i, phi_i, theta_o, phi_o;
+    io::polar_degrees(wi, theta_i, phi_i);
+    io::polar_degrees(wo, theta_o, phi_o);
+    const std::size_t cell = io::merl::find_cell(theta_i, phi_i, theta_o, phi_o);
     for (std::size_t c = 0; c < f.size(); ++c) f[c] = double((*planes)[cell][c]);
   };
   return material_of(values, table.channels);

@@ -23,7 +23,6 @@ class Refit {
 
   bool improved() const { return improved_; }
   const Material& best() const { return best_; }
-  const Loss& loss() const { return loss_; }
 
  private:
   Figures at_fitted_pairs(const Material& of_target) const;

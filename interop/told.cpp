@@ -13,9 +13,10 @@ io::Json to_json(const Program& program, const Exported& made) {
                 {"copied", to_json(made.copied)},
                 {"not_held", made.not_held},
                 {"refused", io::Json::array()}};
-  if (made.words.size() == 1) json["same_here"] = "brdf eval " + made.words[0];
+  const char* const key = made.by_channel ? "by_channel_here" : "same_here";
+  if (made.words.size() == 1) json[key] = "brdf eval " + made.words[0];
   for (std::size_t k = 0; made.words.size() > 1 && k < made.words.size(); ++k)
-    json["same_here"].push_back("brdf eval " + made.words[k]);
+    json[key].push_back("brdf eval " + made.words[k]);
   for (const Refusal& refusal : made.refused)
     json["refused"].push_back({{"target", refusal.target}, {"reason", refusal.reason}});
   return json;

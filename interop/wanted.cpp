@@ -37,18 +37,10 @@ Material in_order(const Material& given, const Asked& asked) {
       std::to_string(given.channels.size()) + " channels: it takes one or three colours";
   if (given.channels.size() != 1 && given.channels.size() != 3)
     asked.refuse(count + "; --to glsl adds a spectrum up, tables carry every channel");
-  const auto colours = io::channel_colours(given.channels);
-  if (!colours) asked.refuse(count + ", and no names say which they are");
-  Material out = given;
-  if (given.channels.size() == 1) return out;
-  for (std::size_t t = 0; t < given.terms.size(); ++t)
-    for (std::size_t colour = 0; colour < 3; ++colour) {
-      out.terms[t].weights[colour] = given.terms[t].weights[colours->of[colour]];
-      if (given.terms[t].shape.size() == 3)
-        out.terms[t].shape[colour] = given.terms[t].shape[colours->of[colour]];
-    }
-  out.channels = {"r", "g", "b"};
-  return out;
+  if (given.channels.size() == 1 && io::channel_colours(given.channels)) return given;
+  std::optional<Material> out = in_colours(given);
+  if (!out) asked.refuse(count + ", and no names say which they are");
+  return std::move(*out);
 }
 
 void check_properties(const Term& term, const Asked& asked) {
@@ -80,6 +72,20 @@ void check_term(Term& term, const Asked& asked) {
 }
 
 }  // namespace
+
+std::optional<Material> in_colours(const Material& given) {
+  const auto colours = io::channel_colours(given.channels);
+  if (given.channels.size() != 3 || !colours) return std::nullopt;
+  Material out = given;
+  for (std::size_t t = 0; t < given.terms.size(); ++t)
+    for (std::size_t colour = 0; colour < 3; ++colour) {
+      out.terms[t].weights[colour] = given.terms[t].weights[colours->of[colour]];
+      if (given.terms[t].shape.size() == 3)
+        out.terms[t].shape[colour] = given.terms[t].shape[colours->of[colour]];
+    }
+  out.channels = {"r", "g", "b"};
+  return out;
+}
 
 bool is_fresnel(Role role) {
   return role == Role::f0 || role == Role::index || role == Role::extinction || role == Role::tint;

@@ -1,6 +1,8 @@
 // A material as other programs can take it.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,14 +40,18 @@ struct Limits {
 // weights above the most.
 std::vector<Wanted> wanted(const Material& material, const Limits& limits);
 
+// The channels as red, green and blue; nothing where their names do not say which they are.
+std::optional<Material> in_colours(const Material& material);
+
 // The sum of the parts, in the surface's frame.
 Material sum_of(const std::vector<Wanted>& parts);
 
-// What a target of one lobe weight, or of one shape for all colours, cannot hold of the part: a sentence each.
+// What a target's lobe has for each colour.
 struct Holds {
-  bool coloured_lobe = true;     // a weight of the lobe for each colour
-  bool coloured_fresnel = true;  // the boundary's reflectance for each colour
+  bool coloured_lobe = true;     // a weight
+  bool coloured_fresnel = true;  // the boundary's reflectance
 };
+// What it has no place for of the part: a sentence each.
 std::vector<std::string> not_held(const Wanted& part, const Holds& target);
 
 // The widths of a term's lobe along and across the tangent, also of one with exponents (the slopes that scatter as much:

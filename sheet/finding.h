@@ -53,8 +53,8 @@ struct Finding {
   std::vector<NamedRow> rows = {};                            // of a table: all of them
   std::vector<std::pair<std::string, double>> channels = {};  // the value of each, judged by channels
   std::string proof = {};  // "proved" or "sampled", where somebody who can prove has looked
-  double share =
-      0;  // of the pairs inside the hemisphere at which a shader's value has the fault, from 0 to 1
+  // Of the pairs inside the hemisphere: at how many a shader's value has the fault, from 0 to 1.
+  double share = 0;
   bool is_suspicion = false;  // of an undecided one: it names the fault that the data suggest
 
   // Passes or fails, and says why.

@@ -72,7 +72,7 @@ Finding within_seconds(CheckOptions options, const std::function<Finding(const C
   finding.statement = "the search ended after " + io::short_number(budget.seconds(), 3) + " s with " +
                       std::to_string(budget.looked_at()) + " of at least " +
                       std::to_string(budget.looked_at() + budget.left_out()) +
-                      " points seen; more --seconds continue it (so far: " + finding.statement + ")";
+                      " points seen; with more --seconds it goes further (so far: " + finding.statement + ")";
   return finding;
 }
 

@@ -17,7 +17,8 @@ using ViewerBounds = std::function<Bounds(Bounds cos_o, Bounds turn_o)>;
 // been asked for. Infinite where f may be no number on some cell.
 double albedo_at_most(const ViewerBounds& f, double enough, int most_cells);
 
-// Bounds the albedo over a domain: the box whose bound is largest is halved, along the variable that gains most, until all
+// Bounds the albedo over a domain: the box whose bound is largest is asked for with more cells as long as that brings it a
+// good part of the way to `enough`, and else halved along the variable that gains most, until all
 // are at most `enough` or the options' limits are reached. Of the result `range.hi` is the bound, `open` counts the boxes
 // above `enough`, of which `left` holds some; there is no tree.
 Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const Box&)>& of, double enough,

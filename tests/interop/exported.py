@@ -45,17 +45,16 @@ class Export:
 
 
 class Exports:
-    """The materials of materials.py for one program, in FOLDER. `naive` ones get copied parameters."""
+    """The materials of materials.py for one program, in FOLDER."""
 
-    def __init__(self, brdf, to, suffix, folder, naive=()):
+    def __init__(self, brdf, to, suffix, folder):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         self.brdf, self.folder, self.pairs = brdf, folder, draw_pairs()
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             def made(item):
                 name, words = item
-                options = ["--naive"] if name in naive else []
-                return name, Export(brdf, words, to, folder / f"{name}{suffix}", *options)
+                return name, Export(brdf, words, to, folder / f"{name}{suffix}")
             self.of = dict(pool.map(made, (MATERIALS | OWN[to]).items()))
 
     def pairs_of(self, name):

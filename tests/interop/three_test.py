@@ -13,9 +13,6 @@ from gltf_validator import reports, validate
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "validate"))
 from browser import SOFTWARE, Browser
 
-# A refit to three.js of two widths is a search of minutes: these are copied.
-NAIVE = ("brushed", "brushed_across", "turned", "rough_brushed")
-
 
 def refuses_what_is_no_gltf(node, npm, folder):
     """The validator is heard."""
@@ -37,7 +34,7 @@ def main():
             sys.exit(f"no {tool}: tools/setup interop installs it")
     if not (npm / "three").exists():
         sys.exit(f"no {npm}/three: tools/setup interop installs it")
-    exports = Exports(brdf, "three", ".gltf", folder, naive=NAIVE)
+    exports = Exports(brdf, "three", ".gltf", folder)
     validate(node, npm, [export.path for export in exports.of.values()])
     refuses_what_is_no_gltf(node, npm, folder)
     page = folder / "three_page.html"
