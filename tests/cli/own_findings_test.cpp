@@ -143,7 +143,8 @@ TEST(OwnFindings, ASearchThatIsCutShortPassesNothing) {
   const Judged j = judged(folder, sound, "--seconds 1e-9");
   for (const char* check : {"finite", "undefined", "non_negative", "reciprocity", "energy", "continuity"}) {
     EXPECT_EQ(j.verdict.at(check), "undecided") << check;
-    EXPECT_THAT(j.statement.at(check), HasSubstr("points seen; with more --seconds it goes further")) << check;
+    EXPECT_THAT(j.statement.at(check), HasSubstr("points seen; with more --seconds it goes further"))
+        << check;
   }
   EXPECT_EQ(judged(folder, sound, "--seconds 1e-9 --require energy").exit_code, 1);
   EXPECT_EQ(judged(folder, with_body("return -p;"), "--seconds 1e-9").verdict.at("non_negative"), "fail");
