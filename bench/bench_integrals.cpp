@@ -7,7 +7,7 @@
 #include "bench/integrands.h"
 #include "bench/machine.h"
 #include "brdf/integrals.h"
-#include "validate/integrators.h"
+#include "validate/numerics/integrators.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "io/error.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "render/gpu/renderer.h"
 #include "render/gpu/shader_code.h"
 #include "render/picture/picture.h"

@@ -8,7 +8,7 @@
 
 #include "bench/native_shaders.h"
 #include "brdf/random.h"
-#include "io/glsl.h"
+#include "io/material/glsl.h"
 #include "render/gpu/held.h"
 #include "render/proof/shader_proof.h"
 #include "shader/shader.h"

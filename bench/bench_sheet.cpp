@@ -4,7 +4,8 @@
 #include <iostream>
 #include <vector>
 
-#include "io/samples.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 #include "sheet/data_sheet.h"
 
 int main(int argc, char** argv) {

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/options/terminal.h"
 #include "cli/surface/surface.h"
-#include "cli/terminal.h"
-#include "io/near_name.h"
+#include "io/files/near_name.h"
 
 namespace brdf::cli {
 namespace {

@@ -12,19 +12,19 @@
 #include <string>
 
 #include "cli/help.h"
-#include "cli/options.h"
-#include "cli/shader_options.h"
-#include "cli/terminal.h"
-#include "cli/verbs.h"
+#include "cli/options/options.h"
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/verb.h"
 #ifdef BRDF_HAS_FIT
 #include "fit/solve/quiet.h"
 #endif
-#include "io/content.h"
-#include "io/error.h"
-#include "io/file_buffer.h"
-#include "io/leftovers.h"
-#include "io/provenance.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/file_buffer.h"
+#include "io/files/leftovers.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
 
 namespace brdf::cli {
 namespace {

@@ -19,12 +19,12 @@ endif()
 # spelled so too. Made by public_headers.cmake of these and of all that they include.
 set(BRDF_PUBLIC_HEADERS ${PROJECT_BINARY_DIR}/public)
 set(BRDF_ENTRY_HEADERS
-    io/samples.h io/material_file.h io/material_json.h io/error.h io/csv.h io/merl.h io/rgl.h io/astm.h io/zemax.h
-    io/exr_table.h io/glsl.h io/provenance.h io/relative_scale.h
+    io/samples/samples.h io/material/material_file.h io/material/material_json.h io/files/error.h io/csv/csv.h io/formats/merl.h io/formats/rgl.h io/formats/astm.h io/formats/zemax.h
+    io/formats/exr_table.h io/material/glsl.h io/files/provenance.h io/samples/relative_scale.h
     measured/measured.h
     fit/fit.h fit/stepwise.h fit/file_batch.h fit/report/report.h fit/report/html.h
     sheet/data_sheet.h
-    validate/checks.h validate/report.h)
+    validate/form/checks.h validate/report/report.h)
 
 function(brdf_public_headers)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/io/*.h ${PROJECT_SOURCE_DIR}/measured/*.h

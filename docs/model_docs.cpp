@@ -12,7 +12,7 @@
 
 #include "brdf/material.h"
 #include "brdf/trace.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace {
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "fit/model/smooth.h"
-#include "io/error.h"
-#include "io/settings.h"
-#include "io/shell.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/shell.h"
+#include "io/files/text.h"
+#include "io/material/settings.h"
 
 namespace brdf::fit {
 namespace {

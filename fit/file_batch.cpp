@@ -8,15 +8,17 @@
 
 #include "fit/report/html.h"
 #include "fit/report/report.h"
-#include "io/address.h"
-#include "io/error.h"
-#include "io/fingerprint.h"
-#include "io/html_report.h"
-#include "io/material_json.h"
-#include "io/numbers.h"
-#include "io/output.h"
-#include "io/parallel.h"
-#include "io/text.h"
+#include "io/files/address.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/fingerprint.h"
+#include "io/files/numbers.h"
+#include "io/files/output.h"
+#include "io/files/parallel.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/material/material_json.h"
+#include "io/page/html_report.h"
 
 namespace brdf::fit {
 namespace {

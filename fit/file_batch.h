@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "io/json.h"
+#include "io/files/json.h"
 
 namespace brdf::fit {
 

@@ -13,8 +13,8 @@
 #include "fit/assess/select.h"
 #include "fit/candidates.h"
 #include "fit/stepwise.h"
-#include "io/error.h"
-#include "io/parallel.h"
+#include "io/files/error.h"
+#include "io/files/parallel.h"
 
 namespace brdf::fit {
 namespace {

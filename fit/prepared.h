@@ -6,7 +6,7 @@
 #include "fit/assess/result.h"
 #include "fit/model/data.h"
 #include "fit/model/options.h"
-#include "io/noise.h"
+#include "io/samples/noise.h"
 #include "sheet/scatter.h"
 
 namespace brdf::fit {

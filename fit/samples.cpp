@@ -1,6 +1,6 @@
 #include "fit/samples.h"
 
-#include "io/relative_scale.h"
+#include "io/samples/relative_scale.h"
 
 namespace brdf::fit {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fit/model/options.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "sheet/data_sheet.h"
 
 namespace brdf::fit {

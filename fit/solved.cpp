@@ -13,9 +13,9 @@
 #include "fit/assess/verdict.h"
 #include "fit/model/constraints.h"
 #include "fit/solve/minima.h"
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/parallel.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/parallel.h"
 
 namespace brdf::fit {
 namespace {

@@ -11,7 +11,7 @@
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
 #include "fit/model/model.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::fit {
 namespace {

@@ -4,7 +4,8 @@
 
 #include "interop/loss.h"
 #include "interop/pairs.h"
-#include "validate/search.h"
+#include "io/samples/degrees.h"
+#include "validate/search/search.h"
 
 namespace brdf::interop {
 namespace {

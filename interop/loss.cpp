@@ -5,7 +5,7 @@
 
 #include "brdf/integrals.h"
 #include "interop/pairs.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::interop {
 namespace {

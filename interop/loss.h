@@ -7,7 +7,7 @@
 
 #include "brdf/integrals.h"
 #include "brdf/material.h"
-#include "io/json.h"
+#include "io/files/json.h"
 
 namespace brdf::interop {
 

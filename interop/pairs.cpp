@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/samples/degrees.h"
+
 namespace brdf::interop {
 namespace {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "interop/wanted.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::interop {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "brdf/fresnel.h"
-#include "io/spectrum.h"
+#include "io/colour/spectrum.h"
 
 namespace brdf::interop {
 namespace {

@@ -16,10 +16,10 @@
 #include "fit/model/constraints.h"
 #include "interop/pbrt_colour.h"
 #include "interop/writers.h"
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/provenance.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
 
 namespace brdf::interop {
 namespace {

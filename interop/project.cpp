@@ -6,7 +6,7 @@
 #include "fit/model/constraints.h"
 #include "interop/pairs.h"
 #include "interop/refit.h"
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 
 namespace brdf::interop {
 namespace {

@@ -5,8 +5,9 @@
 
 #include "brdf/reflectance.h"
 #include "interop/wanted.h"
-#include "io/merl.h"
-#include "io/rgl.h"
+#include "io/formats/merl.h"
+#include "io/formats/rgl.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::interop {
 namespace {

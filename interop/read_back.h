@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "interop/loss.h"
-#include "io/content.h"
+#include "io/files/content.h"
 
 namespace brdf::interop {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 
 namespace brdf::interop {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "interop/programs.h"
-#include "io/identifier.h"
+#include "io/files/identifier.h"
 
 namespace brdf::interop {
 

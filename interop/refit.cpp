@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validate/search.h"
+#include "validate/search/search.h"
 
 namespace brdf::interop {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "interop/project.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::interop {
 

@@ -1,7 +1,7 @@
 #include "interop/rgl.h"
 
 #include "interop/wanted.h"
-#include "io/rgl_writer.h"
+#include "io/formats/rgl_writer.h"
 
 namespace brdf::interop {
 

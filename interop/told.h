@@ -2,7 +2,7 @@
 #pragma once
 
 #include "interop/programs.h"
-#include "io/json.h"
+#include "io/files/json.h"
 
 namespace brdf::interop {
 

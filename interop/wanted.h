@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::interop {
 

@@ -4,8 +4,8 @@
 
 #include "interop/reading.h"
 #include "interop/writers.h"
-#include "io/error.h"
-#include "io/json.h"
+#include "io/files/error.h"
+#include "io/files/json.h"
 
 namespace brdf::interop {
 

@@ -4,13 +4,13 @@
 
 #include "interop/reading.h"
 #include "interop/writers.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::interop {
 namespace {
 
-std::string value(const char* type, const char* name, const std::string& text) {
-  return "    <" + std::string(type) + " name=\"" + name + "\" value=\"" + text + "\"/>\n";
+std::string element(const char* type, const char* name, const std::string& text) {
+  return "    <" + std::string(type) + " name=\"" + name + "\" element=\"" + text + "\"/>\n";
 }
 std::string bsdf(const char* type, const std::string& attributes, const std::string& inside) {
   return "  <bsdf type=\"" + std::string(type) + "\" " + attributes + ">\n" + inside + "  </bsdf>\n";
@@ -18,23 +18,23 @@ std::string bsdf(const char* type, const std::string& attributes, const std::str
 
 std::string conductor(const Reading& r, const std::string& attributes, const Colour& tint) {
   r.check_widths(1e-4, 1e4, "nothing");
-  std::string inside = value("string", "distribution", "ggx");
+  std::string inside = element("string", "distribution", "ggx");
   const auto [along, across] = r.along_and_across();
   if (r.anisotropic())
-    inside += value("float", "alpha_u", number(along)) + value("float", "alpha_v", number(across));
+    inside += element("float", "alpha_u", number(along)) + element("float", "alpha_v", number(across));
   else
-    inside += value("float", "alpha", number(r.alpha_x()));
+    inside += element("float", "alpha", number(r.alpha_x()));
   const auto of_colours = [](const char* name, const Colour& c) {
-    return is_grey(c) ? value("float", name, number(c[0])) : value("rgb", name, numbers(c));
+    return is_grey(c) ? element("float", name, number(c[0])) : element("rgb", name, numbers(c));
   };
   inside += of_colours("eta", r.shape_colours(Role::index)) +
             of_colours("k", r.shape_colours(Role::extinction)) +
-            value("rgb", "specular_reflectance", numbers(tint));
+            element("rgb", "specular_reflectance", numbers(tint));
   return bsdf("roughconductor", attributes, inside);
 }
 
 std::string diffuse_bsdf(const std::string& attributes, const Colour& colour) {
-  return bsdf("diffuse", attributes, value("rgb", "reflectance", numbers(colour)));
+  return bsdf("diffuse", attributes, element("rgb", "reflectance", numbers(colour)));
 }
 
 // blendbsdf: weight w takes 1 - w of its first child and w of its second, in the order of their names.
@@ -66,18 +66,18 @@ std::string mixed(const Written& w, const std::string& id) {
     const bool outermost = k + 1 == pieces.size();
     text = bsdf(
         "blendbsdf", outermost ? id : "name=\"a_first\"",
-        value("float", "weight", number(pieces[k].share / sum)) + text + pieces[k].text("name=\"b_second\""));
+        element("float", "weight", number(pieces[k].share / sum)) + text + pieces[k].text("name=\"b_second\""));
   }
   return text;
 }
 
 std::string principled(const Reading& r, const std::string& id) {
   r.check_widths(1e-3, 10, "anisotropic");
-  std::string inside = value("rgb", "base_color", numbers(r.weight(Role::diffuse))) +
-                       value("float", "metallic", number(r.metallic())) +
-                       value("float", "roughness", number(r.roughness())) +
-                       value("float", "eta", number(std::max(r.shape(Role::index), 1.0 + 1e-6)));
-  if (r.anisotropic()) inside += value("float", "anisotropic", number((1 - r.alpha_y() / r.alpha_x()) / 0.9));
+  std::string inside = element("rgb", "base_color", numbers(r.weight(Role::diffuse))) +
+                       element("float", "metallic", number(r.metallic())) +
+                       element("float", "roughness", number(r.roughness())) +
+                       element("float", "eta", number(std::max(r.shape(Role::index), 1.0 + 1e-6)));
+  if (r.anisotropic()) inside += element("float", "anisotropic", number((1 - r.alpha_y() / r.alpha_x()) / 0.9));
   return bsdf("principled", id, inside);
 }
 

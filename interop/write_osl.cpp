@@ -1,6 +1,6 @@
 #include "interop/reading.h"
 #include "interop/writers.h"
-#include "io/text.h"
+#include "io/files/text.h"
 
 namespace brdf::interop {
 namespace {

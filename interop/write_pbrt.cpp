@@ -2,7 +2,7 @@
 
 #include "interop/reading.h"
 #include "interop/writers.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::interop {
 namespace {

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "fit/model/constraints.h"
-#include "io/html_report.h"
-#include "io/json.h"
-#include "io/numbers.h"
-#include "io/output.h"
-#include "io/png.h"
-#include "io/text.h"
+#include "io/files/json.h"
+#include "io/files/numbers.h"
+#include "io/files/output.h"
+#include "io/files/png.h"
+#include "io/files/text.h"
+#include "io/page/html_report.h"
 
 namespace brdf::maps {
 namespace {

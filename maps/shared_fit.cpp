@@ -7,8 +7,8 @@
 
 #include "fit/algebra/box_quadratic.h"
 #include "fit/assess/reported.h"
-#include "io/error.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 
 namespace brdf::maps {
 namespace {

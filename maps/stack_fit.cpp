@@ -8,9 +8,9 @@
 #include "fit/assess/metric_choice.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/student.h"
-#include "io/error.h"
-#include "io/noise.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/samples/noise.h"
 
 namespace brdf::maps {
 namespace {

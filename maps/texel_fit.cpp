@@ -12,8 +12,10 @@
 #include "fit/solve/nearby.h"
 #include "fit/solve/sample_stream.h"
 #include "fit/solve/starts.h"
-#include "io/error.h"
-#include "io/noise.h"
+#include "io/columns/supplied.h"
+#include "io/files/error.h"
+#include "io/samples/degrees.h"
+#include "io/samples/noise.h"
 
 namespace brdf::maps {
 namespace {

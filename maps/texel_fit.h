@@ -12,7 +12,7 @@
 #include "fit/solve/profile.h"
 #include "fit/solve/sample_stream.h"
 #include "fit/solve/solve.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "texel/stack.h"
 
 namespace brdf::maps {

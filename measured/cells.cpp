@@ -2,9 +2,10 @@
 
 #include <cmath>
 
-#include "io/error.h"
-#include "io/merl.h"
-#include "io/parallel.h"
+#include "io/files/error.h"
+#include "io/files/parallel.h"
+#include "io/formats/merl.h"
+#include "io/samples/degrees.h"
 #include "measured/tabulated.h"
 
 namespace brdf::measured {

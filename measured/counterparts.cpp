@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/channel_colours.h"
+#include "io/colour/channel_colours.h"
 
 namespace brdf::measured {
 

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "io/error.h"
-#include "io/noise.h"
+#include "io/files/error.h"
+#include "io/samples/noise.h"
 #include "measured/counterparts.h"
 
 namespace brdf::measured {

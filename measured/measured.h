@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "measured/coordinates.h"
 #include "measured/field.h"
 
@@ -33,7 +33,7 @@ constexpr double kLeastKnown = 0.7;
 // whose logarithm is interpolated (by the ratio itself where a sample near by is 0 or below). The ratio is taken as the
 // same for light and viewer exchanged, and as isotropic unless the samples were turned (several azimuths of the light)
 // and are likelier so. It is a Gaussian process about 1 in half-vector coordinates (coordinates.h, field.h): lengths
-// and noise are the likeliest, the noise not below the sheet's (io/noise.h). Away from all samples the ratio goes to 1,
+// and noise are the likeliest, the noise not below the sheet's (io/samples/noise.h). Away from all samples the ratio goes to 1,
 // so the fitted value remains, and `measured` is false. Channels without a counterpart in the material (of the same
 // name, or the same colour; a material of one channel serves all) or with a black one, and all where there is none, are
 // interpolated about their geometric mean instead: slowly where f_r is not smooth.

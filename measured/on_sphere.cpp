@@ -1,8 +1,8 @@
 #include "measured/on_sphere.h"
 
-#include "io/channel_colours.h"
-#include "io/error.h"
-#include "io/in_colour.h"
+#include "io/colour/channel_colours.h"
+#include "io/colour/in_colour.h"
+#include "io/files/error.h"
 
 namespace brdf::measured {
 

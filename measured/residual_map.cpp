@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brdf/geometry.h"
-#include "io/evenly.h"
+#include "io/files/evenly.h"
 #include "measured/counterparts.h"
 
 namespace brdf::measured {

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 #include "micro/cells.h"
 #include "micro/estimate.h"
 #include "micro/facets.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "micro/goniometer.h"
 
 namespace brdf::micro {

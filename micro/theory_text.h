@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "micro/theory.h"
 
 namespace brdf::micro {

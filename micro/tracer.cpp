@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::micro {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "prove/check/certificate.h"
 #include "prove/check/channel.h"
+#include "prove/energy/growth.h"
 #include "prove/report.h"
-#include "prove/scalar/growth.h"
 
 namespace brdf::prove {
 namespace {

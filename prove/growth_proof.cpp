@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "prove/scalar/growth.h"
+#include "prove/energy/growth.h"
 
 namespace brdf::prove {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <queue>
 
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 
 namespace brdf::prove {
 namespace {

@@ -4,12 +4,12 @@
 #include <functional>
 #include <limits>
 
-#include "io/numbers.h"
-#include "io/parallel.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/parallel.h"
+#include "io/files/text.h"
+#include "prove/energy/energy.h"
 #include "prove/largest_albedo.h"
 #include "prove/rounding_proof.h"
-#include "prove/scalar/energy.h"
 
 namespace brdf::prove {
 namespace {

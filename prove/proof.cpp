@@ -4,9 +4,9 @@
 #include <chrono>
 #include <limits>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "prove/energy/energy.h"
 #include "prove/rounding_proof.h"
-#include "prove/scalar/energy.h"
 #include "prove/scalar/swapped.h"
 
 namespace brdf::prove {

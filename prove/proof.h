@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "prove/check/claim.h"
 #include "prove/growth_proof.h"
-#include "prove/scalar/claim.h"
 #include "prove/scalar/rounding.h"
 #include "prove/scalar/views.h"
 #include "prove/search.h"

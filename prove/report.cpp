@@ -2,8 +2,8 @@
 
 #include <iomanip>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "prove/check/certificate.h"
 
 namespace brdf::prove {

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <span>
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "prove/check/certificate.h"
 #include "prove/proof.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::prove {
 namespace {

@@ -3,9 +3,10 @@
 
 #include "brdf/integrals.h"
 #include "brdf/material.h"
-#include "io/samples.h"
-#include "io/settings.h"
-#include "io/text.h"
+#include "io/files/text.h"
+#include "io/material/settings.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
 #include "prove/check/channel.h"
 #include "prove/proof.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "brdf/clones.h"
-#include "io/error.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 
 namespace brdf::python {
 namespace {

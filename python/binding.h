@@ -7,11 +7,12 @@
 
 #include <memory>
 
-#include "io/arrange.h"
-#include "io/error.h"
-#include "io/material_json.h"
-#include "io/samples.h"
-#include "io/stated_quantity.h"
+#include "io/columns/stated_quantity.h"
+#include "io/columns/supplied.h"
+#include "io/files/error.h"
+#include "io/material/material_json.h"
+#include "io/samples/arrange.h"
+#include "io/samples/samples.h"
 
 namespace brdf::python {
 

@@ -5,9 +5,9 @@
 #include "fit/file_batch.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
-#include "io/error.h"
-#include "io/output.h"
-#include "io/provenance.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/provenance.h"
 #include "python/binding.h"
 #include "python/waiting.h"
 

@@ -1,11 +1,12 @@
 // What is judged and what is made: `validate` and `synth`.
-#include "io/error.h"
-#include "io/output.h"
-#include "io/settings.h"
+#include "io/columns/supplied.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/material/settings.h"
 #include "python/binding.h"
 #include "python/waiting.h"
 #include "synth/instrument.h"
-#include "validate/judged.h"
+#include "validate/report/judged.h"
 
 namespace brdf::python {
 namespace {

@@ -1,9 +1,9 @@
 // The extension behind `import brdf`: the rooms' functions as they are. What people call is in python/brdf.
 #include <filesystem>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "python/binding.h"
 #include "python/waiting.h"
 #ifdef BRDF_HAS_SHADER

@@ -2,10 +2,13 @@
 #include <limits>
 #include <sstream>
 
-#include "io/any_table.h"
-#include "io/content.h"
-#include "io/error.h"
-#include "io/table_rules.h"
+#include "io/csv/csv.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/formats/any_table.h"
+#include "io/formats/read.h"
+#include "io/samples/degrees.h"
+#include "io/samples/table_rules.h"
 #include "python/binding.h"
 #include "sheet/data_sheet.h"
 #include "synth/instrument.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "brdf/geometry.h"
-#include "io/error.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "python/batches.h"
 #include "python/binding.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "io/error.h"
-#include "io/output.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
 #include "render/picture/animation.h"
 
 namespace brdf::render {

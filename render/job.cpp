@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/compare/pictures.h"
 #include "render/frames.h"
 #include "render/job_parts.h"

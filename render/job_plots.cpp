@@ -1,10 +1,11 @@
 // Lobes, texture maps and the lookup article's tables: pictures without a scene.
 #include <cmath>
 
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/output.h"
-#include "io/samples.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/output.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/material_json.h"
-#include "io/output.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/material/material_json.h"
 #include "render/frames.h"
 #include "render/gpu/held.h"
 #include "render/job_parts.h"

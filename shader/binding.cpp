@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/program/operands.h"
 
 namespace brdf::shader {

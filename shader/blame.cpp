@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "shader/trace.h"
 
 namespace brdf::shader {

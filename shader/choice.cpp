@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/error.h"
-#include "io/shell.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/shell.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 
 namespace brdf::shader {

@@ -4,9 +4,9 @@
 #include <glslang/SPIRV/spirv.hpp>
 #include <set>
 
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 #include "shader/front/roles.h"
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <memory>
 
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/shader.h"
 
 namespace brdf::shader {

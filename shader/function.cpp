@@ -5,9 +5,9 @@
 #include <optional>
 #include <set>
 
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/binding.h"
 #include "shader/entry.h"
 #include "shader/front/compile.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "io/glsl.h"
+#include "io/material/glsl.h"
 #include "shader/program/operands.h"
 
 namespace brdf::shader {

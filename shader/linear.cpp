@@ -5,7 +5,7 @@
 
 #include "brdf/directions.h"
 #include "brdf/random.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::shader {
 namespace {

@@ -4,11 +4,11 @@
 #include <map>
 #include <mutex>
 
-#include "io/content.h"
-#include "io/digest.h"
-#include "io/error.h"
-#include "io/shader_forms.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/digest.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/material/shader_forms.h"
 #include "shader/shader.h"
 
 namespace brdf::shader {

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "io/content.h"
-#include "io/digest.h"
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/digest.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "shader/front/includes.h"
 #include "shader/front/stripped.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 
 namespace brdf::shader {
 namespace {

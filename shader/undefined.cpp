@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "shader/program/operands.h"
 
 namespace brdf::shader {

@@ -6,8 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
+#include "io/samples/degrees.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "brdf/angle.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::sheet {
 namespace {

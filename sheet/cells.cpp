@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "io/merl.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/formats/merl.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

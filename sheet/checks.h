@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/html_report.h"
+#include "io/page/html_report.h"
 #include "sheet/causes.h"
 #include "sheet/data_sheet.h"
 #include "sheet/fill.h"

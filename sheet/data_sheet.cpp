@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "sheet/checks.h"
 #include "sheet/integral.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/html_report.h"
-#include "io/samples.h"
+#include "io/page/html_report.h"
+#include "io/samples/samples.h"
 #include "sheet/finding.h"
 #include "sheet/scatter.h"
 

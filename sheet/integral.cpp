@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/evenly.h"
-#include "io/numbers.h"
+#include "io/files/evenly.h"
+#include "io/files/numbers.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <set>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

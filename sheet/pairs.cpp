@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "io/evenly.h"
+#include "io/files/evenly.h"
 
 namespace brdf::sheet {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "io/evenly.h"
-#include "io/shell.h"
-#include "io/text.h"
+#include "io/files/evenly.h"
+#include "io/files/shell.h"
+#include "io/files/text.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

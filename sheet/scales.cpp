@@ -4,7 +4,7 @@
 #include <map>
 
 #include "brdf/angle.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

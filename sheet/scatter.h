@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/noise.h"
+#include "io/samples/noise.h"
 #include "sheet/pairs.h"
 #include "sheet/view.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

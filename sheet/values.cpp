@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/samples/degrees.h"
 #include "sheet/checks.h"
 
 namespace brdf::sheet {

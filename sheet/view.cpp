@@ -7,8 +7,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "io/in_plane.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/samples/in_plane.h"
 
 namespace brdf::sheet {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "brdf/vec3.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::sheet {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/fingerprint.h"
-#include "io/output.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/fingerprint.h"
+#include "io/files/output.h"
 
 namespace brdf::study {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/json.h"
+#include "io/files/json.h"
 
 namespace brdf::study {
 

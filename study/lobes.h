@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::study {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <set>
 
-#include "io/address.h"
-#include "io/content.h"
-#include "io/error.h"
-#include "io/html_report.h"
-#include "io/numbers.h"
+#include "io/files/address.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/page/html_report.h"
 #include "study/folder.h"
 
 namespace brdf::study {

@@ -1,15 +1,15 @@
 #include "study/page.h"
 
 #include "fit/report/page.h"
-#include "io/address.h"
-#include "io/channel_colours.h"
-#include "io/html_report.h"
-#include "io/numbers.h"
-#include "io/shell.h"
-#include "io/sphere/page.h"
-#include "validate/checks.h"
-#include "validate/report.h"
-#include "validate/report_plots.h"
+#include "io/colour/channel_colours.h"
+#include "io/files/address.h"
+#include "io/files/numbers.h"
+#include "io/files/shell.h"
+#include "io/page/html_report.h"
+#include "io/page/sphere/page.h"
+#include "validate/form/checks.h"
+#include "validate/report/report.h"
+#include "validate/report/report_plots.h"
 
 namespace brdf::study {
 namespace {

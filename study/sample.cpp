@@ -5,12 +5,13 @@
 #include "fit/fit.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
-#include "io/error.h"
-#include "io/glsl.h"
-#include "io/material_json.h"
+#include "io/files/error.h"
+#include "io/formats/read.h"
+#include "io/material/glsl.h"
+#include "io/material/material_json.h"
 #include "study/page.h"
-#include "validate/checks.h"
-#include "validate/report.h"
+#include "validate/form/checks.h"
+#include "validate/report/report.h"
 
 namespace brdf::study {
 namespace {

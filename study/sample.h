@@ -8,13 +8,13 @@
 
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
-#include "io/content.h"
-#include "io/samples.h"
+#include "io/files/content.h"
+#include "io/samples/samples.h"
 #include "sheet/data_sheet.h"
 #include "study/folder.h"
 #include "study/spheres.h"
-#include "validate/finding.h"
-#include "validate/subject.h"
+#include "validate/search/finding.h"
+#include "validate/search/subject.h"
 
 namespace brdf::study {
 

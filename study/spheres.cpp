@@ -1,6 +1,6 @@
 #include "study/spheres.h"
 
-#include "io/channel_colours.h"
+#include "io/colour/channel_colours.h"
 #include "measured/on_sphere.h"
 
 namespace brdf::study {

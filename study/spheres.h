@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/sphere/still.h"
+#include "io/page/sphere/still.h"
 #include "measured/measured.h"
 #include "study/lobes.h"
 

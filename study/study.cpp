@@ -4,9 +4,10 @@
 #include <mutex>
 #include <new>
 
-#include "io/error.h"
-#include "io/fingerprint.h"
-#include "io/output.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/fingerprint.h"
+#include "io/files/output.h"
 #include "study/overview.h"
 
 namespace brdf::study {

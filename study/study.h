@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/json.h"
-#include "io/parallel.h"
+#include "io/files/json.h"
+#include "io/files/parallel.h"
 #include "study/sample.h"
 
 namespace brdf::study {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/merl.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/formats/merl.h"
+#include "io/formats/read.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::synth {
 namespace {

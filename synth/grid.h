@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::synth {
 

@@ -6,11 +6,14 @@
 
 #include "brdf/aperture.h"
 #include "brdf/math.h"
-#include "io/error.h"
-#include "io/material_json.h"
-#include "io/numbers.h"
-#include "io/provenance.h"
-#include "io/text.h"
+#include "io/columns/supplied.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/material/material_json.h"
 #include "synth/random.h"
 
 namespace brdf::synth {

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "io/parallel.h"
-#include "io/samples.h"
+#include "io/columns/supplied.h"
+#include "io/files/parallel.h"
+#include "io/samples/samples.h"
 #include "synth/grid.h"
 
 namespace brdf::synth {

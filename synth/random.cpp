@@ -4,7 +4,8 @@
 
 #include "brdf/math.h"
 #include "brdf/random.h"
-#include "io/samples.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
 
 namespace brdf::synth {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "io/parallel.h"
-#include "io/samples.h"
+#include "io/files/parallel.h"
+#include "io/samples/samples.h"
 #include "texel/planes.h"
 #include "texel/rig.h"
 

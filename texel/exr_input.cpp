@@ -6,7 +6,7 @@
 #include <ImfHeader.h>
 #include <ImfStringAttribute.h>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::texel {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/exr_stream.h"
+#include "io/formats/exr_stream.h"
 #include "texel/planes.h"
 
 namespace brdf::texel {

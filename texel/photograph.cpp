@@ -6,9 +6,9 @@
 #include <limits>
 #include <memory>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/png.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/png.h"
 
 namespace brdf::texel {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "io/output.h"
+#include "io/files/output.h"
 #include "texel/exr_input.h"
 
 namespace brdf::texel {

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
 #include "texel/photograph.h"
 
 namespace brdf::texel {

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "texel/planes.h"
 #include "texel/rig.h"
 #include "texel/transfer.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/text.h"
+#include "io/files/text.h"
 
 namespace brdf::texel {
 

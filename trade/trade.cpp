@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "trade/questions/ball.h"
 #include "trade/questions/claims.h"
 #include "trade/questions/fits.h"

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "io/json.h"
+#include "io/files/json.h"
 
 namespace brdf::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <exception>
 
 #include "brdf/fit/fit.h"
-#include "brdf/validate/checks.h"
+#include "brdf/validate/form/checks.h"
 
 int main(int argc, char** argv) try {
   if (argc != 2) return std::fprintf(stderr, "usage: best SAMPLES\n"), 2;

@@ -4,8 +4,8 @@
 #include <exception>
 #include <vector>
 
-#include "brdf/io/material_file.h"
-#include "brdf/io/samples.h"
+#include "brdf/io/material/material_file.h"
+#include "brdf/io/samples/samples.h"
 
 int main(int argc, char** argv) try {
   if (argc != 3) return std::fprintf(stderr, "usage: values MATERIAL.json DIRECTIONS.csv\n"), 2;

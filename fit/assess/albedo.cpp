@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "fit/assess/derived.h"
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/provenance.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "brdf/integrals.h"
 #include "fit/assess/result.h"
-#include "io/material_json.h"
+#include "io/material/material_json.h"
 
 namespace brdf::fit {
 

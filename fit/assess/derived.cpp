@@ -6,23 +6,23 @@
 
 #include "fit/assess/student.h"
 #include "fit/model/constraints.h"
-#include "io/material_json.h"
+#include "io/material/material_json.h"
 
 namespace brdf::fit {
 namespace {
 
 // Share of a parameter by which it is moved: the error of a central difference is its square.
-constexpr double kStep = 1e-3;
+constexpr double kDerivedStep = 1e-3;
 
 // A value of a material, and the range of its parameter.
-struct Place {
+struct DerivedPlace {
   double* value;
   double min, max;
 };
 
 // Where the values stand that one parameter of the fit sets.
-std::vector<Place> places_of(Material& m, const std::string& name) {
-  std::vector<Place> out;
+std::vector<DerivedPlace> places_of(Material& m, const std::string& name) {
+  std::vector<DerivedPlace> out;
   for (std::size_t t = 0; t < m.terms.size(); ++t) {
     Term& term = m.terms[t];
     const ReflectanceInfo& about = info(term.form);
@@ -51,11 +51,11 @@ std::optional<double> move(Material& m, const std::string& name, double step) {
     for (Term& term : m.terms) term.tangent_phi = term.tangent_phi + degrees(step);
     return step;
   }
-  const std::vector<Place> places = places_of(m, name);
+  const std::vector<DerivedPlace> places = places_of(m, name);
   if (places.empty()) return std::nullopt;
   const double before = *places[0].value,
                moved = std::clamp(before + step, places[0].min, places[0].max) - before;
-  for (const Place& place : places) *place.value += moved;
+  for (const DerivedPlace& place : places) *place.value += moved;
   return moved;
 }
 
@@ -67,9 +67,9 @@ double standard_error(const ParameterCovariance& c, std::size_t parameter) {
 
 double step_of(Material m, const std::string& name, double error) {
   if (name == kTangentInfo.name) return std::min(0.1 * error, 0.1);
-  const std::vector<Place> places = places_of(m, name);
+  const std::vector<DerivedPlace> places = places_of(m, name);
   const double value = places.empty() ? 0 : std::abs(*places[0].value);
-  return std::min(0.1 * error, kStep * std::max(value, kStep));
+  return std::min(0.1 * error, kDerivedStep * std::max(value, kDerivedStep));
 }
 
 }  // namespace

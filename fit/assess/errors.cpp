@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 

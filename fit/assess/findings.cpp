@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brdf/geometry.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "fit/assess/half_angles.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {
 
 constexpr double kContrast = 1.75, kExcess = 1.25;
-constexpr std::size_t kFewest = 3;
+constexpr std::size_t kFewestSeen = 3;
 constexpr double kChance = 1e-3;
 constexpr double kMatt = 1.5;           // a model's own highlight, as a multiple of its middle value
 constexpr Angle kAround = degrees(30);  // from the mirror direction: where a highlight would be
@@ -50,14 +50,14 @@ double chance_of(double found, double first, double count, double all) {
 std::vector<Row> gathered(std::vector<Row> rows) {
   const auto count =
       std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.counts; }));
-  if (count < kFewest) return {};
+  if (count < kFewestSeen) return {};
   std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
     return a.mirror != b.mirror ? a.mirror > b.mirror : a.row < b.row;
   });
   double least = kChance / double(count);
   std::size_t best = 0, found = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!rows[k].counts || ++found < kFewest) continue;
+    if (!rows[k].counts || ++found < kFewestSeen) continue;
     const double p = chance_of(double(found), double(k + 1), double(count), double(rows.size()));
     if (p < least) {
       least = p;
@@ -79,7 +79,7 @@ bool some_excess(const std::vector<double>& measured, const std::vector<double>&
     const double f = std::max(model[k], 1e-300), g = measured[k];
     found += g > 0 && (side > 0 ? g >= ratio * f : f >= ratio * g);
   }
-  return found >= kFewest;
+  return found >= kFewestSeen;
 }
 
 // `side` 1: values above the model towards the mirror direction; -1: below it away from there, where the fit took the

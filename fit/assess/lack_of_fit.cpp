@@ -7,7 +7,7 @@
 #include "fit/assess/reported.h"
 #include "fit/assess/student.h"
 #include "fit/solve/minima.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 namespace {

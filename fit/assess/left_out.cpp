@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fit/assess/errors.h"
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 
 namespace brdf::fit {
 namespace {

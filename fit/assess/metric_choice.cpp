@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/noise.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/samples/noise.h"
 
 namespace brdf::fit {
 namespace {

@@ -3,13 +3,13 @@
 #include <map>
 
 #include "fit/assess/assess.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {
 
-constexpr double kE = kLogRelativeFloor;
+constexpr double kFloor = kLogRelativeFloor;
 
 struct Mean {
   double sum = 0;
@@ -35,8 +35,8 @@ Metrics measure(const FitData& data, const std::vector<std::vector<double>>& mod
         const double r = std::log1p(d / (1 + g * ci));
         log.add(r * r);
       }
-      if (g * ci * co > -kE) {
-        const double r = std::log((f * ci * co + kE) / (g * ci * co + kE));
+      if (g * ci * co > -kFloor) {
+        const double r = std::log((f * ci * co + kFloor) / (g * ci * co + kFloor));
         relative.add(r * r);
       }
     }

@@ -27,9 +27,9 @@ constexpr int kRounds = 4;   // in which an end is looked for further out
 constexpr std::size_t kBestSeeds = 3;  // of the shapes of the grid
 constexpr double kStepBeyond = 0.1;    // of its distance, beyond an end
 
-class Search {
+class ProfileSearch {
  public:
-  Search(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level)
+  ProfileSearch(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level)
       : start_(start),
         model_(start.stream.model()),
         coordinate_(model_, r, index),
@@ -291,12 +291,12 @@ class Search {
 }  // namespace
 
 ProfileSides find_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level) {
-  return Search(start, r, index, level).run();
+  return ProfileSearch(start, r, index, level).run();
 }
 
 void extend_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level,
                  std::span<const CostedPoint> known, ProfileSides& sides) {
-  Search(start, r, index, level).extend(known, sides);
+  ProfileSearch(start, r, index, level).extend(known, sides);
 }
 
 const std::vector<std::vector<double>>& ProfileSeeds::points() {

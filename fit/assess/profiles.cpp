@@ -5,7 +5,7 @@
 
 #include "fit/assess/profile_search.h"
 #include "fit/assess/student.h"
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 
 namespace brdf::fit {
 namespace {

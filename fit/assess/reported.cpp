@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 namespace {

@@ -238,7 +238,7 @@ struct FitResult {
   std::vector<std::string> channels;
   sheet::DataSheet sheet;  // of the samples as they were read; empty of a table that a program made
   MetricChoice metric;     // the residual in use
-  std::optional<double> noise_floor;  // relative, from the table itself (io/noise.h)
+  std::optional<double> noise_floor;  // relative, from the table itself (io/samples/noise.h)
   std::vector<std::optional<double>> channel_noise;
   RowGroups groups;              // what was left out together
   double left_out_rounding = 0;  // left-out values below are 0 but for rounding

@@ -5,8 +5,9 @@
 #include <map>
 #include <numeric>
 
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::fit {
 namespace {

@@ -7,7 +7,7 @@
 #include "fit/model/lobe_columns.h"
 #include "fit/model/options.h"
 #include "fit/model/row_groups.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::fit {
 

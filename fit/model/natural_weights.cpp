@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {

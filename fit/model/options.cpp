@@ -1,6 +1,6 @@
 #include "fit/model/options.h"
 
-#include "io/text.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 

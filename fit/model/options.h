@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "brdf/names.h"
-#include "io/arrange.h"
-#include "io/optical_constants.h"
+#include "io/columns/supplied.h"
+#include "io/formats/optical_constants.h"
+#include "io/samples/arrange.h"
 
 namespace brdf::fit {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fit/model/model.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::fit {
 namespace {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "brdf/angle.h"
-#include "io/channel_colours.h"
-#include "io/error.h"
-#include "io/text.h"
+#include "io/colour/channel_colours.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {

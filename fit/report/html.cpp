@@ -1,7 +1,7 @@
 #include "fit/report/html.h"
 
 #include "fit/report/page.h"
-#include "io/html_report.h"
+#include "io/page/html_report.h"
 
 namespace brdf::fit {
 

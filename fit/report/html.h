@@ -5,7 +5,7 @@
 
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::fit {
 

@@ -7,8 +7,8 @@
 
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
-#include "io/html_report.h"
-#include "io/samples.h"
+#include "io/page/html_report.h"
+#include "io/samples/samples.h"
 #include "measured/measured.h"
 
 namespace brdf::fit {
@@ -16,7 +16,7 @@ namespace brdf::fit {
 // The best form in one sentence, and what must be known at once; the mark is amber where anything is in doubt.
 void add_verdict(io::HtmlReport& report, const FitResult& result);
 
-// The fitted material, the samples and the difference on a sphere that turns (io/sphere/page.h); nothing where the
+// The fitted material, the samples and the difference on a sphere that turns (io/page/sphere/page.h); nothing where the
 // channels are no colours.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table);
 // Of samples that were prepared, whose material has no io::sphere::obstacle().

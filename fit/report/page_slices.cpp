@@ -6,18 +6,18 @@
 #include "brdf/aperture.h"
 #include "fit/assess/derived.h"
 #include "fit/report/page.h"
-#include "io/channel_colours.h"
-#include "io/evenly.h"
-#include "io/in_plane.h"
-#include "io/numbers.h"
-#include "io/png.h"
+#include "io/colour/channel_colours.h"
+#include "io/files/evenly.h"
+#include "io/files/numbers.h"
+#include "io/files/png.h"
+#include "io/samples/in_plane.h"
 #include "measured/residual_map.h"
 
 namespace brdf::fit {
 namespace {
 
 constexpr std::size_t kSlices = 4, kLeastRows = 4, kMostChannels = 3;
-constexpr double kStep = 0.5;  // degrees, of a curve
+constexpr double kCurveStep = 0.5;  // degrees, of a curve
 
 // Fitted values [channel][row].
 std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
@@ -69,7 +69,7 @@ std::vector<double> angles_of(const Slice& slice) {
   std::vector<double> angles;
   for (const auto& [angle, row] : slice.rows) angles.push_back(angle);
   const double last = angles.back();
-  for (double angle = angles.front(); angle < last; angle += kStep) angles.push_back(angle);
+  for (double angle = angles.front(); angle < last; angle += kCurveStep) angles.push_back(angle);
   std::sort(angles.begin(), angles.end());
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   return angles;

@@ -5,8 +5,8 @@
 #include "fit/report/page.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
-#include "io/channel_colours.h"
-#include "io/in_colour.h"
+#include "io/colour/channel_colours.h"
+#include "io/colour/in_colour.h"
 
 namespace brdf::fit {
 namespace {

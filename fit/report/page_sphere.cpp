@@ -1,5 +1,5 @@
 #include "fit/report/page.h"
-#include "io/sphere/page.h"
+#include "io/page/sphere/page.h"
 #include "measured/on_sphere.h"
 
 namespace brdf::fit {

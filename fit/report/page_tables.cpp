@@ -6,7 +6,7 @@
 #include "fit/report/page.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 namespace {

@@ -7,8 +7,8 @@
 #include "fit/model/constraints.h"
 #include "fit/report/report.h"
 #include "fit/report/states.h"
-#include "io/glossary.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/page/glossary.h"
 
 namespace brdf::fit {
 namespace {
@@ -20,12 +20,12 @@ constexpr double kWideShare = 0.5;   // of the value
 constexpr double kWideRange = 0.05;  // of the usual range
 
 // Where a name stands: which term, which table; none of tangent_phi, which belongs to no form.
-struct Place {
+struct NamedPlace {
   const ReflectanceInfo* form = nullptr;
   const ParameterInfo* info = nullptr;
 };
 
-Place place_of(const FormFit& fit, const std::string& name) {
+NamedPlace place_of(const FormFit& fit, const std::string& name) {
   const std::size_t terms = fit.material.terms.size();
   for (std::size_t t = 0; t < terms; ++t) {
     const ReflectanceInfo& form = info(fit.material.terms[t].form);
@@ -41,7 +41,7 @@ bool is_weight(Role role) {
 }
 
 // Both axes of the form have this value, so that one name stands for both.
-bool has_one_width(const FormFit& fit, const Estimate& e, const Place& at) {
+bool has_one_width(const FormFit& fit, const Estimate& e, const NamedPlace& at) {
   if (!at.form || !at.form->anisotropic()) return false;
   const auto [along, across] = at.form->axes();
   const ParameterInfo &first = at.form->shape[std::size_t(along)],
@@ -136,7 +136,7 @@ std::vector<io::Remark> remarks_on(const FormFit& f) {
 }
 
 NamedParameter named(const FormFit& fit, const Estimate& e) {
-  const Place at = place_of(fit, e.name);
+  const NamedPlace at = place_of(fit, e.name);
   NamedParameter out{std::string(at.info->doc), e.name, std::string(at.info->doc), false, at.info};
   if (at.form) {
     const bool one = has_one_width(fit, e, at);

@@ -8,7 +8,7 @@
 #include "brdf/reflectance.h"
 #include "fit/assess/result.h"
 #include "fit/report/states.h"
-#include "io/html_report.h"
+#include "io/page/html_report.h"
 
 namespace brdf::fit {
 

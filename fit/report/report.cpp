@@ -7,8 +7,8 @@
 
 #include "fit/assess/reported.h"
 #include "fit/report/plain_words.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {

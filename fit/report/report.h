@@ -5,8 +5,8 @@
 
 #include "fit/assess/result.h"
 #include "fit/model/options.h"
-#include "io/json.h"
-#include "io/samples.h"
+#include "io/files/json.h"
+#include "io/samples/samples.h"
 
 namespace brdf::fit {
 

@@ -4,8 +4,8 @@
 #include "fit/assess/reported.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
-#include "io/material_json.h"
-#include "io/provenance.h"
+#include "io/files/provenance.h"
+#include "io/material/material_json.h"
 
 namespace brdf::fit {
 namespace {

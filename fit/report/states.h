@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/assess/result.h"
-#include "io/html_report.h"
+#include "io/page/html_report.h"
 
 namespace brdf::fit {
 

@@ -7,9 +7,9 @@
 #include "fit/solve/few_channels.h"
 #include "fit/solve/starts.h"
 #include "fit/solve/varpro.h"
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/parallel.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/parallel.h"
 
 namespace brdf::fit {
 namespace {

@@ -93,7 +93,7 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
 
 namespace {
 
-constexpr double kInside =
+constexpr double kMarginInside =
     0.02;  // share of a range that a start keeps off its ends, where a product has no slope
 
 // The best weights of every lobe for itself, in the order of the tables.
@@ -145,7 +145,7 @@ void start_natural_weights(const SampleStream& stream, std::vector<double>& p) {
   model.set_weights(p, free_weights(model, q));
   const std::vector<double> low = model.low(), high = model.high();
   for (std::size_t k = first; k < p.size(); ++k) {
-    const double margin = kInside * std::min(high[k] - low[k], 1.0);
+    const double margin = kMarginInside * std::min(high[k] - low[k], 1.0);
     p[k] = std::clamp(p[k], low[k] + margin, high[k] - margin);
   }
   const std::vector<double> start(p.begin() + std::ptrdiff_t(first), p.end());

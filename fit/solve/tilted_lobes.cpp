@@ -8,7 +8,7 @@ namespace brdf::fit {
 namespace {
 
 // Central differences: for a lobe of width w the error is step^2/w^3 of its height, and 1e-16/step from rounding.
-constexpr double kStep = 1e-5;
+constexpr double kTiltStep = 1e-5;
 
 Vec3<double> moved(const Vec3<double>& normal, int component, double step) {
   const double x = normal.x + (component == 0 ? step : 0), y = normal.y + (component == 1 ? step : 0);
@@ -50,14 +50,14 @@ void SampleStream::fill_tilted(const Shapes& shapes, std::size_t first, std::siz
   std::fill(w.by_normal.begin(), w.by_normal.end(), 0.0);
   for (int a = 0; a < 2; ++a)
     for (const double side : {1.0, -1.0}) {
-      const Directions<double> directions = tilt(moved(shapes.normal, a, side * kStep), first, rows, w);
+      const Directions<double> directions = tilt(moved(shapes.normal, a, side * kTiltStep), first, rows, w);
       for (std::size_t t = 0; t < model_.terms().size(); ++t) {
         const TermModel& term = model_.terms()[t];
         LobeColumns& columns = w.moved_terms[t];
         columns.evaluate(shapes.shape[t], shapes.tangent_phi, Partial::none, directions, detector_);
         for (std::size_t k = 0; k < term.lobes; ++k) {
           double* out = w.derivatives[term.first_partial + std::size_t(term.normal_partial + a)][k];
-          add_product(side / (2 * kStep), columns.lobe(k), ratio, rows, out);
+          add_product(side / (2 * kTiltStep), columns.lobe(k), ratio, rows, out);
         }
       }
     }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/digest.h"
-#include "io/error.h"
-#include "io/fingerprint.h"
+#include "io/files/digest.h"
+#include "io/files/error.h"
+#include "io/files/fingerprint.h"
 #include "prove/check/rows.h"
 
 namespace brdf::prove {

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "io/content.h"
-#include "io/json.h"
-#include "io/material_json.h"
-#include "prove/scalar/claim.h"
+#include "io/files/content.h"
+#include "io/files/json.h"
+#include "io/material/material_json.h"
+#include "prove/check/claim.h"
 
 namespace brdf::prove {
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "brdf/integrals.h"
-#include "io/settings.h"
-#include "io/text.h"
+#include "io/files/text.h"
+#include "io/material/settings.h"
 
 namespace brdf::prove {
 namespace {

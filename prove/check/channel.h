@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "prove/scalar/claim.h"
+#include "prove/check/claim.h"
 
 namespace brdf::prove {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "prove/scalar/enclosed.h"
 
 namespace brdf::prove {

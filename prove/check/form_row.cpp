@@ -2,14 +2,15 @@
 #include <algorithm>
 
 #include "brdf/integrals.h"
-#include "io/numbers.h"
-#include "io/samples.h"
-#include "io/settings.h"
+#include "io/files/numbers.h"
+#include "io/material/settings.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
 #include "prove/check/channel.h"
 #include "prove/check/cover_walk.h"
 #include "prove/check/rows.h"
-#include "prove/scalar/energy.h"
-#include "prove/scalar/growth.h"
+#include "prove/energy/energy.h"
+#include "prove/energy/growth.h"
 #include "prove/scalar/swapped.h"
 
 namespace brdf::prove {

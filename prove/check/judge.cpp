@@ -4,8 +4,9 @@
 #include <array>
 #include <iomanip>
 
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 
 namespace brdf::prove {
 namespace {

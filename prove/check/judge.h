@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/files/content.h"
 #include "prove/check/certificate.h"
 
 namespace brdf::prove {

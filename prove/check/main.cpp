@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "io/error.h"
-#include "io/settings.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/material/settings.h"
 #include "prove/check/judge.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // Rows about materials, each channel at its own parameters.
 #include <algorithm>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "prove/check/cover_walk.h"
 #include "prove/check/rows.h"
 #include "prove/check/sum_of_albedos.h"

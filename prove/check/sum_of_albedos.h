@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "prove/check/channel.h"
-#include "prove/scalar/energy.h"
+#include "prove/energy/energy.h"
 
 namespace brdf::prove {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "prove/scalar/claim.h"
+#include "prove/check/claim.h"
 
 namespace brdf::prove {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <random>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "prove/shader/on_box.h"
 #include "prove/shader/random_program.h"
 #include "prove/shader/shader_proof.h"

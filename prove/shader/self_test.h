@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 
 namespace brdf::prove {
 

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "brdf/integrals.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "prove/shader/albedo_bound.h"
 #include "prove/shader/on_box.h"
 #include "prove/shader/trial.h"

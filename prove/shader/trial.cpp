@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/samples.h"
-#include "io/text.h"
+#include "io/files/text.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
 #include "prove/shader/shader_proof.h"
 
 namespace brdf::prove {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "render/gpu/renderer.h"
 #include "render/picture/canvas.h"
 

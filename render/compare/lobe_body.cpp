@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "io/channel_colours.h"
-#include "io/in_colour.h"
-#include "io/numbers.h"
+#include "io/colour/channel_colours.h"
+#include "io/colour/in_colour.h"
+#include "io/files/numbers.h"
 #include "render/compare/lobe_colours.h"
 #include "render/compare/lobe_points.h"
 #include "render/picture/canvas.h"
@@ -15,7 +15,7 @@ namespace brdf::render {
 namespace {
 
 constexpr int kRings = 90, kSectors = 180;  // of a body
-constexpr ByteColor kGround{28, 28, 32}, kDots{255, 140, 40};
+constexpr ByteColor kBackground{28, 28, 32}, kDots{255, 140, 40};
 
 // Seen from the side and above, without perspective. x of the lobe's frame points to the mirror direction.
 struct Eye {
@@ -211,7 +211,7 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
   const float scale = 0.45f * float(width);
   Canvas canvas(width, int(0.72f * float(width)) + 6 * pixels, eye,
                 {float(width) / 2, 0.48f * float(width) + float(pixels)}, scale);
-  fill(canvas.picture, {0, 0}, {width, canvas.picture.height}, kGround);
+  fill(canvas.picture, {0, 0}, {width, canvas.picture.height}, kBackground);
   draw_ground(canvas);
   canvas.path({{0, 0, 0}, towards(theta_i_degrees, 180)}, 2, kLobeLight);
   canvas.path({{0, 0, 0}, towards(theta_i_degrees, 0)}, 1, kLobeWords);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "brdf/material.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "render/picture/picture.h"
 
 namespace brdf::render {

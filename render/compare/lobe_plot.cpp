@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/in_colour.h"
-#include "io/in_plane.h"
-#include "io/numbers.h"
+#include "io/colour/in_colour.h"
+#include "io/files/numbers.h"
+#include "io/samples/in_plane.h"
 #include "render/compare/lobe_colours.h"
 #include "render/compare/lobe_points.h"
 

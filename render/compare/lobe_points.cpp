@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "io/in_plane.h"
+#include "io/samples/degrees.h"
+#include "io/samples/in_plane.h"
 
 namespace brdf::render {
 namespace {

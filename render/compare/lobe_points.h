@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::render {
 
 // Degrees: rows whose light stands within this of the plot's are drawn, in the plot of the plane of incidence those of
-// io/in_plane.h.
+// io/samples/in_plane.h.
 inline constexpr double kNearLight = 1;
 
 // A row's viewer as seen from the plane of incidence: the mirror direction is at theta_i, phi 0.

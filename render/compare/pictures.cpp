@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "io/formats/read.h"
 #include "render/compare/object_labels.h"
 #include "render/compare/supersample.h"
 #include "render/reference/reference.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
 #include "render/compare/pace.h"

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/material_json.h"
-#include "io/samples.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/formats/read.h"
+#include "io/material/material_json.h"
+#include "io/samples/samples.h"
 #include "render/light/formula.h"
 #include "render/mesh/mesh.h"
 #include "render/scene/camera_view.h"
@@ -260,7 +261,7 @@ void fit(Camera& camera, const glm::vec4& bounds) {
 
 namespace {
 
-struct Box {
+struct SceneBox {
   glm::vec3 low{1e30f}, high{-1e30f};
   glm::vec3 size() const { return high - low; }
   bool flat() const {
@@ -272,17 +273,17 @@ struct Box {
   }
 };
 
-glm::vec4 sphere_round(const Box& box) {
+glm::vec4 sphere_round(const SceneBox& box) {
   return glm::vec4((box.low + box.high) / 2.0f, std::max(glm::length(box.size()) / 2, 1e-4f));
 }
 
 }  // namespace
 
 glm::vec4 bounds_of(const PreparedScene& scene, std::optional<std::size_t> object) {
-  Box solid;
+  SceneBox solid;
   for (const Item& item : scene.layers[0]) {
     if (object && item.object != *object) continue;
-    Box own;
+    SceneBox own;
     for (const Vertex& vertex : scene.meshes[item.object]->vertices)
       own.add(item.origin + item.linear * vertex.position);
     if (!object && own.flat()) continue;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "io/error.h"
-#include "io/png.h"
+#include "io/files/error.h"
+#include "io/files/png.h"
 
 namespace brdf::render {
 namespace {

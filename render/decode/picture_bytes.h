@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "io/content.h"
+#include "io/files/content.h"
 
 namespace brdf::render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <shaderc/shaderc.hpp>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/gpu/reflectance_glsl.h"
 
 namespace brdf::render {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/gpu/gpu_layout.h"
 #include "render/scene/camera_view.h"
 #include "render/scene/shadow_view.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/glsl.h"
-#include "io/shader_forms.h"
+#include "io/material/glsl.h"
+#include "io/material/shader_forms.h"
 #include "render/gpu/gpu_layout.h"
 
 namespace brdf::render {

@@ -1,6 +1,6 @@
 #include "render/gpu/renderer.h"
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/exr_stream.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/formats/exr_stream.h"
 #include "render/decode/picture_bytes.h"
 #include "render/light/light_map.h"
 

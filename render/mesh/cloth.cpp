@@ -10,7 +10,7 @@ namespace brdf::render {
 namespace {
 
 constexpr int kPoints = 61;  // along each side
-constexpr float kSide = 4.2f, kBall = 0.75f, kFloor = -0.75f, kThickness = 0.008f;
+constexpr float kClothSide = 4.2f, kBall = 0.75f, kFloor = -0.75f, kThickness = 0.008f;
 constexpr float kClear = 0.01f;  // between the cloth's middle and what it lies on
 constexpr int kSteps = 420, kCorrections = 5;
 
@@ -66,8 +66,8 @@ std::vector<glm::vec3> laid() {
   const float c = std::cos(0.35f), s = std::sin(0.35f);
   for (int j = 0; j < kPoints; ++j) {
     for (int i = 0; i < kPoints; ++i) {
-      const float x = kSide * (float(i) / float(kPoints - 1) - 0.5f),
-                  z = kSide * (float(j) / float(kPoints - 1) - 0.5f);
+      const float x = kClothSide * (float(i) / float(kPoints - 1) - 0.5f),
+                  z = kClothSide * (float(j) / float(kPoints - 1) - 0.5f);
       at.push_back({c * x - s * z + 0.05f, 0.8f + float(random.uniform(0, 0.004)), s * x + c * z - 0.08f});
     }
   }

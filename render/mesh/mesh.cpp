@@ -7,7 +7,7 @@
 #include <map>
 
 #include "brdf/scalar.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 namespace {

@@ -9,8 +9,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <sstream>
 
-#include "io/content.h"
-#include "io/error.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
 #include "render/mesh/mesh.h"
 
 namespace brdf::render {

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "brdf/scalar.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/mesh/mesh.h"
 #include "render/text/font.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 namespace {

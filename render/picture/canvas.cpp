@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/text/font.h"
 
 namespace brdf::render {

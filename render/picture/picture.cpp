@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/hatching.h"
+#include "io/page/hatching.h"
 #include "render/picture/dither.h"
 #include "render/scene/display_rule.h"
 

@@ -6,12 +6,12 @@
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/exr_stream.h"
-#include "io/output.h"
-#include "io/png.h"
-#include "io/provenance.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/png.h"
+#include "io/files/provenance.h"
+#include "io/formats/exr_stream.h"
 #include "render/picture/picture.h"
 #include "render/scene/texture.h"
 

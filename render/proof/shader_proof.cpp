@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "brdf/geometry.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/gpu/fragment_code.h"
 #include "render/gpu/reflectance_glsl.h"
 #include "render/gpu/shader_code.h"

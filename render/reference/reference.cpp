@@ -7,8 +7,8 @@
 #include <limits>
 #include <memory>
 
-#include "io/error.h"
-#include "io/parallel.h"
+#include "io/files/error.h"
+#include "io/files/parallel.h"
 #include "render/reference/environment_light.h"
 #include "render/reference/surface_hit.h"
 #include "render/scene/camera_view.h"

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 #include "render/picture/picture.h"
 #include "render/scene/prepared.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "brdf/math.h"
-#include "io/colour_scales.h"
-#include "io/srgb.h"
+#include "io/colour/srgb.h"
+#include "io/page/colour_scales.h"
 #include "render/scene/scene.h"
 
 namespace brdf::render {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/error.h"
-#include "io/in_colour.h"
+#include "io/colour/in_colour.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 namespace {

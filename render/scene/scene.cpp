@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 

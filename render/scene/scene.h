@@ -11,7 +11,7 @@
 
 #include "brdf/material.h"
 #include "brdf/names.h"
-#include "io/channel_colours.h"
+#include "io/colour/channel_colours.h"
 
 namespace brdf {
 namespace render {
@@ -82,7 +82,7 @@ struct Scene {
   float exposure = 0;  // factor 2^exposure before the tone map
   friend bool operator==(const Scene&, const Scene&) = default;
 };
-// A relative name that is not there is looked for in the installed data (io/installed.h). Throws InputError with file, JSON
+// A relative name that is not there is looked for in the installed data (io/files/installed.h). Throws InputError with file, JSON
 // path, value and rule; scene_json.h has the rest of the format.
 Scene load_scene(const std::filesystem::path& file);
 

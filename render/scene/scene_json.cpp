@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "io/installed.h"
-#include "io/material_json.h"
+#include "io/files/installed.h"
+#include "io/material/material_json.h"
 #include "render/light/formula.h"
 
 namespace brdf::render {

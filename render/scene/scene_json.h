@@ -1,7 +1,7 @@
 // Scenes as JSON: a file's, or one inside another document.
 #pragma once
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "render/scene/scene.h"
 
 namespace brdf::render {

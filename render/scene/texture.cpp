@@ -5,8 +5,8 @@
 #include <random>
 
 #include "brdf/random.h"
-#include "io/content.h"
-#include "io/error.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
 #include "render/decode/picture_bytes.h"
 #include "render/scene/display_rule.h"
 

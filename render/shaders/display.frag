@@ -57,7 +57,7 @@ void main() {
     color = vec4(gbuffer(at / vec2(push.place)), 1.0);
     return;
   }
-  // Where nobody measured (picture.h: kNotMeasured), as io/hatching.h.
+  // Where nobody measured (picture.h: kNotMeasured), as io/page/hatching.h.
   const bool dark = (pixel.x + pixel.y) % kHatchPeriod < kHatchPeriod / 2;
   const vec3 hatching = vec3(float(dark ? kHatchDark : kHatchBright) / 255.0);
   const vec4 a = texelFetch(pictures[0], pixel, 0);

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "io/hatching.h"
+#include "io/page/hatching.h"
 #include "render/compare/arrange.h"
 #include "render/gpu/gpu_layout.h"
 #include "render/gpu/reflectance_glsl.h"

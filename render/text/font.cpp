@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 

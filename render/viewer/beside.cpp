@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/in_colour.h"
+#include "io/colour/in_colour.h"
+#include "io/files/error.h"
+#include "io/formats/read.h"
 
 namespace brdf::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "render/light/formula.h"
 
 namespace brdf::render {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "io/channel_colours.h"
-#include "io/glossary.h"
+#include "io/colour/channel_colours.h"
+#include "io/page/glossary.h"
 #include "render/viewer/sliders.h"
 
 namespace brdf::render {

@@ -6,7 +6,7 @@
 #include <exception>
 #include <fstream>
 
-#include "io/output.h"
+#include "io/files/output.h"
 
 namespace brdf::render {
 namespace {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::render {
 

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "io/text.h"
+#include "io/files/text.h"
 
 namespace brdf::render {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "render/viewer/panels.h"
 
 namespace brdf::render {

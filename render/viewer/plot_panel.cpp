@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "io/in_plane.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/samples/in_plane.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"
 #include "render/viewer/panels.h"

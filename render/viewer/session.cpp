@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/material_json.h"
-#include "io/output.h"
+#include "io/files/output.h"
+#include "io/material/material_json.h"
 #include "render/gpu/held.h"
 
 namespace brdf::render {

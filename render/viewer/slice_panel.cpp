@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "measured/residual_map.h"
 #include "render/compare/lobe_points.h"
 #include "render/compare/slice_plot.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 // Declared by GLFW only when it includes Vulkan itself.
 extern "C" VkResult glfwCreateWindowSurface(VkInstance, GLFWwindow*, const VkAllocationCallbacks*,

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::render {
 namespace {

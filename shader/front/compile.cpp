@@ -15,7 +15,7 @@
 #include <new>
 #include <optional>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/front/glslang.h"
 #include "shader/front/packed.h"
 

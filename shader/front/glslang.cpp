@@ -8,7 +8,7 @@
 #include <ctime>
 #include <mutex>
 
-#include "io/text.h"
+#include "io/files/text.h"
 #include "shader/front/includes.h"
 #include "shader/front/messages.h"
 #include "shader/front/texts.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/front/glslang.h"
 #include "shader/front/stripped.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "io/text.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 
 namespace brdf::shader {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <regex>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 
 namespace brdf::shader {
 namespace {

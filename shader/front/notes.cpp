@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 
 namespace brdf::shader {
@@ -21,14 +21,14 @@ std::optional<Role> role_of(std::string_view word) {
   return find_named<Role>(std::string(word));
 }
 
-// Words after a parameter's name: numbers, then "log" and "role ROLE".
-struct Words {
+// NoteWords after a parameter's name: numbers, then "log" and "role ROLE".
+struct NoteWords {
   std::vector<double> numbers;
   bool log_scale = false;
   Role role = Role::other;
 };
-Words read_words(std::span<const std::string_view> words, const std::string& where) {
-  Words out;
+NoteWords read_words(std::span<const std::string_view> words, const std::string& where) {
+  NoteWords out;
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (words[k] == "log") {
       out.log_scale = true;
@@ -81,7 +81,7 @@ Declared read_declared(std::string_view kind, std::span<const std::string_view> 
     rest.erase(rest.begin() + 1);
     return read_declared(words[1], rest, line, where);
   }
-  const Words w = read_words(words.subspan(1), where);
+  const NoteWords w = read_words(words.subspan(1), where);
   Declared p{std::string(words[0])};
   p.line = line;
   p.log_scale = w.log_scale;

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "io/text.h"
+#include "io/files/text.h"
 
 namespace brdf::shader {
 namespace {

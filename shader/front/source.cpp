@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 #include "shader/front/notes.h"
 #include "shader/front/stripped.h"

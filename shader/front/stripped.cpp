@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 
 namespace brdf::shader {

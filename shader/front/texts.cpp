@@ -4,8 +4,8 @@
 #include <regex>
 #include <set>
 
-#include "io/numbers.h"
-#include "io/text.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/front/definitions.h"
 #include "shader/front/usual.h"
 

@@ -5,13 +5,13 @@
 #include <glslang/SPIRV/spirv.hpp>
 #include <stdexcept>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/program/lowering.h"
 
 namespace brdf::shader {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestCalls = 64;
 constexpr std::uint32_t kMostSlots = 1u << 17;
 
 bool is_end(std::uint32_t code) {
@@ -226,7 +226,7 @@ std::optional<Slots> Lowering::kernel(
 
 Slots Lowering::call(const spirv::Function& function,
                      const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments) {
-  if (++depth_ > kDeepest) refuse("calls are nested more than " + std::to_string(kDeepest) + " deep");
+  if (++depth_ > kDeepestCalls) refuse("calls are nested more than " + std::to_string(kDeepestCalls) + " deep");
   if (arguments.size() != function.parameters.size() || function.blocks.empty())
     refuse("calls a function without a body");
   if (auto known = kernel(function, arguments)) {

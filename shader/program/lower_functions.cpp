@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/program/lowering.h"
 #include "shader/spirv/names.h"
 

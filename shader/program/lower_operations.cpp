@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/program/lowering.h"
 
 namespace brdf::shader {

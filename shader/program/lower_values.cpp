@@ -5,7 +5,7 @@
 
 #include <glslang/SPIRV/spirv.hpp>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/program/lowering.h"
 
 namespace brdf::shader {

@@ -1,7 +1,7 @@
 // Which operations a program's results need.
 #include <algorithm>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/program/lower.h"
 #include "shader/program/operands.h"
 

@@ -3,7 +3,7 @@
 #define SPV_ENABLE_UTILITY_CODE
 #include <glslang/SPIRV/spirv.hpp>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::shader::spirv {
 namespace {

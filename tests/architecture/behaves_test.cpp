@@ -14,8 +14,9 @@
 
 #include "brdf/material.h"
 #include "fit/fit.h"
+#include "io/formats/read.h"
 #include "synth/instrument.h"
-#include "validate/checks.h"
+#include "validate/form/checks.h"
 
 extern char** environ;
 

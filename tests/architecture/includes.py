@@ -7,7 +7,7 @@
 
 A room is a folder of the project's root, a box a folder with sources. A header NAME.h beside a folder NAME/ is that
 folder's face, and sources in a room's own folder are the room's face. Outside libbrdf nothing includes its private
-headers (libbrdf/src). ORDER says which room may stand on which; within a room the folders' arrows must have no circle.
+headers (libbrdf/src). cmake/rooms.txt says which room may stand on which, and within a room which folder on which.
 """
 import argparse
 import collections
@@ -17,20 +17,9 @@ import subprocess
 import sys
 import textwrap
 
-# From the ground up: a room includes rooms of the lines above its own only.
-ORDER = [
-    ["libbrdf"],
-    ["io"],
-    ["sheet", "measured", "texel", "shader"],
-    ["synth", "fit", "validate", "prove", "render", "micro"],
-    ["study", "trade", "maps", "interop"],
-    ["cli", "docs", "bench", "python"],
-]
-# Arrows between rooms of one line.
-BESIDE = {("micro", "synth")}
+import rooms as listed_rooms
 
-
-def sources(root):
+def sources(root, rooms):
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.h", "*.cpp"], cwd=root, text=True,
                             capture_output=True)
     if listed.returncode == 0:
@@ -38,8 +27,8 @@ def sources(root):
     else:  # a copy without its history
         found = [os.path.relpath(os.path.join(folder, name), root) for folder, _, names in os.walk(root)
                  for name in names if name.endswith((".h", ".cpp"))]
-    rooms = {room for line in ORDER for room in line}
-    return sorted(f for f in found if f.split("/")[0] in rooms and os.path.exists(os.path.join(root, f)))
+    names = {room.name for room in rooms}
+    return sorted(f for f in found if f.split("/")[0] in names and os.path.exists(os.path.join(root, f)))
 
 
 def box_of(source, boxes):
@@ -82,11 +71,11 @@ def floors_of(nodes, arrows):
     return floor
 
 
-def svg(stories):
+def svg(stories, lines):
     """Rooms in their lines, the ground below; in each room its floors, the ground floor below."""
     width, text, pad = 880, 16, 6
     parts, y = [], 12
-    for line in ([room for room in line if room in stories] for line in reversed(ORDER)):
+    for line in ([room for room in line if room in stories] for line in reversed(lines)):
         each = (width - 10 * (len(line) + 1)) / len(line)
         wrapped = {}
         for room in line:
@@ -121,9 +110,13 @@ def main():
     parser.add_argument("--check")
     options = parser.parse_args()
     root = options.root
-    files = sources(root)
+    rooms = listed_rooms.read(root)
+    lines = [[r.name for r in rooms if r.line == k] for k in sorted({r.line for r in rooms})]
+    beside = {(r.name, other) for r in rooms for other in r.beside}
+    rank = {f"{r.name}/{s.name}".removesuffix("/."): k for r in rooms for k, s in enumerate(r.shelves)}
+    files = sources(root, rooms)
     boxes = {os.path.dirname(f) for f in files}
-    line_of = {room: k for k, line in enumerate(ORDER) for room in line}
+    line_of = {r.name: r.line for r in rooms}
     by_file, by_box = collections.defaultdict(set), collections.defaultdict(set)
     faults = []
     for source in files:
@@ -137,9 +130,12 @@ def main():
             if target.startswith("libbrdf/src/") and room != "libbrdf":
                 faults.append(f"{source}: {included}: a private header of libbrdf")
             if room == other:
-                if box_of(source, boxes) != box_of(target, boxes):
-                    by_box[box_of(source, boxes)].add(box_of(target, boxes))
-            elif line_of[other] >= line_of[room] and (room, other) not in BESIDE:
+                box, below = box_of(source, boxes), box_of(target, boxes)
+                if box != below:
+                    by_box[box].add(below)
+                    if rank.get(below, -1) > rank.get(box, len(files)):
+                        faults.append(f"{source}: {included}: the shelf {below} stands above {box}")
+            elif line_of[other] >= line_of[room] and (room, other) not in beside:
                 faults.append(f"{source}: {included}: {room} stands beside or below {other}")
     for arrows, what in ((by_file, "files"), (by_box, "folders")):
         if circle := circle_in(arrows):
@@ -149,7 +145,7 @@ def main():
         print(f"{len(faults)} includes go upward or in a circle")
         return 1
     stories = {}
-    for room in (room for line in ORDER for room in line):
+    for room in (room.name for room in rooms):
         inside = sorted({box_of(f, boxes) for f in files if f.split("/")[0] == room})
         if not inside:
             continue  # a copy without that room
@@ -162,8 +158,8 @@ def main():
     print(f"{len(files)} files, {sum(map(len, by_file.values()))} includes: none goes upward or in a circle")
     if options.picture:
         with open(options.picture, "w", encoding="utf-8") as picture:
-            picture.write(svg(stories))
-    if options.check and open(options.check, encoding="utf-8").read() != svg(stories):
+            picture.write(svg(stories, lines))
+    if options.check and open(options.check, encoding="utf-8").read() != svg(stories, lines):
         print(f"{options.check} shows other floors: draw it anew with --picture")
         return 1
     return 0

@@ -14,8 +14,8 @@ import re
 import subprocess
 import sys
 
-ROOMS = ("libbrdf", "io", "sheet", "synth", "fit", "validate", "prove", "render", "micro", "trade", "interop", "cli", "docs", "bench",
-         "python")
+import rooms
+
 FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/targets/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {
     "trade/questions/": "the trade's questions",
@@ -23,31 +23,31 @@ EXEMPT = {
     "libbrdf/src/reflectance.cpp": "finding by name",
     "libbrdf/brdf/reflectance_of.h": "finding by name",
     "interop/write_": "other programs' parameters",
-    "io/familiar_names.cpp": "other programs' names for ours",
+    "io/material/familiar_names.cpp": "other programs' names for ours",
 }
 # Words that are a parameter's or a form's name too and have a meaning of their own in that place.
 HOMONYMS = {
-    ("io/rgl.cpp", "sigma"): "a field of RGL's files",
-    ("io/rgl_writer.cpp", "sigma"): "a field of RGL's files",
+    ("io/formats/rgl.cpp", "sigma"): "a field of RGL's files",
+    ("io/formats/rgl_writer.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
-    ("cli/verb_albedo.cpp", "albedo"): "the verb",
-    ("io/value_names.cpp", "sigma"): "standard deviations",
-    ("io/units.cpp", "rho"): "a letter",
-    ("io/units.cpp", "sigma"): "a letter",
-    ("io/units.cpp", "gamma"): "a letter",
-    ("io/quantity_words.cpp", "rho"): "a letter",
-    ("io/quantity_words.cpp", "n"): "a letter",
+    ("cli/verbs/albedo.cpp", "albedo"): "the verb",
+    ("io/columns/value_names.cpp", "sigma"): "standard deviations",
+    ("io/columns/units.cpp", "rho"): "a letter",
+    ("io/columns/units.cpp", "sigma"): "a letter",
+    ("io/columns/units.cpp", "gamma"): "a letter",
+    ("io/columns/quantity_words.cpp", "rho"): "a letter",
+    ("io/columns/quantity_words.cpp", "n"): "a letter",
     ("python/samples.cpp", "sigma"): "standard deviations",
     ("python/materials.cpp", "albedo"): "the method",
     ("validate/", "albedo"): "a check",
     ("render/", "albedo"): "a texture map",
     ("render/", "roughness"): "a texture map",
     ("render/", "metallic"): "a texture map",
-    ("cli/stack_scene.cpp", "albedo"): "a texture map",
-    ("cli/stack_scene.cpp", "roughness"): "a texture map",
+    ("cli/steps/stack_scene.cpp", "albedo"): "a texture map",
+    ("cli/steps/stack_scene.cpp", "roughness"): "a texture map",
     ("render/scene/scene.h", "phong"): "a shading",
-    ("io/optical_constants.cpp", "n"): "a column of a table",
-    ("io/optical_constants.cpp", "k"): "a column of a table",
+    ("io/formats/optical_constants.cpp", "n"): "a column of a table",
+    ("io/formats/optical_constants.cpp", "k"): "a column of a table",
     ("render/viewer/commands.cpp", "n"): "a key",
     ("render/viewer/commands.cpp", "k"): "a key",
     ("micro/", "lambert"): "a facet's reflection",
@@ -102,14 +102,15 @@ def faults_of(text, forms, parameters):
 
 def main():
     root, brdf = sys.argv[1], sys.argv[2]
+    known = [room.name for room in rooms.read(root)]
     forms, parameters = names_of(brdf)
     exempt, faults, used = collections.Counter(), [], set()
     checked = 0
     for folder, folders, files in os.walk(root):
-        folders[:] = [f for f in folders if not f.startswith(".") and (folder != root or f in ROOMS)]
+        folders[:] = [f for f in folders if not f.startswith(".") and (folder != root or f in known)]
         for name in files:
             path = os.path.relpath(os.path.join(folder, name), root)
-            if not name.endswith((".h", ".cpp")) or path.startswith(FORMS) or path.split("/")[0] not in ROOMS:
+            if not name.endswith((".h", ".cpp")) or path.startswith(FORMS) or path.split("/")[0] not in known:
                 continue
             checked += 1
             text = open(os.path.join(root, path), encoding="utf-8").read()

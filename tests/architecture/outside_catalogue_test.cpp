@@ -7,9 +7,9 @@
 #include "brdf/microfacet.h"
 #include "brdf/reflectance_of.h"
 #include "fit/fit.h"
-#include "io/glsl.h"
+#include "io/material/glsl.h"
 #include "synth/instrument.h"
-#include "validate/checks.h"
+#include "validate/form/checks.h"
 #ifdef BRDF_HAS_RENDER
 #include "render/picture/picture.h"
 #include "render/reference/reference.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "brdf/scalar.h"
-#include "io/json.h"
-#include "io/text.h"
+#include "io/files/json.h"
+#include "io/files/text.h"
 #include "run_brdf.h"
 
 namespace brdf {

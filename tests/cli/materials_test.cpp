@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/parameter_row.h"
-#include "io/error.h"
-#include "io/material_json.h"
+#include "cli/options/parameter_row.h"
+#include "io/files/error.h"
+#include "io/material/material_json.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

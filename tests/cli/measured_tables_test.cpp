@@ -4,8 +4,10 @@
 
 #include <cmath>
 
-#include "io/json.h"
-#include "io/samples.h"
+#include "io/csv/csv.h"
+#include "io/files/json.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

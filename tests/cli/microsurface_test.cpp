@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/samples.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

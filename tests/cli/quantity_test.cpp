@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "brdf/angle.h"
-#include "io/json.h"
-#include "io/samples.h"
+#include "io/files/json.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

@@ -2,8 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/material_file.h"
-#include "io/samples.h"
+#include "io/formats/read.h"
+#include "io/material/material_file.h"
+#include "io/samples/samples.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

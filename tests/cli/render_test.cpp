@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "render/picture/picture.h"
 #include "render/scene/camera_view.h"
 #include "render/scene/texture.h"

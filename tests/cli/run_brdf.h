@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/temporary_folder.h"
+#include "io/files/temporary_folder.h"
 
 namespace brdf {
 

@@ -6,8 +6,10 @@
 #include <functional>
 
 #include "brdf/angle.h"
-#include "io/json.h"
-#include "io/samples.h"
+#include "io/csv/csv.h"
+#include "io/files/json.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

@@ -10,7 +10,7 @@
 #include <set>
 #include <thread>
 
-#include "io/json.h"
+#include "io/files/json.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <set>
 
-#include "io/material_json.h"
-#include "io/samples.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/material/material_json.h"
+#include "io/samples/samples.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

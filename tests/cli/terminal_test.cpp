@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "cli/progress.h"
-#include "cli/terminal.h"
+#include "cli/options/progress.h"
+#include "cli/options/terminal.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf::cli {

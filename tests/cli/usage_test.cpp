@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "brdf/reflectance.h"
-#include "io/json.h"
+#include "io/files/json.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {

@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/error.h"
-#include "io/output.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
 #include "samples.h"
 
 namespace brdf::fit {

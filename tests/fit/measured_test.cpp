@@ -3,7 +3,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "io/content.h"
+#include "io/files/content.h"
+#include "io/formats/read.h"
 #include "samples.h"
 
 namespace brdf::fit {

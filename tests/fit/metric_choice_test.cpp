@@ -5,7 +5,7 @@
 
 #include "fit/fit.h"
 #include "fit/report/report.h"
-#include "io/noise.h"
+#include "io/samples/noise.h"
 #include "tests/fit/samples.h"
 
 namespace brdf::fit {

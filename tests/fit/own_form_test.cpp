@@ -3,7 +3,7 @@
 
 #include "brdf/reflectance_of.h"
 #include "fit/model/model.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "samples.h"
 
 namespace brdf::fit {

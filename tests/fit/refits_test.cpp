@@ -3,7 +3,7 @@
 
 #include "fit/assess/refits.h"
 #include "fit/report/report.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "samples.h"
 
 namespace brdf::fit {

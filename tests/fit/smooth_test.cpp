@@ -7,7 +7,7 @@
 #include "fit/report/html.h"
 #include "fit/report/report.h"
 #include "fit/solve/minima.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "samples.h"
 
 namespace brdf::fit {

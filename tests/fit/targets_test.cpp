@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/choice.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "samples.h"
 
 namespace brdf::fit {

@@ -5,7 +5,7 @@
 #include "fit/assess/select.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "samples.h"
 
 namespace brdf::fit {

@@ -1,6 +1,6 @@
 // Certificates: sealed anew, so that what is inside is looked at.
 #include "prove/check/certificate.h"
-#include "io/json.h"
+#include "io/files/json.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace brdf::fuzz {

@@ -1,5 +1,5 @@
 // Our own JSON: what it says is kept, and written again it is the same text.
-#include "io/material_json.h"
+#include "io/material/material_json.h"
 #include "render/compare/state.h"
 #include "render/scene/scene_json.h"
 #include "tests/fuzz/fuzz.h"

@@ -9,9 +9,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/error.h"
-#include "io/material_json.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
+#include "io/material/material_json.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::fuzz {
 namespace {

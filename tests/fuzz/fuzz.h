@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "brdf/material.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 
 namespace brdf::fuzz {
 

@@ -1,10 +1,11 @@
-#include "io/merl.h"
+#include "io/formats/merl.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstring>
 
+#include "io/formats/read.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace brdf::fuzz {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "io/html_report.h"
-#include "io/png.h"
+#include "io/files/png.h"
+#include "io/page/html_report.h"
 #include "render/picture/picture.h"
 #include "render/scene/texture.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,8 +1,8 @@
 // A form's name, and in every line below it a --set.
 #include <sstream>
 
-#include "io/material_file.h"
-#include "io/settings.h"
+#include "io/material/material_file.h"
+#include "io/material/settings.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace brdf::fuzz {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/entry.h"
 #include "shader/program/lower.h"
 #include "shader/shader.h"

@@ -1,10 +1,12 @@
 // Sample tables, ours and other programs': one target per format, so that each has its own corpus.
-#include "io/arrange.h"
-#include "io/astm.h"
-#include "io/exr_table.h"
-#include "io/optical_constants.h"
-#include "io/text.h"
-#include "io/zemax.h"
+#include "io/files/content.h"
+#include "io/files/text.h"
+#include "io/formats/astm.h"
+#include "io/formats/exr_table.h"
+#include "io/formats/optical_constants.h"
+#include "io/formats/read.h"
+#include "io/formats/zemax.h"
+#include "io/samples/arrange.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace brdf::fuzz {

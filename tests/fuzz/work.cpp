@@ -1,8 +1,8 @@
 // Planned work: plans and units with keys and hashes that fit, so that what is inside is looked at.
-#include "io/digest.h"
-#include "io/json.h"
-#include "maps/job.h"
+#include "io/files/digest.h"
+#include "io/files/json.h"
 #include "tests/fuzz/fuzz.h"
+#include "work/job.h"
 
 namespace brdf::fuzz {
 namespace {
@@ -16,7 +16,7 @@ const Registered plans("plan", [](std::string_view input) {
     given["brdf_version"] = io::provenance().version;
     given["key"] = io::sha256(io::to_line(given));
   }
-  const maps::Plan plan = maps::read_plan(folder_with("job", "plan.json", io::to_text(given)));
+  const work::Plan plan = work::read_plan(folder_with("job", "plan.json", io::to_text(given)));
   const std::vector<texel::Region> units = plan.units();
   require(io::Json(units.size()) == given["units"], "a plan has the units that it says");
   std::size_t parts = 0;
@@ -29,24 +29,24 @@ const Registered plans("plan", [](std::string_view input) {
 });
 
 const Registered units("unit", [](std::string_view input) {
-  maps::Plan plan;
+  work::Plan plan;
   plan.width = plan.height = plan.unit_width = plan.unit_height = 1;
   plan.key = io::sha256("plan");
   const std::string head = "brdf-unit 1 " + plan.key + " 0 " + io::sha256(input) + "\n";
   const fs::path job = folder_with("job", "units/000/00000.unit", head + std::string(input));
-  const auto files = maps::read_unit(job, plan, 0);
-  require((maps::state_of(job, plan, 0) == maps::UnitState::done) == files.has_value(),
+  const auto files = work::read_unit(job, plan, 0);
+  require((work::state_of(job, plan, 0) == work::UnitState::done) == files.has_value(),
           "what is done can be read");
   if (!files) return;
   std::size_t bytes = 0;
-  for (const maps::UnitFile& file : *files) {
+  for (const work::UnitFile& file : *files) {
     bytes += file.name.size() + file.bytes.size();
     const fs::path there = ("/folder" / fs::path(file.name)).lexically_normal();
     require(there.string().starts_with("/folder/"), "files lie in the folder that they are put in");
   }
   require(bytes <= input.size(), "no byte is there twice");
-  maps::write_unit(job, plan, 0, *files);
-  const auto again = maps::read_unit(job, plan, 0);
+  work::write_unit(job, plan, 0, *files);
+  const auto again = work::read_unit(job, plan, 0);
   require(again && again->size() == files->size(), "what is written can be read");
   for (std::size_t k = 0; k < files->size(); ++k)
     require((*again)[k].name == (*files)[k].name && (*again)[k].bytes == (*files)[k].bytes,

@@ -8,9 +8,9 @@
 
 #include "brdf/targets.h"
 #include "interop/programs.h"
-#include "io/error.h"
-#include "io/json.h"
-#include "io/settings.h"
+#include "io/files/error.h"
+#include "io/files/json.h"
+#include "io/material/settings.h"
 
 namespace brdf::interop {
 namespace {

@@ -11,10 +11,12 @@
 #include "interop/programs.h"
 #include "interop/read_back.h"
 #include "interop/rgl.h"
-#include "io/material_json.h"
-#include "io/merl.h"
-#include "io/settings.h"
-#include "io/temporary_folder.h"
+#include "io/files/content.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/merl.h"
+#include "io/material/material_json.h"
+#include "io/material/settings.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::interop {
 namespace {

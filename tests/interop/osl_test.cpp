@@ -6,7 +6,7 @@
 
 #include "brdf/random.h"
 #include "interop/programs.h"
-#include "io/settings.h"
+#include "io/material/settings.h"
 
 namespace brdf::interop {
 namespace {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "fit/fit.h"
-#include "io/error.h"
-#include "io/samples.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 
 namespace brdf::interop {
 namespace {

@@ -10,7 +10,7 @@
 #include "brdf/random.h"
 #include "interop/programs.h"
 #include "interop/wanted.h"
-#include "io/settings.h"
+#include "io/material/settings.h"
 
 namespace brdf::interop {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "io/arrange.h"
+#include "io/samples/arrange.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

@@ -1,14 +1,15 @@
 // What is red is decided by names and wavelengths, not by the order of columns.
-#include "io/channel_colours.h"
+#include "io/colour/channel_colours.h"
 
 #include <gtest/gtest.h>
 
 #include "brdf/forms.h"
-#include "io/error.h"
-#include "io/html_report.h"
-#include "io/merl.h"
-#include "io/samples.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/merl.h"
+#include "io/formats/read.h"
+#include "io/page/html_report.h"
+#include "io/samples/samples.h"
 
 namespace brdf::io {
 namespace {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/text.h"
-#include "io/wavelengths.h"
+#include "io/columns/wavelengths.h"
+#include "io/files/text.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

@@ -5,9 +5,12 @@
 #include <fstream>
 #include <random>
 
-#include "io/error.h"
-#include "io/samples.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

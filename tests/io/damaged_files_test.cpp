@@ -6,10 +6,13 @@
 #include <random>
 #include <sstream>
 
-#include "io/error.h"
-#include "io/material_file.h"
-#include "io/samples.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
+#include "io/material/material_file.h"
+#include "io/samples/samples.h"
 #include "tests/io/data_folder.h"
 
 namespace brdf::io {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

@@ -6,10 +6,11 @@
 #include <fstream>
 #include <map>
 
-#include "io/error.h"
-#include "io/rgl.h"
-#include "io/samples.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
+#include "io/formats/rgl.h"
+#include "io/samples/samples.h"
 #include "tests/io/data_folder.h"
 
 namespace brdf::io {

@@ -1,10 +1,10 @@
-#include "io/html_report.h"
+#include "io/page/html_report.h"
 
 #include <gtest/gtest.h>
 
-#include "io/glossary.h"
-#include "io/json.h"
-#include "io/png.h"
+#include "io/files/json.h"
+#include "io/files/png.h"
+#include "io/page/glossary.h"
 
 namespace brdf::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/material_json.h"
+#include "io/material/material_json.h"
 #include "brdf/forms.h"
 
 #include <gmock/gmock.h>
@@ -8,8 +8,8 @@
 #include <fstream>
 #include <random>
 
-#include "io/error.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
 
 namespace brdf::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/merl.h"
+#include "io/formats/merl.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,9 @@
 #include <fstream>
 #include <random>
 
-#include "io/error.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
 
 namespace brdf::io::merl {
 namespace {

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/dialect.h"
-#include "io/error.h"
-#include "io/optical_constants.h"
-#include "io/temporary_folder.h"
-#include "io/text.h"
+#include "io/csv/dialect.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/files/text.h"
+#include "io/formats/optical_constants.h"
 #include "tests/io/data_folder.h"
 #include "tests/io/reading.h"
 

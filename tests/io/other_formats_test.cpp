@@ -2,7 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/material_file.h"
+#include "io/files/content.h"
+#include "io/material/material_file.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

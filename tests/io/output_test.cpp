@@ -1,4 +1,4 @@
-#include "io/output.h"
+#include "io/files/output.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -14,12 +14,12 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "io/error.h"
-#include "io/file_buffer.h"
-#include "io/leftovers.h"
-#include "io/provenance.h"
-#include "io/shell.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/file_buffer.h"
+#include "io/files/leftovers.h"
+#include "io/files/provenance.h"
+#include "io/files/shell.h"
+#include "io/files/temporary_folder.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

@@ -1,5 +1,5 @@
 // Which bytes are a whole PNG file.
-#include "io/png.h"
+#include "io/files/png.h"
 
 #include <gtest/gtest.h>
 

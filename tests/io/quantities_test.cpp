@@ -6,8 +6,12 @@
 #include <cmath>
 
 #include "brdf/angle.h"
-#include "io/quantities.h"
-#include "io/text.h"
+#include "io/columns/quantities.h"
+#include "io/columns/supplied.h"
+#include "io/files/content.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/samples/degrees.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

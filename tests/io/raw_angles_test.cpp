@@ -2,8 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/exr_table.h"
-#include "io/temporary_folder.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/exr_table.h"
+#include "io/formats/read.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

@@ -6,9 +6,12 @@
 #include <sstream>
 #include <string>
 
-#include "io/error.h"
-#include "io/json.h"
-#include "io/samples.h"
+#include "io/csv/csv.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/json.h"
+#include "io/formats/read.h"
+#include "io/samples/samples.h"
 
 namespace brdf::io {
 

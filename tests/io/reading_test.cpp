@@ -6,9 +6,11 @@
 #include <fstream>
 #include <thread>
 
-#include "io/material_file.h"
-#include "io/temporary_folder.h"
-#include "io/text.h"
+#include "io/files/content.h"
+#include "io/files/temporary_folder.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/material/material_file.h"
 #include "tests/io/reading.h"
 #include "tests/io/tensor_bytes.h"
 

@@ -4,7 +4,9 @@
 
 #include <numbers>
 
-#include "io/rgl.h"
+#include "io/files/content.h"
+#include "io/formats/rgl.h"
+#include "io/samples/degrees.h"
 #include "tests/io/reading.h"
 #include "tests/io/tensor_bytes.h"
 

@@ -1,5 +1,5 @@
 // RGL files of known reflectances: read back, and sampled as importers do.
-#include "io/rgl_writer.h"
+#include "io/formats/rgl_writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,11 @@
 
 #include "brdf/integrals.h"
 #include "brdf/random.h"
-#include "io/error.h"
-#include "io/numbers.h"
-#include "io/rgl.h"
-#include "io/tensor_file.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/formats/rgl.h"
+#include "io/formats/tensor_file.h"
 
 namespace brdf::io {
 namespace {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
-#include "io/any_table.h"
-#include "io/temporary_folder.h"
+#include "io/files/content.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/any_table.h"
+#include "io/formats/read.h"
 #include "tests/io/data_folder.h"
 #include "tests/io/reading.h"
 

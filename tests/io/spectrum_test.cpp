@@ -1,5 +1,5 @@
 // Spectra and the colours that they are seen in.
-#include "io/spectrum.h"
+#include "io/colour/spectrum.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "brdf/forms.h"
-#include "io/channel_colours.h"
-#include "io/error.h"
-#include "io/in_colour.h"
+#include "io/colour/channel_colours.h"
+#include "io/colour/in_colour.h"
+#include "io/files/error.h"
 #include "tests/io/colour_checker.h"
 
 namespace brdf::io {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "brdf/forms.h"
-#include "io/base64.h"
-#include "io/error.h"
-#include "io/sphere/page.h"
-#include "io/sphere/still.h"
+#include "io/files/base64.h"
+#include "io/files/error.h"
+#include "io/page/sphere/page.h"
+#include "io/page/sphere/still.h"
 
 namespace brdf::io::sphere {
 namespace {

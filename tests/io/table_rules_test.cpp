@@ -5,10 +5,10 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/exr_table.h"
-#include "io/material_file.h"
-#include "io/merl.h"
-#include "io/temporary_folder.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/exr_table.h"
+#include "io/formats/merl.h"
+#include "io/material/material_file.h"
 #include "tests/io/reading.h"
 #include "tests/io/tensor_bytes.h"
 

@@ -6,8 +6,11 @@
 #include <map>
 #include <sstream>
 
-#include "io/in_plane.h"
-#include "io/text.h"
+#include "io/columns/supplied.h"
+#include "io/files/content.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/samples/in_plane.h"
 #include "tests/io/data_folder.h"
 #include "tests/io/reading.h"
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "io/samples/degrees.h"
 #include "tests/maps/stack.h"
 
 namespace brdf {

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "maps/shared_fit.h"
 #include "tests/maps/case.h"
 

@@ -9,8 +9,8 @@
 
 #include "brdf/frame.h"
 #include "brdf/material.h"
-#include "io/settings.h"
-#include "io/temporary_folder.h"
+#include "io/files/temporary_folder.h"
+#include "io/material/settings.h"
 #include "maps/stack_fit.h"
 #include "synth/texels.h"
 #include "texel/stack.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "tests/measured/samples.h"
 
 namespace brdf::measured {

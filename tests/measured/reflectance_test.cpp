@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "io/error.h"
+#include "io/files/error.h"
+#include "io/samples/degrees.h"
 #include "measured/cells.h"
 #include "tests/measured/samples.h"
 

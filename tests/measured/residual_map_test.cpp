@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "io/samples/degrees.h"
 #include "measured/counterparts.h"
 #include "tests/measured/samples.h"
 

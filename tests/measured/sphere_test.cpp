@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/fit.h"
+#include "io/formats/read.h"
 #include "measured/tabulated.h"
 #include "synth/instrument.h"
 #include "tests/io/data_folder.h"

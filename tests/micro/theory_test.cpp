@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "micro/cavity.h"
 #include "micro/masking.h"
 #include "micro/model.h"

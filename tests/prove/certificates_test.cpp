@@ -5,7 +5,7 @@
 #include <functional>
 #include <sstream>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "prove/check/judge.h"
 #include "prove/report.h"
 

@@ -6,9 +6,9 @@
 
 #include "brdf/integrals.h"
 #include "brdf/quadrature.h"
-#include "prove/scalar/energy.h"
-#include "prove/scalar/majorants.h"
-#include "validate/exact.h"
+#include "prove/energy/energy.h"
+#include "prove/energy/majorants.h"
+#include "validate/numerics/exact.h"
 
 namespace brdf::prove {
 namespace {

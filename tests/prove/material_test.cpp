@@ -8,8 +8,8 @@
 #include "brdf/quadrature.h"
 #include "brdf/targets.h"
 #include "prove/check/sum_of_albedos.h"
+#include "prove/energy/energy.h"
 #include "prove/proof.h"
-#include "prove/scalar/energy.h"
 #include "prove/scalar/lemmas.h"
 
 namespace brdf::prove {

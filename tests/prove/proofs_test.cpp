@@ -5,8 +5,9 @@
 #include <iostream>
 #include <map>
 
-#include "io/error.h"
-#include "io/settings.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/material/settings.h"
 #include "prove/check/certificate.h"
 #include "prove/report.h"
 

@@ -9,7 +9,7 @@
 #include "prove/scalar/on_rounding.h"
 #include "tests/prove/boxes.h"
 #include "tests/typed.h"
-#include "validate/extended.h"
+#include "validate/numerics/extended.h"
 
 namespace brdf::prove {
 namespace {

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "brdf/integrals.h"
+#include "prove/energy/energy.h"
+#include "prove/energy/growth.h"
 #include "prove/proof.h"
-#include "prove/scalar/energy.h"
-#include "prove/scalar/growth.h"
 #include "prove/scalar/ward_energy.h"
 
 namespace brdf::prove {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "brdf/reflectance.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/gpu/renderer.h"
 #include "render/proof/parity.h"
 #include "render/reference/reference.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/gpu/renderer.h"
 #include "tests/render/lit_spheres.h"
 #include "tests/render/strangers.h"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "brdf/reflectance.h"
-#include "io/material_file.h"
+#include "io/material/material_file.h"
 #include "render/compare/supersample.h"
 #include "render/picture/dither.h"
 #include "render/picture/picture.h"

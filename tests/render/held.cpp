@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/material_json.h"
+#include "io/material/material_json.h"
 #include "render/gpu/gpu_layout.h"
 
 namespace brdf::render {

@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "brdf/random.h"
-#include "io/error.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
 #include "render/light/points.h"
 #include "render/picture/picture.h"
 #include "tests/render/furnace.h"

@@ -1,8 +1,10 @@
 // Plots of lobes and the measured points in them; where the split goes.
 #include <gtest/gtest.h>
 
-#include "io/error.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/samples/degrees.h"
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"
 #include "render/compare/lobe_points.h"

@@ -9,8 +9,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "brdf/scalar.h"
-#include "io/error.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
 #include "render/mesh/lathe.h"
 #include "render/mesh/spline.h"
 

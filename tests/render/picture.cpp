@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/parallel.h"
-#include "io/temporary_folder.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/parallel.h"
+#include "io/files/temporary_folder.h"
+#include "io/samples/degrees.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"
 #include "render/job.h"

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <thread>
 
-#include "io/error.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
 #include "render/compare/state.h"
 #include "render/scene/prepared.h"
 #include "render/scene/scene_json.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "brdf/reflectance.h"
-#include "io/material_file.h"
+#include "io/material/material_file.h"
 #include "render/gpu/renderer.h"
 #include "render/light/formula.h"
 #include "render/reference/reference.h"

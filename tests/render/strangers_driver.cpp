@@ -1,7 +1,7 @@
 // Reflectances that are not in the catalogue: their shaders are compiled when they are drawn.
 #include <gtest/gtest.h>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "render/gpu/renderer.h"
 #include "render/proof/parity.h"
 #include "render/proof/shader_proof.h"

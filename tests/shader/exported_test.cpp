@@ -6,8 +6,8 @@
 
 #include "brdf/random.h"
 #include "brdf/targets.h"
-#include "io/glsl.h"
-#include "io/shader_texts.h"
+#include "io/material/glsl.h"
+#include "io/material/shader_texts.h"
 #include "tests/shader/texts.h"
 
 namespace brdf::shader {

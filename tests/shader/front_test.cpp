@@ -6,7 +6,8 @@
 
 #include <fstream>
 
-#include "io/temporary_folder.h"
+#include "io/columns/supplied.h"
+#include "io/files/temporary_folder.h"
 #include "shader/spirv/module.h"
 #include "tests/shader/texts.h"
 

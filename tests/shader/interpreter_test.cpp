@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "brdf/random.h"
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/blame.h"
 #include "tests/shader/texts.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "shader/shader.h"
 
 namespace brdf::shader {

@@ -12,7 +12,9 @@
 #include "brdf/forms.h"
 #include "brdf/integrals.h"
 #include "brdf/material.h"
-#include "io/merl.h"
+#include "io/formats/merl.h"
+#include "io/formats/read.h"
+#include "io/samples/degrees.h"
 #include "tables.h"
 
 namespace brdf::sheet {

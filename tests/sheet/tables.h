@@ -10,7 +10,7 @@
 
 #include "brdf/forms.h"
 #include "brdf/material.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "sheet/data_sheet.h"
 
 namespace brdf::sheet {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/content.h"
-#include "io/temporary_folder.h"
+#include "io/files/content.h"
+#include "io/files/temporary_folder.h"
 
 namespace brdf::study {
 namespace {

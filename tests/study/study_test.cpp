@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/material_file.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/temporary_folder.h"
+#include "io/formats/read.h"
+#include "io/material/material_file.h"
 #include "study/spheres.h"
 #include "synth/instrument.h"
 

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "io/error.h"
-#include "io/material_json.h"
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/material/material_json.h"
 
 namespace brdf::synth {
 namespace {

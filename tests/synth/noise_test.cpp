@@ -1,5 +1,5 @@
 // The noise that a table tells of itself, against the noise that it was made with.
-#include "io/noise.h"
+#include "io/samples/noise.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,9 @@
 #include <tuple>
 
 #include "brdf/forms.h"
-#include "io/numbers.h"
-#include "io/temporary_folder.h"
+#include "io/csv/csv.h"
+#include "io/files/numbers.h"
+#include "io/files/temporary_folder.h"
 #include "synth/instrument.h"
 
 namespace brdf::synth {

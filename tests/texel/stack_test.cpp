@@ -5,9 +5,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/error.h"
-#include "io/png.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/png.h"
+#include "io/files/temporary_folder.h"
 #include "texel/stack.h"
 
 namespace brdf::texel {

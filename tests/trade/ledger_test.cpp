@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::trade {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "brdf/forms.h"
 #include "brdf/reflectance_of.h"
-#include "io/error.h"
-#include "io/output.h"
-#include "io/temporary_folder.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/temporary_folder.h"
 #include "trade/recommend/costs.h"
 
 namespace brdf::trade {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/error.h"
+#include "io/files/error.h"
 #include "trade/questions/ball.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/variants.h"

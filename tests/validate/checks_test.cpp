@@ -1,5 +1,5 @@
 // The search against facts known from elsewhere: what it finds, and that it raises no false alarm.
-#include "validate/checks.h"
+#include "validate/form/checks.h"
 #include "brdf/forms.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // No two integrals of the same thing lie further apart than their bounds allow.
-#include "validate/error_bounds.h"
+#include "validate/numerics/error_bounds.h"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "brdf/reflectance_of.h"
-#include "validate/checks.h"
-#include "validate/extremes.h"
-#include "validate/numerics.h"
-#include "validate/report.h"
-#include "validate/search.h"
+#include "validate/form/checks.h"
+#include "validate/numerics/numerics.h"
+#include "validate/report/report.h"
+#include "validate/search/extremes.h"
+#include "validate/search/search.h"
 
 namespace brdf::validate {
 namespace {

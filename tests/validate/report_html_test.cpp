@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "sheet/data_sheet.h"
-#include "validate/check_words.h"
-#include "validate/report.h"
+#include "validate/report/check_words.h"
+#include "validate/report/report.h"
 
 namespace brdf::validate {
 namespace {

@@ -1,4 +1,4 @@
-#include "validate/search.h"
+#include "validate/search/search.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace brdf::trade {
 namespace {

@@ -1,6 +1,6 @@
 #include "trade/ledger/conclusion.h"
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::trade {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "brdf/names.h"
-#include "io/json.h"
+#include "io/files/json.h"
 
 namespace brdf::trade {
 

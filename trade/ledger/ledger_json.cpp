@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/output.h"
-#include "io/text.h"
+#include "io/files/output.h"
+#include "io/files/text.h"
 #include "trade/ledger/ledger.h"
 
 namespace brdf::trade {

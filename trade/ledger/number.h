@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::trade {
 

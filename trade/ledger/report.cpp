@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/html_report.h"
-#include "io/numbers.h"
-#include "io/shell.h"
+#include "io/files/numbers.h"
+#include "io/files/shell.h"
+#include "io/page/html_report.h"
 #include "trade/ledger/conclusion.h"
 #include "trade/ledger/number.h"
 

@@ -4,7 +4,7 @@
 
 #include "brdf/directions.h"
 #include "brdf/low_discrepancy.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::trade {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "brdf/forms.h"
 #include "brdf/integrals.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "trade/questions/materials.h"
 
 namespace brdf::trade {

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "fit/fit.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
+#include "io/samples/degrees.h"
 #include "synth/random.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/names.h"

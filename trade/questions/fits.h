@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brdf/material.h"
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "trade/questions/evaluations.h"
 
 namespace brdf::trade {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 #include "trade/questions/ball.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/names.h"

@@ -15,7 +15,7 @@ Choice masking_choice(std::string name, V v, std::string note) {
   return {std::move(name), kernel(visibility<V>{v}), std::move(note), on_ball(v, schlick_fresnel)};
 }
 
-Question ggx_question() {
+Question masked_ggx_question() {
   Question q{names::kMasking,
              "G of both directions",
              Measure::relative,
@@ -84,7 +84,7 @@ Question beckmann_g1_question() {
 }  // namespace
 
 std::vector<Question> masking_questions() {
-  return {ggx_question(), g1_question(), beckmann_question(), beckmann_g1_question()};
+  return {masked_ggx_question(), g1_question(), beckmann_question(), beckmann_g1_question()};
 }
 
 }  // namespace brdf::trade

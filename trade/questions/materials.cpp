@@ -1,7 +1,7 @@
 #include "trade/questions/materials.h"
 
-#include "io/error.h"
-#include "io/numbers.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "trade/questions/names.h"
 
 namespace brdf::trade {

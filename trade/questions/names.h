@@ -5,7 +5,7 @@
 #include <string>
 
 #include "brdf/names.h"
-#include "io/numbers.h"
+#include "io/files/numbers.h"
 
 namespace brdf::trade {
 

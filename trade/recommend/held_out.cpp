@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "io/material_file.h"
+#include "io/material/material_file.h"
 #include "trade/questions/held_out_cases.h"
 #include "trade/questions/materials.h"
 #include "trade/recommend/recommend.h"

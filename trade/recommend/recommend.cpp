@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/content.h"
-#include "io/error.h"
-#include "io/material_json.h"
-#include "io/numbers.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/formats/read.h"
+#include "io/material/material_json.h"
 #include "trade/questions/fits.h"
 #include "trade/questions/variants.h"
 #include "trade/recommend/costs.h"

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/content.h"
-#include "io/html_report.h"
-#include "io/material_json.h"
-#include "io/numbers.h"
-#include "io/output.h"
+#include "io/files/content.h"
+#include "io/files/numbers.h"
+#include "io/files/output.h"
+#include "io/material/material_json.h"
+#include "io/page/html_report.h"
 #include "trade/ledger/number.h"
 #include "trade/measure/timing.h"
 #include "trade/recommend/recommend.h"

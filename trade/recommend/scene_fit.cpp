@@ -5,8 +5,9 @@
 
 #include "brdf/geometry.h"
 #include "fit/fit.h"
-#include "io/error.h"
-#include "io/in_colour.h"
+#include "io/colour/in_colour.h"
+#include "io/files/error.h"
+#include "io/samples/degrees.h"
 #include "render/compare/measured.h"
 #include "trade/measure/domain.h"
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "io/samples.h"
+#include "io/samples/samples.h"
 #include "render/reference/reference.h"
 
 namespace brdf::trade {

@@ -9,7 +9,7 @@
 
 #include "../samples.h"
 #include "fit/assess/reported.h"
-#include "io/parallel.h"
+#include "io/files/parallel.h"
 
 namespace brdf::fit {
 namespace {

@@ -2,9 +2,10 @@
 // sphere_page FITTED TRUE FILE
 #include <cstdio>
 
-#include "io/material_file.h"
-#include "io/output.h"
-#include "io/sphere/page.h"
+#include "io/files/content.h"
+#include "io/files/output.h"
+#include "io/material/material_file.h"
+#include "io/page/sphere/page.h"
 
 int main(int argc, char** argv) {
   using namespace brdf;

@@ -1,5 +1,5 @@
 // The accuracy contract: largest error of every form in float and double against 50 digits, over the grid of
-// validate/extremes.h and a search, asserted on both sides.
+// validate/search/extremes.h and a search, asserted on both sides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,11 +10,11 @@
 #include "brdf/material.h"
 #include "brdf/microfacet.h"
 #include "brdf/random.h"
-#include "validate/exact.h"
-#include "validate/extremes.h"
-#include "validate/numerics.h"
-#include "validate/rounding.h"
-#include "validate/search.h"
+#include "validate/numerics/exact.h"
+#include "validate/numerics/numerics.h"
+#include "validate/numerics/rounding.h"
+#include "validate/search/extremes.h"
+#include "validate/search/search.h"
 
 namespace brdf::validate {
 namespace {

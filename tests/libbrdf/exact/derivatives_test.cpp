@@ -7,8 +7,8 @@
 
 #include "brdf/dual.h"
 #include "tests/typed.h"
-#include "validate/exact.h"
-#include "validate/extremes.h"
+#include "validate/numerics/exact.h"
+#include "validate/search/extremes.h"
 
 namespace brdf::validate {
 namespace {

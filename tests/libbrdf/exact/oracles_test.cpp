@@ -8,7 +8,7 @@
 #include "brdf/integrals.h"
 #include "brdf/material.h"
 #include "tests/libbrdf/half_vector_quadrature.h"
-#include "validate/exact.h"
+#include "validate/numerics/exact.h"
 
 namespace brdf {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "brdf/forms.h"
 #include "brdf/material.h"
-#include "validate/exact.h"
+#include "validate/numerics/exact.h"
 
 namespace brdf::validate {
 namespace {

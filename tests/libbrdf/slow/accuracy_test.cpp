@@ -1,7 +1,7 @@
 // A search of a million evaluations for each form and scalar finds no error larger than the form's header states.
 #include <gtest/gtest.h>
 
-#include "validate/numerics.h"
+#include "validate/numerics/numerics.h"
 
 namespace brdf::validate {
 namespace {

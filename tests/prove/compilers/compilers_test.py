@@ -16,7 +16,7 @@ if not gcc or not clang:
     print("skipped: g++ and clang++ are needed")
     sys.exit(77)
 
-FILES = [*sorted((source / "prove/scalar").glob("*.cpp")), source / "prove/search.cpp", source / "tests/prove/compilers/driver.cpp", *shards]
+FILES = [*sorted((source / "prove/scalar").glob("*.cpp")), *sorted((source / "prove/energy").glob("*.cpp")), source / "prove/check/claim.cpp", source / "prove/search.cpp", source / "tests/prove/compilers/driver.cpp", *shards]
 
 
 def built(compiler, level, folder):

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "brdf/forms.h"
-#include "prove/scalar/claim.h"
+#include "prove/check/claim.h"
 #include "prove/scalar/rounding.h"
 #include "prove/scalar/swapped.h"
 #include "prove/search.h"

@@ -1,7 +1,7 @@
 // Users' shaders on boxes: no value lies outside, faults are refuted or stay open, what is not known is not claimed.
 #include <gtest/gtest.h>
 
-#include "io/content.h"
+#include "io/files/content.h"
 #include "prove/shader/on_box.h"
 #include "prove/shader/shader_proof.h"
 #include "tests/prove/boxes.h"

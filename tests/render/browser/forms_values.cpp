@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "brdf/trace.h"
-#include "io/base64.h"
-#include "io/json.h"
+#include "io/files/base64.h"
+#include "io/files/json.h"
 #include "render/proof/shader_proof.h"
 
 namespace {

@@ -10,8 +10,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "io/error.h"
-#include "io/samples.h"
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
 #include "render/job.h"
 #include "render/viewer/beside.h"
 #include "render/viewer/commands.h"

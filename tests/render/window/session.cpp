@@ -6,8 +6,8 @@
 #include <fstream>
 #include <random>
 
-#include "io/error.h"
-#include "io/material_json.h"
+#include "io/files/error.h"
+#include "io/material/material_json.h"
 #include "render/job.h"
 #include "render/viewer/commands.h"
 

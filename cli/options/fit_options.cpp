@@ -1,0 +1,122 @@
+#include "cli/options/fit_options.h"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+
+#include "cli/options/options.h"
+#include "cli/options/terminal.h"
+#include "io/files/error.h"
+
+namespace brdf::cli {
+namespace {
+
+std::atomic<bool> interrupted = false;
+
+}  // namespace
+
+void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
+  std::vector<std::string> models = names_for(Value::form);
+  models.insert(models.end(), {"all", "every", "auto"});
+  offer(verb.add_option(
+                "--form", choice.form,
+                "all, every, a form, a sum as in oren_nayar+ward, or auto: terms as the samples ask for")
+            ->capture_default_str(),
+        std::move(models));
+  add_named_option(
+      verb, "--metric", choice.options.metric,
+      "Residual; auto: the one whose noise is the most even on the data, log where it is not known");
+  verb.add_flag("--anisotropic", choice.options.anisotropic, "Two widths and the tangent's azimuth");
+  verb.add_flag("--per-channel", choice.options.per_channel, "A shape for every channel: --shape free");
+  offer(verb.add_option(
+            "--shape", choice.shape,
+            "Over the channels: shared (default), free, or smooth[:DEGREE], a polynomial in 1/wavelength "
+            "(default degree 2)"),
+        {"shared", "free", "smooth"});
+  verb.add_flag("--free-scale", choice.options.free_scale,
+                "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
+  add_keep_fill_option(verb, choice.options.keep_fill);
+  add_arrangement_options(verb, choice.options.arrangement);
+  add_supplied_options(verb, choice.options.supplied);
+  verb.add_option("--max-theta", choice.options.max_theta, "Degrees; rows with a steeper angle are left out")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 90.0));
+  add_repeated_option(verb, "--fix", choice.fix,
+                      "Hold a parameter: name=value, one value per channel, or FILE, a table of refractive "
+                      "indices (f0=gold.yml)");
+  add_repeated_option(verb, "--start", choice.start, "One more start: name=value, or FILE as of --fix");
+  add_repeated_option(verb, "--bounds", choice.bounds, "Restrict a parameter: name=low:high");
+  add_repeated_option(verb, "--tie", choice.options.tie,
+                      "One value for all channels: the name of a weight, f0 or shape");
+  verb.add_flag("--physical", choice.physical, "Weights that keep energy: a channel's add up to at most 1");
+  verb.add_option("--robust", choice.robust, "huber or cauchy, with :SCALE to give its scale");
+  add_named_option(verb, "--weights", choice.options.weighting,
+                   "Weights of the residuals (auto: sigma columns where there are any)");
+  verb.add_option("--starts", choice.options.random_starts, "Random starts besides the grid")
+      ->check(CLI::Range(0, 100000));
+  verb.add_option("--seed", choice.options.seed, "Of the random starts")->capture_default_str();
+  verb.add_option("--aperture", choice.options.aperture,
+                  "Full width of the detector's field in degrees: the model is averaged over it")
+      ->check(CLI::Range(0.0, 90.0));
+}
+
+void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {
+  verb.add_option("--bootstrap", choice.options.bootstrap,
+                  "Replicates: fits to incidences drawn with replacement, whose spread is reported")
+      ->check(CLI::Range(0, 100000));
+}
+
+void add_pictures_option(CLI::App& verb, bool& no_pictures) {
+  verb.add_flag("--no-pictures", no_pictures, "Leave out the spheres, which take most of the time");
+}
+
+fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs) {
+  return work::fit_options(choice, jobs, &interrupted);
+}
+
+void add_normals_option(CLI::App& verb, work::StackOptions& options) {
+  verb.add_option("--normals", options.normals,
+                  "Of a stack: flat, fit (two more parameters for each texel), or an EXR with normal.x, "
+                  "normal.y and normal.z")
+      ->capture_default_str();
+}
+
+void add_task_options(CLI::App& verb, work::TaskOptions& options) {
+  add_fit_options(verb, options.choice);
+  add_bootstrap_option(verb, options.choice);
+  add_normals_option(verb, options.stack);
+  add_pictures_option(verb, options.no_pictures);
+}
+
+work::TaskOptions task_options_of(const std::vector<std::string>& words) {
+  CLI::App app;
+  work::TaskOptions options;
+  add_task_options(app, options);
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them
+  } catch (const CLI::ParseError& error) {
+    throw InputError("the plan's options cannot be read: " + std::string(error.what()));
+  }
+  return options;
+}
+
+work::Caller this_program() {
+  return {&interrupted, [](const std::string& sentence) { Note() << sentence; }};
+}
+
+void watch_for_interrupt() {
+  static struct sigaction before;
+  struct sigaction action = {};
+  action.sa_handler = [](int) {
+    interrupted = true;
+    sigaction(SIGINT, &before, nullptr);
+  };
+  if (sigaction(SIGINT, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    sigaction(SIGINT, &action, nullptr);
+}
+
+bool was_interrupted() {
+  return interrupted;
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,121 @@
+#include "cli/options/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "io/columns/stated_quantity.h"
+#include "io/files/text.h"
+
+namespace brdf::cli {
+namespace {
+
+template <class Integer>
+bool is_integer(std::string_view text) {
+  Integer value;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && stop == text.data() + text.size();
+}
+
+bool is_finite_number(std::string_view text) {
+  double value;
+  return io::parse_number(text, value) && std::isfinite(value);
+}
+
+// What is wrong with the text as a value of this type, by CLI11's name of it; empty: nothing.
+std::string number_fault(const std::string& type, const std::string& text) {
+  const std::string shown = "'" + text + "' ";
+  if (type.starts_with("UINT") && !is_integer<std::uint64_t>(text))
+    return shown + "must be a whole number from 0 to 18446744073709551615";
+  if (type.starts_with("INT") && !is_integer<std::int64_t>(text)) return shown + "must be a whole number";
+  if (type.starts_with("FLOAT") && !is_finite_number(text)) return shown + "must be a finite number";
+  return {};
+}
+
+// "500M" as bytes in digits.
+std::string to_bytes(std::string& text) {
+  const std::string fault = "'" + text + "' must be a whole number above 0, alone or with K, M or G";
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view unit(stop, std::size_t(text.data() + text.size() - stop));
+  constexpr std::string_view kUnits = "KMG";
+  const std::size_t power = unit.empty() ? 0 : kUnits.find(unit) + 1;
+  if (error != std::errc() || number == 0 || (!unit.empty() && (unit.size() != 1 || power == 0)))
+    return fault;
+  const unsigned bits = 10 * unsigned(power);
+  if (number > UINT64_MAX >> bits) return fault + ", below 2^64";
+  text = std::to_string(number << bits);
+  return {};
+}
+
+}  // namespace
+
+void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
+  add_named_option(
+      verb, "--polarisation", arrangement.polarisation,
+      "Channels whose names say a polarisation (fr_s, 465nm p): all, their average, or those of one");
+  add_named_option(
+      verb, "--repeats", arrangement.repeats,
+      "Directions measured more than once: a row each, or their mean with its standard deviation");
+}
+
+void add_keep_fill_option(CLI::App& verb, bool& keep_fill) {
+  verb.add_flag("--keep-fill", keep_fill,
+                "Use rows of fill values, too: numbers that stand for directions that were not measured");
+}
+
+void add_supplied_options(CLI::App& verb, io::Supplied& supplied) {
+  add_word_option(
+      verb, "--quantity", "",
+      [&supplied](const std::string& words) {
+        io::stated_by_option(words);  // refused before a file is read
+        supplied.quantity = words;
+      },
+      "Quantity of the values if the file does not state it: " + io::known_quantities());
+  add_named_option(verb, "--mirror-side", supplied.mirror_side,
+                   "Tables of two signed angles: the sign of the viewer's angle on the mirror side");
+}
+
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,
+                       const std::string& description) {
+  verb.add_option(name, bytes, description)->transform(CLI::Validator(to_bytes, "SIZE"));
+}
+
+void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of) {
+  add_memory_option(verb, bytes, "--memory-limit", "Most " + of + ", for instance 500M or 1G");
+}
+
+void require_plain_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    option->check(CLI::Validator(
+        [type = option->get_type_name()](const std::string& text) { return number_fault(type, text); }, ""));
+  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) require_plain_numbers(*verb);
+}
+
+CLI::Option* add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
+                             std::function<void(const std::string&)> set, const std::string& description) {
+  return verb.add_option_function<std::string>(name, std::move(set), description)
+      ->default_str(std::string(initial));
+}
+
+void add_repeated_option(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                         const std::string& description) {
+  verb.add_option(name, values, description)->allow_extra_args(false);
+}
+
+std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool all) {
+  std::vector<Reflectance> forms;
+  if (all) forms.assign(catalogue().begin(), catalogue().end());
+  for (const std::string& name : names) forms.push_back(io::require_form(name));
+  if (forms.empty()) throw InputError("which forms? give --form or --all");
+  return forms;
+}
+
+void add_material_options(CLI::App& verb, io::MaterialChoice& choice) {
+  verb.add_option("--form", choice.form,
+                  "A form by name (`brdf models` lists them), at its default parameters");
+  verb.add_option("--material", choice.material, "A material's JSON file");
+  add_repeated_option(verb, "--set", choice.set, "name=value, or one value per channel: name=v,v,v");
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,190 @@
+#include "cli/options/shader_options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "cli/options/options.h"
+#include "cli/options/terminal.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#ifdef BRDF_HAS_SHADER
+#include "shader/blame.h"
+#include "shader/in_more_digits.h"
+#include "shader/material_form.h"
+#include "shader/shader.h"
+#include "shader/undefined.h"
+#endif
+
+namespace brdf::cli {
+#ifdef BRDF_HAS_SHADER
+namespace {
+
+std::string explain(const shader::ShaderReflectance& model, std::string_view check, const Material& at,
+                    const Vec3<double>& wi, const Vec3<double>& wo) {
+  using shader::Fault;
+  const Fault fault = check == "finite"         ? Fault::not_finite
+                      : check == "non_negative" ? Fault::negative
+                                                : Fault::loses_digits;
+  for (std::size_t c = 0; c < at.channels.size(); ++c) {
+    const std::vector<double> values = model.values_of(at.terms.front().values(c));
+    const std::string text =
+        to_text(shader::blame<double>(model.function(), fault, values, wi, wo, std::min<std::size_t>(c, 2)));
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
+std::string explain_jump(const shader::ShaderReflectance& model, const Material& at,
+                         const shader::DirectionPair& here, const shader::DirectionPair& there) {
+  for (std::size_t c = 0; c < at.channels.size(); ++c) {
+    const std::vector<double> values = model.values_of(at.terms.front().values(c));
+    const std::string text =
+        to_text(shader::blame_jump(model.function(), values, here, there, std::min<std::size_t>(c, 2)));
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
+std::string undefined_text(const shader::ShaderReflectance& model, const Material& at, const Vec3<double>& wi,
+                           const Vec3<double>& wo) {
+  if (std::min(wi.z, wo.z) < 0) return "";  // the shader is not called
+  for (std::size_t c = 0; c < at.channels.size(); ++c) {
+    const std::vector<double> values = model.values_of(at.terms.front().values(c));
+    auto found = shader::undefined_value<double>(model.function(), values, wi, wo);
+    if (!found) found = shader::undefined_value<float>(model.function(), values, wi, wo);
+    if (found) return to_text(model.function(), *found);
+    if (!model.info().mixes_channels && model.info().channels.empty()) break;
+  }
+  return "";
+}
+
+std::vector<double> in_more_digits(const shader::ShaderReflectance& model, const Material& at,
+                                   const Vec3<double>& wi, const Vec3<double>& wo) {
+  std::vector<double> out;
+  for (std::size_t c = 0; c < at.channels.size(); ++c)
+    out.push_back(shader::in_more_digits(model.function(), model.values_of(at.terms.front().values(c)), wi,
+                                         wo, std::min<std::size_t>(c, 2)));
+  return out;
+}
+
+LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, std::string words) {
+  return {Reflectance(model),
+          model->material(model),
+          std::move(words),
+          model->function().notes,
+          model->function().oriented,
+          model->function().may_turn(),
+          model->function().all_round(),
+          model->function().as_written.size(),
+          [model](std::string_view check, const Material& at, const Vec3<double>& wi,
+                  const Vec3<double>& wo) { return explain(*model, check, at, wi, wo); },
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+                  const Vec3<double>& other_wi, const Vec3<double>& other_wo) {
+            return explain_jump(*model, at, {wi, wo}, {other_wi, other_wo});
+          },
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+            return undefined_text(*model, at, wi, wo);
+          },
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+            return in_more_digits(*model, at, wi, wo);
+          }};
+}
+
+}  // namespace
+#endif
+
+void add_shader_options(CLI::App& verb, ShaderOptions& options) {
+  verb.add_option("--shader", options.file,
+                  "A shader's file (GLSL, HLSL, BRDF Explorer's .brdf) whose function is the reflectance");
+  add_repeated_option(verb, "--param", options.parameters,
+                      "A parameter's range, NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, :log after it for a log "
+                      "scale (of --shader)");
+  verb.add_option("--entry", options.entry,
+                  "The function, NAME or NAME(L, V, N, ...) with what its arguments are (of --shader; "
+                  "default: the one called brdf)");
+  offer(verb.add_option("--returns", options.returns,
+                        "What the function returns: f (default), f*cos_i or f*cos_o (of --shader)"),
+        {"f", "f*cos_i", "f*cos_o"});
+  add_repeated_option(
+      verb, "--define", options.defines,
+      "A macro that is defined before the file's first line, NAME=VALUE, NAME (then 1) or NAME= (then "
+      "nothing) (of --shader)");
+  add_repeated_option(verb, "-I,--include-folder", options.include_folders,
+                      "A folder whose files may be included, after the file's own folder (of --shader)");
+}
+
+bool is_given(const ShaderOptions& options) {
+  for (const auto& [name, given] :
+       {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
+        std::pair("--returns", !options.returns.empty()), std::pair("--define", !options.defines.empty()),
+        std::pair("-I", !options.include_folders.empty())})
+    if (given && options.file.empty()) throw InputError(std::string(name) + ": goes with --shader FILE");
+#ifndef BRDF_HAS_SHADER
+  if (!options.file.empty())
+    throw EnvironmentError("--shader " + options.file + ": this build has no shader compiler (glslang)");
+#endif
+  return !options.file.empty();
+}
+
+#ifdef BRDF_HAS_SHADER
+shader::ShaderChoice choice_of(const ShaderOptions& options) {
+  return {options.file,    options.parameters, options.entry,
+          options.returns, options.defines,    options.include_folders};
+}
+#endif
+
+std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet) {
+  if (!is_given(options)) return std::nullopt;
+#ifdef BRDF_HAS_SHADER
+  const shader::ShaderChoice choice = choice_of(options);
+  const auto model = shader::load_shader(choice, options.embed);
+  LoadedShader loaded = described(model, shader::command_words(choice));
+  for (const shader::Parameter& p : model->function().parameters)
+    if (verb == "fit" && p.whole)
+      loaded.notes.push_back(p.name + " is a whole number, which a fit does not search: it holds it at " +
+                             io::to_text(p.initial[0]) + " unless --fix says another");
+  if (!quiet)
+    for (const std::string& note : loaded.notes)
+      Note() << "brdf " << verb << ": " << options.file << ": " << note;
+  return loaded;
+#else
+  (void)verb, (void)quiet;
+  return std::nullopt;
+#endif
+}
+
+std::optional<LoadedShader> shader_in(const Material& material) {
+#ifdef BRDF_HAS_SHADER
+  if (material.terms.size() != 1) return std::nullopt;
+  const auto form = std::make_shared<const Reflectance>(material.terms.front().form);
+  const shader::ShaderReflectance* model = shader::shader_of(*form);
+  if (model == nullptr) return std::nullopt;
+  return described({form, model}, "");
+#else
+  (void)material;
+  return std::nullopt;
+#endif
+}
+
+void use_shaders_in_materials() {
+#ifdef BRDF_HAS_SHADER
+  shader::use_in_materials();
+#endif
+}
+
+void add_material_options(CLI::App& verb, MaterialOptions& options) {
+  add_material_options(verb, static_cast<io::MaterialChoice&>(options));
+  add_shader_options(verb, options.shader);
+}
+
+io::MaterialFile choose_material_file(const MaterialOptions& options, const std::string& verb) {
+  io::MaterialChoice choice = options;
+  if (const auto shader = load(options.shader, verb)) choice.made = shader->material;
+  return io::choose_material_file(choice);
+}
+
+Material choose_material(const MaterialOptions& options, const std::string& verb) {
+  return choose_material_file(options, verb).material;
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/verb.h"
+#include "fit/file_batch.h"
+
+namespace brdf::cli {
+
+// Writes the summary and prints where it is, or `json`.
+Exit summarise(const std::vector<fit::BatchRow>& rows, const std::filesystem::path& folder, bool json);
+
+}  // namespace brdf::cli

@@ -1,0 +1,88 @@
+#include "cli/steps/fit_stack.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/options/fit_options.h"
+#include "cli/options/options.h"
+#include "cli/options/progress.h"
+#include "cli/options/terminal.h"
+#include "cli/steps/stack_scene.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
+#include "maps/shared_fit.h"
+
+namespace brdf::cli {
+
+void add_share_options(CLI::App& verb, work::StackOptions& options) {
+  add_repeated_option(verb, "--share", options.share,
+                      "Of a stack: a shape with one value for all texels of a region, as alpha");
+  verb.add_option("--regions", options.regions,
+                  "An EXR whose one channel numbers the regions of --share; 0 shares nothing")
+      ->check(CLI::ExistingFile);
+}
+
+void add_stack_memory_option(CLI::App& verb, std::uint64_t& bytes) {
+  add_memory_option(verb, bytes, "memory for a stack's pixels at a time");
+}
+
+std::vector<std::string> result_names() {
+  return {maps::kMapsFile, maps::kSummaryFile, kSceneFile};
+}
+
+Exit write_results(const StackFiles& files, const texel::Stack& stack, const maps::Making& making,
+                   const texel::Planes& maps, std::optional<double> seconds) {
+  const maps::Summary summary = maps::summary_of(maps);
+  const std::string json = maps::summary_json(stack, making, summary, maps);
+  io::make_folder(files.output);
+  maps::write_maps(files.output, maps, making, json);
+  const std::string scene = summary.fitted > 0 ? write_scene(files.output, stack, making.settings, maps) : "";
+  if (!files.report.empty())
+    io::write_file_atomically(files.report, maps::html_page(stack, making, summary, maps));
+  if (files.json)
+    std::cout << json;
+  else
+    maps::print(std::cout, stack, making, summary, files.output, seconds);
+  if (!files.json && !scene.empty()) std::cout << io::printable(scene) << '\n';
+  return summary.usable() > 0 ? Exit::good : Exit::failed;
+}
+
+Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options, const fit::FitChoice& choice,
+               const fit::FitOptions& options) {
+  const auto started = std::chrono::steady_clock::now();
+  maps::Settings settings = work::settings_of(stack_options, choice, options);
+  if (files.output.empty()) throw InputError("a stack needs -o FOLDER");
+  const std::string given = work::normals_file(stack_options);
+  if (!stack_options.regions.empty() && stack_options.share.empty())
+    throw InputError("--regions: are those of --share: name a shape");
+  io::check_folder_target({"-o", files.output}, result_names(), {given, stack_options.regions});
+  io::check_targets({{"--report", files.report}});
+  const texel::Stack stack = texel::open_stack(files.stack);
+  std::optional<maps::Normals> normals;
+  if (!given.empty()) normals = maps::read_normals(given, stack);
+  const maps::Normals* const known = normals ? &*normals : nullptr;
+  watch_for_interrupt();
+  settings.options.metric = maps::choose_metric(stack, settings, known);
+  const maps::Resources resources{stack_options.memory, files.jobs};
+  const io::Progress progress = progress_line("brdf fit: parts of the stack");
+  const texel::Planes maps =
+      stack_options.share.empty()
+          ? maps::fit_stack(stack, settings, known, resources, progress)
+          : maps::fit_shared(stack, settings, known,
+                             maps::read_sharing(stack_options.share, stack_options.regions, stack), resources,
+                             progress);
+  if (was_interrupted()) {
+    Note() << "brdf fit: interrupted: nothing is written";
+    return Exit::failed;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  const maps::Making making{settings, stack_options.normals, io::provenance().command, stack_options.share,
+                            stack_options.regions};
+  return write_results(files, stack, making, maps, seconds);
+}
+
+}  // namespace brdf::cli

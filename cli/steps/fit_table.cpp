@@ -1,0 +1,43 @@
+#include "cli/steps/fit_table.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "cli/options/terminal.h"
+#include "fit/report/html.h"
+#include "fit/report/report.h"
+#include "io/files/output.h"
+#include "io/material/material_json.h"
+
+namespace brdf::cli {
+namespace {
+
+void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options) {
+  PlainText out;
+  fit::print(out, result, table, options, {columns_of(STDOUT_FILENO), colours_on(STDOUT_FILENO)});
+}
+
+}  // namespace
+
+Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,
+               const FitTargets& targets) {
+  const fit::FormFit& best = result.ranking.front();
+  const std::string& output = targets.material;
+  if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output))
+    Note() << "brdf fit: interrupted: " << output << " is kept as it was";
+  else if (!output.empty() && best.solved())
+    io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
+  else if (!output.empty())
+    Note() << "brdf fit: no form could be fitted: " << output << " is not written";
+  if (!targets.report.empty())
+    io::write_file_atomically(targets.report, fit::html_report(result, table, options));
+  if (targets.json)
+    std::cout << io::to_text(fit::to_json(result, table, options));
+  else
+    print(result, table, options);
+  return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,75 @@
+#include "cli/steps/study_files.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+#include "cli/options/terminal.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
+
+namespace brdf::cli {
+namespace {
+
+// Not studied because the run was interrupted.
+bool was_left(const study::Row& row) {
+  return row.fault == study::Fault::interrupted;
+}
+
+void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
+  PlainText out;
+  const auto text = [](const io::Json& json) { return io::printable(json.get<std::string>()); };
+  std::size_t widest = 0;
+  for (const study::Row& row : rows)
+    if (!was_left(row)) widest = std::max(widest, text(row.json["name"]).size());
+  for (const study::Row& row : rows) {
+    if (was_left(row)) continue;
+    out << std::left << std::setw(int(widest) + 2) << text(row.json["name"]);
+    if (row.fault == study::Fault::none)
+      out << text(row.json["statement"]) << (row.kept ? " (kept)" : "") << '\n';
+    else
+      out << "error\n";
+    for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
+      out << "  " << text(warning) << '\n';
+  }
+  out << io::printable((folder / study::kPage).string()) << '\n';
+}
+
+// Why samples have no study, a line for each, and one for all that an interruption left.
+void say_faults(const std::vector<study::Row>& rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const std::string& sentence : rows[k].assumptions)
+      Note() << "brdf study: " << rows[k].file << ": " << sentence;
+    if (rows[k].fault != study::Fault::none && !was_left(rows[k]))
+      Note() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
+  }
+  if (const auto left = std::count_if(rows.begin(), rows.end(), was_left); left > 0)
+    Note() << "brdf study: interrupted: " << left << " of " << rows.size() << " not looked at";
+}
+
+void print_json(const std::vector<study::Row>& rows) {
+  io::Json out = io::to_json(io::provenance());
+  out["results"] = io::Json::array();
+  for (const study::Row& row : rows) {
+    io::Json json = row.json;
+    json["kept"] = row.kept;
+    out["results"].push_back(std::move(json));
+  }
+  std::cout << io::to_text(out);
+}
+
+}  // namespace
+
+Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json) {
+  say_faults(rows);
+  json ? print_json(rows) : print_text(rows, folder);
+  const auto has = [&](study::Fault fault) {
+    return std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) { return row.fault == fault; });
+  };
+  if (has(study::Fault::environment)) return Exit::environment;
+  return std::all_of(rows.begin(), rows.end(), [](const study::Row& row) { return row.usable(); })
+             ? Exit::good
+             : Exit::failed;
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,101 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/options/options.h"
+#include "cli/options/terminal.h"
+#include "cli/verb.h"
+#include "interop/rgl.h"
+#include "io/columns/supplied.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/json.h"
+#include "io/files/output.h"
+#include "io/formats/any_table.h"
+#include "io/formats/read.h"
+#include "io/material/material_file.h"
+#include "measured/measured.h"
+#include "sheet/data_sheet.h"
+#include "synth/instrument.h"
+
+namespace brdf::cli {
+namespace {
+
+struct ConvertCall {
+  std::string in, out;
+  io::Arrangement arrangement;
+  io::Supplied supplied;
+  bool keep_fill = false;
+};
+
+void arrange(const ConvertCall& o, io::SampleTable& table) {
+  if (!o.keep_fill) sheet::leave_out(sheet::not_measured(table), table);
+  io::arrange(table, o.arrangement);
+}
+
+// A material, or samples with what lies between them.
+Material between_samples(const ConvertCall& o) {
+  const std::string& in = o.in;
+  io::Content content = io::read_content(in);
+  if (io::is_json(content)) return io::read_material(content);
+  io::SampleTable table = io::read_samples(std::move(content), o.supplied);
+  arrange(o, table);
+  const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
+  if (seen->turning() == measured::Turning::turned)
+    throw InputError(in + ": the samples were turned, and an RGL file is written for one azimuth");
+  return measured::material_of(seen);
+}
+
+Exit to_rgl(const ConvertCall& o) {
+  const std::string& out = o.out;
+  io::check_targets({{"OUT", out}}, {o.in});
+  const std::string bytes = interop::rgl_of(between_samples(o), std::filesystem::path(o.in).stem().string());
+  io::write_file_atomically(out, bytes);
+  Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
+  Note() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
+            "(export --to rgl --measured interpolates beside a fit)";
+  return Exit::good;
+}
+
+Exit run_convert(const ConvertCall& o) {
+  const std::string &in = o.in, &out = o.out;
+  if (out.ends_with(".bsdf")) return to_rgl(o);
+  io::check_table_format(out);
+  io::check_targets({{"OUT", out}}, {in});
+  io::SampleTable table = synth::table_of_file(in, o.supplied);
+  arrange(o, table);
+  for (const std::string& warning : table.warnings) Note() << "brdf convert: " << in << ": " << warning;
+  const std::vector<std::string> lost = io::write_table(out, table);
+  Note() << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out;
+  for (const std::string& what : lost) Note() << "brdf convert: lost: " << what;
+  return Exit::good;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app) {
+  auto options = std::make_shared<ConvertCall>();
+  CLI::App* verb =
+      add_verb(app, Purpose::measure, "convert", "Convert samples between formats; says what is lost");
+  verb->add_option("IN", options->in,
+                   "CSV, MERL .binary, RGL or lens-design .bsdf, ASTM E1392 text; or a material's JSON, "
+                   "evaluated at the "
+                   "MERL cells")
+      ->required();
+  verb->add_option(
+          "OUT", options->out,
+          "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392) or .zemax (lens-design "
+          "text)")
+      ->required();
+  add_keep_fill_option(*verb, options->keep_fill);
+  add_arrangement_options(*verb, options->arrangement);
+  add_supplied_options(*verb, options->supplied);
+  verb->footer(
+      "Examples: brdf convert paper.bsdf paper.csv\n"
+      "          brdf convert paper.csv paper.bsdf\n"
+      "          brdf convert scan.csv scan.zemax --keep-fill\n"
+      "          brdf convert polarised.csv mean.csv --polarisation average --repeats average\n"
+      "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative");
+  on_run(*verb, [options] { return run_convert(*options); });
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,109 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/verb.h"
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/samples/degrees.h"
+#include "io/samples/samples.h"
+
+namespace brdf::cli {
+namespace {
+
+// The measured values times the cosine of the light, as the values that will stand beside them.
+void multiply_by_cosine(io::SampleTable& table) {
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const double cosine = io::cos_degrees(table.theta_i[k]);
+    for (auto& values : table.values) values[k] *= cosine;
+    for (auto& sigma : table.sigma)
+      if (!sigma.empty()) sigma[k] *= cosine;
+  }
+}
+
+// Adds the material's values as columns f or f_<channel>.
+void add_values(io::SampleTable& table, const Material& material, bool cosine) {
+  if (cosine) multiply_by_cosine(table);
+  const std::size_t first = table.channels.size(), count = material.channels.size();
+  for (const std::string& channel : material.channels) {
+    const std::string name = count == 1 ? "f" : "f_" + channel;
+    if (std::find(table.channels.begin(), table.channels.end(), name) != table.channels.end())
+      throw InputError(table.source + ": has a column '" + name + "' already");
+    table.channels.push_back(name);
+    table.values.emplace_back(table.rows());
+  }
+  table.sigma.resize(table.channels.size());
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const Directions<double> d = arrays.view();
+  std::vector<double> values(count);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (cosine)
+      eval_cos(material, d.wi(k), d.wo(k), values);
+    else
+      eval(material, d.wi(k), d.wo(k), values);
+    for (std::size_t c = 0; c < count; ++c) table.values[first + c][k] = values[c];
+  }
+}
+
+// How many of the values from column `first` on are no finite numbers, said on stderr with the first row that has one.
+std::size_t report_not_finite(const io::SampleTable& table, std::size_t first) {
+  std::size_t count = 0, row = 0, column = 0;
+  for (std::size_t k = 0; k < table.rows(); ++k)
+    for (std::size_t c = first; c < table.channels.size(); ++c)
+      if (!std::isfinite(table.values[c][k]) && count++ == 0) row = k, column = c;
+  if (count == 0) return 0;
+  const std::size_t all = table.rows() * (table.channels.size() - first);
+  Note() << "brdf eval: " << count << " of " << all << (count == 1 ? " values is" : " values are")
+         << " no finite number; the first: " << table.where(row) << ": " << table.channels[column] << " "
+         << (std::isnan(table.values[column][row]) ? "nan" : io::to_text(table.values[column][row]));
+  return count;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app) {
+  struct EvalCall {
+    MaterialOptions material;
+    std::string directions, output;
+    bool cosine = false;
+  };
+  auto options = std::make_shared<EvalCall>();
+  CLI::App* verb = add_verb(app, Purpose::look, "eval", "Evaluate a material at given directions");
+  add_material_options(*verb, options->material);
+  verb->add_option("DIRECTIONS", options->directions, "CSV with theta_i,phi_i,theta_o,phi_o in degrees")
+      ->required();
+  verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
+  verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
+  verb->footer(
+      "Exit code 1 where a value is no finite number: all rows are written, such values as nan, inf or "
+      "-inf.\n"
+      "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
+      "          brdf eval --material fitted.json --cos directions.csv\n"
+      "          brdf eval --shader ggx.glsl --entry \"ggx(L, V, N, alpha)\" --param alpha=0.01:1:0.3:log "
+      "--returns f directions.csv");
+  on_run(*verb, [options] {
+    io::check_targets({{"-o", options->output}},
+                      {options->material.material, options->material.shader.file, options->directions});
+    const Material material = choose_material(options->material, "eval");
+    io::SampleTable table = io::read_directions(options->directions);
+    const std::size_t measured = table.channels.size();
+    add_values(table, material, options->cosine);
+    for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));
+    const std::string_view quantity = options->cosine ? "f_r*cos_i" : "f_r";
+    if (options->output.empty())
+      io::write_samples(std::cout, table, quantity, io::Origin::computed);
+    else
+      io::write_samples(options->output, table, quantity, io::Origin::computed);
+    return report_not_finite(table, measured) == 0 ? Exit::good : Exit::failed;
+  });
+}
+
+}  // namespace brdf::cli

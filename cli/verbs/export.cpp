@@ -1,0 +1,331 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/options.h"
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/verb.h"
+#include "interop/programs.h"
+#include "interop/read_back.h"
+#include "interop/rgl.h"
+#include "interop/told.h"
+#include "io/columns/supplied.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/output.h"
+#include "io/formats/merl.h"
+#include "io/formats/read.h"
+#include "io/material/glsl.h"
+#include "io/material/material_json.h"
+#include "io/material/shader_texts.h"
+#include "measured/cells.h"
+#include "measured/on_sphere.h"
+#include "synth/instrument.h"
+
+namespace brdf::cli {
+namespace {
+
+struct ExportCall {
+  MaterialOptions material;
+  std::string measured, to, output, name, kernels = "own";
+  bool include = false, naive = false, json = false;
+  std::optional<double> max_loss;
+  io::Supplied supplied;
+  std::uint64_t size = interop::kUsualTable;
+};
+
+constexpr const char *kMerl = "merl", *kRgl = "rgl";
+
+// What --json says besides, and how it ended.
+struct Made {
+  io::Json json;
+  Exit exit = Exit::good;
+};
+
+// The loss against --max-loss.
+Exit judged_loss(const ExportCall& o, const interop::Loss& loss) {
+  if (!o.max_loss || loss.rms <= *o.max_loss) return Exit::good;
+  Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
+  return Exit::failed;
+}
+
+// Of a table, as its users' programs read it back; `json` gets the loss.
+Exit say_table_loss(const ExportCall& o, const Material& wanted, const Material& table, io::Json& json) {
+  const std::optional<interop::Loss> loss = interop::loss_of_table(wanted, table);
+  if (!loss) {
+    Note() << "brdf export: how much is lost is not known: the file has other channels than the material";
+    if (!o.max_loss) return Exit::good;
+    Note() << "brdf export: --max-loss " << io::short_number(*o.max_loss) << " is not shown to hold";
+    return Exit::failed;
+  }
+  Note() << "brdf export: read back as the file's users do: " << interop::in_words(*loss);
+  json["loss"] = interop::to_json(*loss);
+  return judged_loss(o, *loss);
+}
+
+void write(const ExportCall& o, const std::string& text) {
+  if (o.output.empty())
+    std::cout << text;
+  else
+    io::write_file_atomically(o.output, text);
+}
+
+// What the material is called there: as --name says, by its own name, or its file's.
+std::string exported_name(const ExportCall& o, const io::MaterialFile& file) {
+  if (!o.name.empty()) return o.name;
+  if (!file.name.empty()) return file.name;
+  return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
+                                 : o.material.form;
+}
+
+void check_measured(const ExportCall& o) {
+  if (o.to != kMerl && o.to != kRgl)
+    throw InputError(
+        "--measured " + o.measured + " --to " + o.to +
+        ": samples have no formula; --to merl and --to rgl write them as a table, and a shader is made "
+        "of a fitted material");
+  if (!o.material.form.empty() || !o.material.set.empty())
+    throw InputError("--measured: goes with --material alone, whose ratio to the samples is interpolated");
+}
+
+void check_output(const ExportCall& o) {
+  if (o.output.empty()) throw InputError("--to " + o.to + ": needs -o FILE");
+  io::check_targets({{"-o", o.output}}, {o.measured, o.material.material, o.material.shader.file});
+}
+
+// Samples, with what lies between them.
+std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
+  std::optional<Material> fitted;
+  if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
+  io::SampleTable samples = io::read_samples(o.measured, o.supplied);
+  for (const std::string& sentence : samples.assumptions)
+    Note() << "brdf export: " << o.measured << ": " << sentence;
+  return measured::seen_in_colour(std::move(samples), fitted ? &*fitted : nullptr,
+                                  measured::MeasuredReflectance::Beside::likeliest);
+}
+
+io::SampleTable at_merl_cells(const Material& material) {
+  if (is_anisotropic(material))
+    throw interop::Refused("--to merl: the material is anisotropic, and MERL files are isotropic");
+  synth::Instrument instrument;
+  instrument.grid.parts = {kMerl};
+  return synth::measure(material, instrument);
+}
+
+Made export_merl(const ExportCall& o) {
+  check_output(o);
+  const bool measured = !o.measured.empty();
+  std::optional<Material> material;
+  if (!measured) material = choose_material_file(o.material, "export").material;
+  const io::SampleTable cells = material ? at_merl_cells(*material) : measured::at_merl_cells(seen(o));
+  const std::vector<std::string> lost = io::merl::write(o.output, cells);
+  Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
+         << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
+  for (const std::string& what : lost) Note() << "brdf export: lost: " << what;
+  Made made{{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
+  if (material)
+    made.exit = say_table_loss(o, *material, interop::read_back_merl(io::read_content(o.output)), made.json);
+  return made;
+}
+
+Made export_rgl(const ExportCall& o) {
+  check_output(o);
+  std::string bytes;
+  std::optional<Material> material;
+  if (o.measured.empty()) {
+    const io::MaterialFile file = choose_material_file(o.material, "export");
+    material = file.material;
+    bytes = interop::rgl_of(file.material, exported_name(o, file), o.size);
+  } else {
+    const auto measurement = seen(o);
+    if (measurement->turning() == measured::Turning::turned)
+      throw InputError(o.measured + ": the samples were turned, and an RGL file is written for one azimuth");
+    bytes = interop::rgl_of(measured::material_of(measurement),
+                            std::filesystem::path(o.measured).stem().string(), o.size);
+  }
+  io::write_file_atomically(o.output, bytes);
+  Note() << "brdf export: " << bytes.size() << " bytes to " << o.output;
+  Made made{{{"kind", "table"}, {"bytes", bytes.size()}}};
+  if (material)
+    made.exit = say_table_loss(o, *material, interop::read_back_rgl({o.output, bytes}), made.json);
+  return made;
+}
+
+std::optional<io::ShaderLanguage> language_of(const std::string& to) {
+  if (to == "hlsl") return io::ShaderLanguage::hlsl;
+  if (to == "cpp") return io::ShaderLanguage::cpp;
+  if (to == "explorer") return io::ShaderLanguage::explorer;
+  return std::nullopt;
+}
+
+// The formula itself, in float with the library's own functions.
+Made formula(const ExportCall& o, const Material& material) {
+  Made made{{{"kind", "formula"}}};
+  if (!o.max_loss) return made;
+  const interop::Loss loss = interop::Comparison(material).loss_of(interop::in_float(material));
+  Note() << "brdf export: the formula in float: " << interop::in_words(loss);
+  made.json["loss"] = interop::to_json(loss);
+  made.exit = judged_loss(o, loss);
+  return made;
+}
+
+Made export_formula(const ExportCall& o) {
+  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  const io::MaterialFile file = choose_material_file(o.material, "export");
+  const bool with_material = !o.material.material.empty() || !o.material.set.empty();
+  if (!with_material && !o.name.empty() && o.to != "cpp")
+    throw InputError("--name: --to " + o.to +
+                     " of a form alone writes no material; --set or --material makes one");
+  if (const auto language = language_of(o.to)) {
+    if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
+    write(o, io::shader_text(file.material, *language, with_material, exported_name(o, file),
+                             o.kernels == "builtin"));
+    return formula(o, file.material);
+  }
+  write(o,
+        io::glsl_source(file.material, {.material = with_material,
+                                        .whole = !o.include,
+                                        .dialect = o.to == "glsl-es" ? GlslDialect::es : GlslDialect::vulkan,
+                                        .builtin_kernels = o.kernels == "builtin",
+                                        // A whole shader has one material.
+                                        .name = o.include ? exported_name(o, file) : o.name,
+                                        .guarded = o.include}));
+  return formula(o, file.material);
+}
+
+Made export_program(const ExportCall& o, const interop::Program& program) {
+  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  const io::MaterialFile file = choose_material_file(o.material, "export");
+  const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
+  write(o, made.text);
+  Note() << "brdf export: " << made.target << ": " << interop::in_words(made);
+  for (const std::string& sentence : made.not_held) Note() << "brdf export: not held: " << sentence;
+  return {to_json(program, made), judged_loss(o, made.loss)};
+}
+
+Made made_by(const ExportCall& o, const interop::Program* program) {
+  if (!o.measured.empty()) check_measured(o);
+  if (o.measured.empty() && o.supplied != io::Supplied())
+    throw InputError("--quantity, --mirror-side: go with --measured");
+  if (o.to == kMerl) return export_merl(o);
+  if (o.to == kRgl) return export_rgl(o);
+  return program ? export_program(o, *program) : export_formula(o);
+}
+
+void print_json(const ExportCall& o, const io::Json& made) {
+  io::Json json{{"to", o.to}};
+  if (made["kind"] != "refused") json["output"] = o.output;
+  json.update(made);
+  json["provenance"] = io::to_json(io::provenance());
+  std::cout << io::to_text(json);
+}
+
+// An option that the target has no use for is refused, not passed over.
+void check_use(const ExportCall& o, const interop::Program* program) {
+  if ((program || o.to == kMerl || o.to == kRgl) && (o.include || o.kernels != "own"))
+    throw InputError(std::string(o.include ? "--include" : "--kernels") + ": is for shaders");
+  if (!o.name.empty() && (o.to == kMerl || o.to == "explorer" || !o.measured.empty()))
+    throw InputError("--name: " + (o.measured.empty() ? "--to " + o.to : "--measured") +
+                     " writes no name of a material");
+  if (o.to != kRgl && o.size != interop::kUsualTable)
+    throw InputError("--size: is of the file that --to rgl writes");
+  if (!program && o.naive)
+    throw InputError("--naive: --to " + o.to + " has no parameters of another formula that could be copied");
+  if (o.max_loss && !o.measured.empty())
+    throw InputError("--max-loss: is of a material; what lies between samples is not known");
+  if (o.max_loss && o.kernels != "own")
+    throw InputError(
+        "--max-loss: with --kernels builtin the driver's functions decide: nothing is known of them");
+}
+
+Exit run_export(const ExportCall& o) {
+  const interop::Program* program = interop::find_program(o.to);
+  check_use(o, program);
+  if (!o.json) return made_by(o, program).exit;
+  if (o.output.empty()) throw InputError("--json: needs -o FILE for what is written");
+  try {
+    const Made made = made_by(o, program);
+    print_json(o, made.json);
+    return made.exit;
+  } catch (const interop::Refused& refused) {
+    print_json(o, {{"kind", "refused"}, {"refused", {{{"reason", refused.what()}}}}});
+    throw;
+  }
+}
+
+std::vector<std::string> target_names() {
+  std::vector<std::string> names{"glsl", "glsl-es", "hlsl", "cpp", "explorer", kMerl, kRgl};
+  for (const interop::Program& program : interop::programs()) names.emplace_back(program.name);
+  return names;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  auto options = std::make_shared<ExportCall>();
+  CLI::App* verb = add_verb(app, Purpose::ship, "export",
+                            "Write a material for another program or as a shader, or samples as a table");
+  add_material_options(*verb, options->material);
+  verb->add_option("--measured", options->measured,
+                   "Samples, with what lies between them; --material: the fit that they are interpolated "
+                   "beside");
+  verb->add_option(
+          "--to", options->to,
+          "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
+          "sliders); merl (a .binary) and rgl (a .bsdf, which Mitsuba and pbrt import); or a program")
+      ->required()
+      ->check(CLI::IsMember(target_names()));
+  verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
+  verb->add_option(
+          "--kernels", options->kernels,
+          "exp, log and their like: own (the library's, bit for bit) or builtin (the language's, to be read)")
+      ->check(CLI::IsMember({"own", "builtin"}))
+      ->capture_default_str();
+  verb->add_flag("--include", options->include,
+                 "Functions only, for an #include: without #version and main()");
+  verb->add_option(
+      "--name", options->name,
+      "What the material is called there (default: its own name, its file's or the form's); two in one "
+      "shader need two");
+  verb->add_flag("--naive", options->naive, "Parameters as they are copied by hand, instead of refitted");
+  verb->add_option("--max-loss", options->max_loss,
+                   "Exit with 1 where more is lost: the rms of ln(1 + f cos_i), about a relative error")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--json", options->json,
+                 "JSON on stdout: the loss, that of copied parameters, what was refused");
+  add_supplied_options(*verb, options->supplied);
+  add_memory_option(*verb, options->size, "--size", "Of the file that --to rgl writes, about (default 4M)");
+  verb->footer(
+      "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exact where "
+      "that "
+      "is ours,\n"
+      "else refitted; the loss is stated, and stands in the file. What it cannot carry is refused "
+      "(docs/interop.md).\n"
+      "Of shaders the output is a whole shader of any stage with an empty main(); of glsl-es with highp as "
+      "its "
+      "precision.\n"
+      "With --form alone the functions take the parameters as arguments; with --set or --material a "
+      "function\n"
+      "brdf_material(wi, wo) with the parameters as constants is added. With --include, in HLSL and in C++ "
+      "several\n"
+      "texts go together: each material is brdf_material_NAME there, in C++ NAME::brdf_material.\n"
+      "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
+      "          brdf export --form ward --set alpha=0.1 --to glsl\n"
+      "          brdf export --form ward --to glsl --kernels builtin\n"
+      "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
+      "          brdf export --material gold.json --name inlay --to glsl-es --include -o inlay.glsl\n"
+      "          brdf export --form ward --to explorer -o ward.brdf\n"
+      "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
+      "          brdf export --material copper.json --to gltf --naive\n"
+      "          brdf export --material copper.json --to materialx -o copper.mtlx --json\n"
+      "          brdf export --material copper.json --to merl -o copper.binary\n"
+      "          brdf export --material copper.json --to rgl --size 25M -o copper.bsdf\n"
+      "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary\n"
+      "          brdf export --measured plane.csv --quantity BRF --mirror-side negative --to merl -o "
+      "plane.binary");
+  on_run(*verb, [options] { return run_export(*options); });
+}
+
+}  // namespace brdf::cli

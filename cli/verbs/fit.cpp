@@ -1,0 +1,149 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/options/fit_options.h"
+#include "cli/options/progress.h"
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/steps/fit_files.h"
+#include "cli/steps/fit_stack.h"
+#include "cli/steps/fit_table.h"
+#include "cli/verb.h"
+#include "fit/fit.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "work/files.h"
+
+namespace brdf::cli {
+namespace {
+
+struct FitCall {
+  std::vector<std::string> samples;
+  std::string output, report;
+  bool json = false, no_pictures = false;
+  unsigned jobs = 1;
+  fit::FitChoice choice;
+  work::StackOptions stack;
+  ShaderOptions shader;
+  bool form_given = false;
+};
+
+constexpr const char* kOneTable = "--shader: is fitted to one table of samples at a time";
+
+// The forms asked for; a shader alone, unless forms are named beside it.
+std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
+  const auto shader = load(o.shader, "fit");
+  if (!shader) return fit::models_of(o.choice.form);
+  if (!info(shader->reflectance).fittable())
+    throw InputError(
+        "--shader " + o.shader.file +
+        ": its value is linear in none of its parameters, or not in a colour; a fit takes a sum of terms, "
+        "each times a weight: "
+        "give it a parameter that multiplies it, as `//: param scale 0 10 1` and `return scale * f`");
+  std::vector<std::vector<Reflectance>> models{{shader->reflectance}};
+  if (o.form_given)
+    for (auto& model : fit::models_of(o.choice.form)) models.push_back(std::move(model));
+  return models;
+}
+
+Exit run_one(const FitCall& o, const fit::FitOptions& options) {
+  if (o.shader.embed && (o.shader.file.empty() || o.output.empty()))
+    throw InputError("--embed: goes with --shader FILE and -o: it is the material that holds the text");
+  io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
+  const fit::Samples samples = work::samples_to_fit(o.samples[0], options, this_program());
+  const auto models = models_of(o);
+  watch_for_interrupt();
+  fit::Progress progress;
+  if (shows_progress()) progress = [](const std::string& what) { Note() << "brdf fit: " << what; };
+  return write_fit(fit::fit(samples, models, options, progress), samples.table, options,
+                   {o.output, o.report, o.json});
+}
+
+Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
+  if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
+  if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
+  watch_for_interrupt();
+  const auto progress = [](const std::string& message) { Note() << message; };
+  const std::vector<fit::BatchRow> rows =
+      work::fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, this_program(), progress);
+  const auto left = std::ranges::count(rows, fit::kInterrupted, &fit::BatchRow::error);
+  if (left > 0) Note() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not looked at";
+  return summarise(rows, o.output, o.json);
+}
+
+Exit run_fit(FitCall& o) {
+  const fit::FitOptions options = fit_options(o.choice, o.jobs);
+  const bool stack = o.samples.size() == 1 && texel::is_stack(o.samples[0]);
+  if (stack && !o.shader.file.empty()) throw InputError(kOneTable);
+  if (stack) return fit_a_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
+  if (o.stack.normals != work::StackOptions().normals || o.stack.memory != work::StackOptions().memory)
+    throw InputError("--normals and --memory-limit are for a stack of photographs");
+  if (!o.stack.share.empty() || !o.stack.regions.empty())
+    throw InputError("--share and --regions are for a stack of photographs");
+  const std::vector<std::string> files = work::sample_files(o.samples);
+  const bool folder = files.size() > 1 || work::names_folder(o.samples) || o.output.ends_with('/') ||
+                      std::filesystem::is_directory(o.output);
+  if (folder && !o.shader.file.empty()) throw InputError(kOneTable);
+  if (folder) return run_many(o, files, options);
+  if (o.no_pictures) throw InputError("--no-pictures is for several sample files: one file's fit draws none");
+  return run_one(o, options);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app) {
+  auto options = std::make_shared<FitCall>();
+  FitCall& o = *options;
+  CLI::App* verb = add_verb(app, Purpose::measure, "fit", "Fit forms to samples");
+  verb->add_option("SAMPLES", o.samples,
+                   "Sample tables (CSV, MERL, ...), folders of them, or one stack of photographs")
+      ->required();
+  add_fit_options(*verb, o.choice);
+  add_bootstrap_option(*verb, o.choice);
+  add_shader_options(*verb, o.shader);
+  verb->add_flag("--embed", o.shader.embed,
+                 "The material holds the shader's text, with its includes, in place of its file's name (of "
+                 "--shader, with -o)");
+  verb->add_option("-o,--output", o.output,
+                   "Material file to write; with several sample files, and of a stack: the folder of the "
+                   "results");
+  verb->add_option("--report", o.report, "HTML report to write");
+  verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
+      ->check(CLI::Range(1u, 256u));
+  verb->add_flag("--no-pictures", o.no_pictures,
+                 "Of several files: no spheres, on the pages and beside them; they take most of the time");
+  verb->add_flag("--json", o.json, "JSON on stdout");
+  add_normals_option(*verb, o.stack);
+  add_share_options(*verb, o.stack);
+  add_stack_memory_option(*verb, o.stack.memory);
+  verb->footer(
+      "Examples: brdf fit samples.csv --form all -o material.json\n"
+      "          brdf fit samples.csv --shader walter.brdf --embed -o walter.json\n"
+      "          brdf fit samples.csv --shader walter.brdf --form cook_torrance\n"
+      "          brdf fit samples.csv --form auto --json\n"
+      "          brdf fit paint.csv --form cook_torrance --physical --tie f0\n"
+      "          brdf fit paint.csv --form ward --per-channel --max-theta 75 --aperture 1 --weights "
+      "solid_angle\n"
+      "          brdf fit paint.csv --form ward --robust huber:0.1 --bounds alpha=0.01:0.5 --start "
+      "alpha=0.1\n"
+      "          brdf fit metal.csv --form cook_torrance --start f0=Johnson.yml\n"
+      "          brdf fit bands.csv --form cook_torrance --shape smooth:1\n"
+      "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
+      "          brdf fit paint.csv --form ward --bootstrap 200 --seed 3\n"
+      "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "
+      "brushed.html\n"
+      "          brdf fit polarised.csv --polarisation average --repeats average\n"
+      "          brdf fit plane.csv --quantity BRF --mirror-side negative\n"
+      "          brdf fit a.csv b.csv --free-scale --keep-fill --jobs 2 --no-pictures -o fits\n"
+      "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
+      "maps.html -o maps/\n"
+      "          brdf fit stack --form cook_torrance --share alpha --regions parts.exr -o maps/");
+  on_run(*verb, [options, verb] {
+    options->form_given = verb->get_option("--form")->count() > 0;
+    return run_fit(*options);
+  });
+}
+
+}  // namespace brdf::cli

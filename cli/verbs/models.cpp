@@ -1,0 +1,119 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "brdf/targets.h"
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/verb.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/material/info_json.h"
+#include "io/material/settings.h"
+
+namespace brdf::cli {
+namespace {
+
+std::string range(const ParameterInfo& p) {
+  const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
+  return std::string(p.name) + " " + io::to_text(p.min) + ".." + io::to_text(p.max) + unit;
+}
+
+// One form of the list: parameters with range and unit, then one line of what is known to be violated.
+void print_line(std::ostream& out, const ReflectanceInfo& form) {
+  out << "  " << std::left << std::setw(27) << form.name << (form.fittable() ? "fittable  " : "          ");
+  const char* separator = "";
+  for (const auto table : {form.weights, form.shape})
+    for (const ParameterInfo& p : table) {
+      out << separator << range(p);
+      separator = ", ";
+    }
+  out << "\n      violates: ";
+  separator = "";
+  for (const Violation& v : form.violations) {
+    out << separator << v.check << " (" << v.statement << ")";
+    separator = "; ";
+  }
+  out << (form.violations.empty() ? "nothing known" : "") << '\n';
+}
+
+// Forms under their families.
+void print_list() {
+  PlainText out;
+  const char* separator = "";
+  for (const std::vector<Reflectance>& family : families()) {
+    out << separator << info(family.front()).family << '\n';
+    for (const Reflectance& form : family) print_line(out, info(form));
+    separator = "\n";
+  }
+  out << "\nother programs' models (targets of fits and exports; not in --form all)\n";
+  for (const Reflectance& target : targets()) print_line(out, info(target));
+}
+
+void print_form(const ReflectanceInfo& form) {
+  PlainText out;
+  out << form.name << " (family " << form.family << (form.fittable() ? ", fittable" : "") << ")\n";
+  std::size_t longest = 9;
+  for (const auto table : {form.weights, form.shape})
+    for (const ParameterInfo& p : table) longest = std::max(longest, p.name.size());
+  const auto print = [&](const ParameterInfo& p, const char* kind) {
+    out << "  " << std::left << std::setw(int(longest) + 1) << p.name << std::setw(7) << kind << std::setw(25)
+        << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
+        << (io::to_text(p.initial) + (p.unit.empty() ? "" : " " + std::string(p.unit))) << ' ' << p.doc
+        << '\n';
+  };
+  for (const ParameterInfo& p : form.weights) print(p, "weight");
+  for (const ParameterInfo& p : form.shape) print(p, "shape");
+  for (const Violation& v : form.violations)
+    out << "  known violation, " << v.check << ": " << v.statement << " (" << v.witness << ": "
+        << io::to_text(v.value) << " at " << io::to_text(v.theta) << " degrees)\n";
+}
+
+io::Json list_json(std::span<const Reflectance> forms) {
+  io::Json list = io::Json::array();
+  for (const Reflectance& form : forms) list.push_back(io::to_json(info(form)));
+  return list;
+}
+
+}  // namespace
+
+void add_models(CLI::App& app) {
+  struct ModelsCall {
+    std::string form;
+    ShaderOptions shader;
+    bool json = false;
+  };
+  auto options = std::make_shared<ModelsCall>();
+  CLI::App* verb =
+      add_verb(app, Purpose::look, "models", "List the forms, their parameters and known violations");
+  verb->add_option("FORM", options->form, "One form, in detail");
+  add_shader_options(*verb, options->shader);
+  verb->add_flag("--json", options->json, "JSON on stdout");
+  verb->footer(
+      "Examples: brdf models ward\n"
+      "          brdf models --json\n"
+      "          brdf models --shader disney.brdf\n"
+      "          brdf models --shader skin.hlsl --define QUALITY=2 -I engine/common");
+  on_run(*verb, [options] {
+    if (!options->form.empty() && !options->shader.file.empty()) throw InputError("give a form or --shader");
+    const auto shader = load(options->shader, "models");
+    const bool all = options->form.empty() && !shader;
+    std::vector<Reflectance> forms(catalogue().begin(), catalogue().end());
+    if (!all) forms = {shader ? shader->reflectance : io::require_form(options->form)};
+    if (options->json) {
+      io::Json json;
+      json["forms"] = list_json(forms);
+      if (all) json["targets"] = list_json(targets());
+      std::cout << io::to_text(json);
+    } else if (all) {
+      print_list();
+    } else {
+      print_form(info(forms[0]));
+    }
+    return Exit::good;
+  });
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,55 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/fit_options.h"
+#include "cli/options/options.h"
+#include "cli/verb.h"
+#include "work/task.h"
+
+namespace brdf::cli {
+namespace {
+
+struct PlanCall {
+  std::string verb, unit_size, output;
+  std::vector<std::string> inputs;
+  work::TaskOptions task;
+};
+
+Exit run_plan(const PlanCall& o) {
+  const work::Plan plan = work::plan_of(o.verb, o.inputs, o.unit_size, o.task);
+  work::write_plan(o.output, plan);
+  const std::size_t last = plan.units().size() - 1;
+  std::cout << last + 1 << " units: 0" << (last > 0 ? "-" + std::to_string(last) : "") << '\n';
+  return Exit::good;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  auto options = std::make_shared<PlanCall>();
+  PlanCall& o = *options;
+  CLI::App* verb =
+      add_verb(app, Purpose::measure, "plan", "Divide long work into units that many processes do");
+  offer(verb->add_option("VERB", o.verb, "fit or study")->required(), {"fit", "study"})
+      ->check(CLI::IsMember({"fit", "study"}));
+  verb->add_option("SAMPLES", o.inputs,
+                   "Sample tables (CSV, MERL, ...), folders of them; to fit one stack of photographs, or one "
+                   "table, of which folds and bootstrap replicates are divided")
+      ->required();
+  add_task_options(*verb, o.task);
+  verb->add_option(
+      "--unit-size", o.unit_size,
+      "Of a stack texels, both sides multiples of 8 (64x64); of tables how many (16); of one table "
+      "how many of its folds and bootstrap replicates (64)");
+  verb->add_option("-o,--output", o.output, "Folder of the job")->required();
+  verb->footer(
+      "Then `brdf work` does the units, in any order and on any machine that sees the folder, and\n"
+      "`brdf collect` puts the results together.\n"
+      "Examples: brdf plan fit stack --form cook_torrance --normals fit --unit-size 64x64 -o job\n"
+      "          brdf plan fit paint.csv --form ward --bootstrap 1000 --unit-size 100 -o job\n"
+      "          brdf plan study measurements/ --no-pictures --unit-size 10 -o job");
+  on_run(*verb, [options] { return run_plan(*options); });
+}
+
+}  // namespace brdf::cli

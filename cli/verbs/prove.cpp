@@ -1,0 +1,237 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/options.h"
+#include "cli/options/progress.h"
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/verb.h"
+#include "io/files/output.h"
+#include "io/files/text.h"
+#include "io/material/material_file.h"
+#include "io/material/settings.h"
+#include "prove/check/judge.h"
+#include "prove/report.h"
+#ifdef BRDF_HAS_PROVE_SHADER
+#include "io/files/content.h"
+#include "prove/shader/self_test.h"
+#include "prove/shader/shader_proof.h"
+#endif
+
+namespace brdf::cli {
+namespace {
+
+struct ProveCall {
+  std::vector<std::string> materials, forms, properties, require;
+  bool all = false, json = false;
+  std::optional<double> seconds;
+  double gap = prove::Options().gap;
+  std::string output, check;
+  bool self_test = false;
+  std::uint64_t seed = 1;
+  ShaderOptions shader;
+};
+
+// The self-test makes its own shaders.
+void refuse_beside_self_test(const CLI::App& verb) {
+  if (verb.count("--seed") > 0 && verb.count("--self-test") == 0)
+    throw InputError("--seed: goes with --self-test");
+  if (verb.count("--self-test") == 0) return;
+  for (const char* other : {"--output", "--check", "--gap", "--shader", "--param", "--entry", "--returns",
+                            "--define", "-I", "--form", "--all", "--property", "--require", "MATERIALS"})
+    if (verb.count(other) > 0)
+      throw InputError(std::string(other) + ": has no effect beside --self-test: leave it out");
+}
+
+// What has no effect beside --check may not stand beside it: a user would believe that it had one.
+void refuse_beside_check(const CLI::App& verb) {
+  if (verb.count("--check") == 0) return;
+  for (const char* other : {"--output", "--seconds", "--gap", "--shader", "--param", "--entry", "--returns"})
+    if (verb.count(other) > 0)
+      throw InputError(std::string(other == std::string_view("--output") ? "-o" : other) +
+                       ": has no effect beside --check: leave it out");
+}
+
+Exit run_check(const ProveCall& o) {
+  prove::Asked asked;
+  asked.required = prove::properties_named("--require", o.require);
+  asked.properties = prove::properties_named("--property", o.properties);
+  if (o.all || !o.forms.empty())
+    for (const Reflectance& form : forms_of(o.forms, o.all)) asked.forms.emplace_back(form.info().name);
+  for (const std::string& file : o.materials) asked.materials.push_back({file, io::read_material(file)});
+  const prove::Judged judged = prove::judge(io::read_content(o.check), asked);
+  if (o.json) {
+    io::Json json = io::to_json(io::provenance());
+    json["checked"] = prove::to_json(judged);
+    std::cout << io::to_text(json) << '\n';
+  } else {
+    prove::print(std::cout, judged);
+  }
+  return judged.good ? Exit::good : Exit::failed;
+}
+
+// A certificate is of what the check can enclose again.
+void check_certificate_target(const ProveCall& o, const std::vector<prove::NamedMaterial>& materials) {
+  if (o.output.empty()) return;
+  if (is_given(o.shader))
+    throw InputError("-o " + o.output + ": a certificate is of forms and of materials, not of a shader (" +
+                     o.shader.file + "): leave -o out; --json has the same results");
+  for (std::size_t k = 0; k < materials.size(); ++k) {
+    const auto& [file, material] = materials[k];
+    for (std::size_t j = 0; j < k; ++j)
+      if (materials[j].file == file) throw InputError("-o " + o.output + ": " + file + " is named twice");
+    for (const Term& term : material.terms)
+      if (catalogue_index(term.form) < 0)
+        throw InputError("-o " + o.output + ": a certificate is of forms of the catalogue, and " + file +
+                         " has " + std::string(term.form.info().name));
+  }
+}
+
+void prove_shader(const ShaderOptions& options, bool quiet, const prove::Options& how,
+                  std::vector<prove::Proof>& proofs) {
+#ifdef BRDF_HAS_PROVE_SHADER
+  const auto model = shader::load_shader(choice_of(options));
+  for (const std::string& note : model->function().notes)
+    if (!quiet) Note() << "brdf prove: " << options.file << ": " << note;
+  const std::string words = " " + shader::command_words(choice_of(options));
+  for (prove::Proof& p : prove::prove(*model, model->material(model), words, how))
+    proofs.push_back(std::move(p));
+#else
+  (void)options, (void)quiet, (void)how, (void)proofs;
+#endif
+}
+
+#ifdef BRDF_HAS_PROVE_SHADER
+Exit run_self_test(const ProveCall& o) {
+  prove::SelfTestOptions options;
+  options.seed = o.seed;
+  if (o.seconds) options.seconds = *o.seconds;
+  const prove::SelfTest t = prove::self_test(options, progress_line("brdf prove: random shaders"));
+  if (o.json) {
+    io::Json json = io::to_json(io::provenance());
+    json["self_test"] = {{"seed", o.seed},
+                         {"planted", t.planted},
+                         {"falsely_proved", t.falsely_proved},
+                         {"sound", t.sound},
+                         {"sound_proved", t.sound_proved},
+                         {"samples_float", t.samples_float},
+                         {"samples_double", t.samples_double},
+                         {"outside", t.outside},
+                         {"undefined_inside", t.undefined_inside},
+                         {"faults", t.faults}};
+    std::cout << io::to_text(json) << '\n';
+  } else {
+    std::cout << t.planted << " random shaders with a planted violation: " << t.falsely_proved
+              << " verdicts that it contradicts\n"
+              << t.sound << " sound random shaders: " << t.sound_proved << " proved in both precisions\n"
+              << t.samples_float << " samples in float and " << t.samples_double
+              << " in double: " << t.outside << " outside their enclosure, " << t.undefined_inside
+              << " undefined where it is finite\nseed " << o.seed << '\n';
+    for (const std::string& fault : t.faults) std::cout << fault << '\n';
+  }
+  return t.good() ? Exit::good : Exit::failed;
+}
+#endif
+
+Exit run_prove(const ProveCall& o) {
+  if (!o.check.empty()) return run_check(o);
+  if (o.self_test) {
+#ifdef BRDF_HAS_PROVE_SHADER
+    return run_self_test(o);
+#else
+    throw EnvironmentError("--self-test: this build has no shader compiler (glslang)");
+#endif
+  }
+  io::check_targets({{"-o", o.output}}, {o.materials.begin(), o.materials.end()});
+  prove::Options options;
+  const auto required = prove::properties_named("--require", o.require);
+  if (!o.properties.empty()) options.properties = prove::properties_named("--property", o.properties);
+  for (const prove::Property p : required)
+    if (std::ranges::find(options.properties, p) == options.properties.end()) options.properties.push_back(p);
+  if (o.seconds && !(*o.seconds > 0)) throw InputError("--seconds: must be above 0");
+  if (!(o.gap > 0)) throw InputError("--gap: must be above 0");
+  options.search.seconds = o.seconds.value_or(20);
+  options.gap = o.gap;
+  std::vector<prove::NamedMaterial> materials;
+  for (const std::string& file : o.materials) materials.push_back({file, io::read_material(file)});
+  check_certificate_target(o, materials);
+  prove::Options of_materials = options;
+  of_materials.search.seconds = o.seconds.value_or(60);
+  std::vector<prove::Proof> proofs;
+  for (const prove::NamedMaterial& m : materials)
+    for (prove::Proof& p : prove::prove(m.material, m.file, of_materials)) proofs.push_back(std::move(p));
+  std::vector<Reflectance> forms;
+  if (is_given(o.shader)) prove_shader(o.shader, o.json, options, proofs);
+  if (o.all || !o.forms.empty() || (materials.empty() && proofs.empty())) forms = forms_of(o.forms, o.all);
+  const auto progress = progress_line("brdf prove: forms");
+  for (const Reflectance& form : forms) {
+    for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
+    progress(int(&form - forms.data()) + 1, int(forms.size()));
+  }
+  if (!o.output.empty()) io::write_file_atomically(o.output, prove::to_certificate(proofs, materials));
+  if (o.json)
+    std::cout << io::to_text(prove::to_json(proofs)) << '\n';
+  else
+    prove::print(std::cout, proofs);
+  const bool failed = std::ranges::any_of(proofs, [&](const prove::Proof& p) {
+    return p.verdict == prove::Verdict::refuted ||
+           (p.verdict != prove::Verdict::proved &&
+            std::ranges::find(required, p.claim.property) != required.end());
+  });
+  return failed ? Exit::failed : Exit::good;
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app) {
+  auto o = std::make_shared<ProveCall>();
+  CLI::App* verb =
+      add_verb(app, Purpose::judge, "prove", "Prove properties of forms over their whole domain");
+  verb->add_option("MATERIALS", o->materials, "materials (JSON), each channel at its parameters");
+  add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
+  verb->add_flag("--all", o->all, "every form");
+  add_shader_options(*verb, o->shader);
+  offer_names<prove::Property>(
+      verb->add_option("--property", o->properties, "which properties, separated by commas (default: all)")
+          ->delimiter(',')
+          ->allow_extra_args(false));
+  offer_names<prove::Property>(
+      verb->add_option("--require", o->require, "properties that must be proved, else exit 1")
+          ->delimiter(',')
+          ->allow_extra_args(false));
+  verb->add_option("--seconds", o->seconds, "of search for each property (default: 20, of a material 60)")
+      ->capture_default_str();
+  verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
+      ->capture_default_str();
+  verb->add_option("-o,--output", o->output, "certificate of what is proved of forms and materials (JSON)");
+  verb->add_option(
+      "--check", o->check,
+      "a certificate to verify, without any search; with --require, --property, --form, --all and MATERIALS: "
+      "what it must show");
+  verb->add_flag(
+      "--self-test", o->self_test,
+      "attack the prover: random shaders with planted violations, of which no verdict may be proved, "
+      "and a million samples of enclosures (a minute)");
+  verb->add_option("--seed", o->seed, "of --self-test")->capture_default_str();
+  verb->add_flag("--json", o->json, "JSON on stdout");
+  verb->footer(
+      "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected, "
+      "is empty or does not show what is asked for.\n"
+      "Examples: brdf prove --all --property finite,non_negative -o certificate.json\n"
+      "          brdf prove --check certificate.json --require finite\n"
+      "          brdf prove --form oren_nayar --property energy --gap 1e-3\n"
+      "          brdf prove material.json --property energy -o energy.json\n"
+      "          brdf prove --form cook_torrance --property rounding\n"
+      "          brdf prove --shader paint.glsl --property finite,non_negative\n"
+      "          brdf prove --self-test --seed 7\n"
+      "          brdf prove --form ward --require finite,reciprocity --seconds 5 --json");
+  on_run(*verb, [o, verb] {
+    refuse_beside_check(*verb);
+    refuse_beside_self_test(*verb);
+    return run_prove(*o);
+  });
+}
+
+}  // namespace brdf::cli

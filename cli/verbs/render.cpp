@@ -1,0 +1,335 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/environment_options.h"
+#include "cli/options/options.h"
+#include "cli/options/parameter_row.h"
+#include "cli/options/progress.h"
+#include "cli/options/terminal.h"
+#include "cli/steps/render_parity.h"
+#include "cli/steps/shown_shader.h"
+#include "cli/verb.h"
+#include "io/files/error.h"
+#include "io/files/json.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
+#include "io/material/material_file.h"
+#include "render/compare/supersample.h"
+#include "render/job.h"
+
+namespace brdf::cli {
+namespace {
+
+void print_text(const render::JobReport& report, const render::Job& job, bool times) {
+  std::cout << (job.output.empty() ? "not written" : io::printable(job.output.string())) << ": "
+            << report.width << " x " << report.height;
+  if (job.turntable) std::cout << ", " << *job.turntable << " frames";
+  std::cout << " on " << report.device;
+  if (report.clipped > 0) std::cout << ", " << 100 * report.clipped << " % of the surface clipped";
+  std::cout << '\n';
+  if (job.exposure_from_picture)
+    std::cout << "exposure " << io::short_number(double(report.exposure), 4) << " stops, from the picture\n";
+  if (report.difference) {
+    std::cout << "against " << io::printable(report.other) << ": relative MSE " << report.difference->rel_mse
+              << ", PSNR " << report.difference->psnr << " dB, coverage mismatch "
+              << 100 * report.difference->coverage_mismatch << " %";
+    if (report.difference->not_measured > 0)
+      std::cout << ", not measured " << io::short_number(100 * report.difference->not_measured, 3)
+                << " % of the surface";
+    std::cout << '\n';
+  }
+  if (report.samples > 0) {
+    std::cout << report.samples << " samples of the environment's light per pixel";
+    if (report.noise >= 0)
+      std::cout << ": standard error at most about " << io::short_number(100 * report.noise, 3)
+                << " % of the mean";
+    std::cout << '\n';
+  }
+  for (const auto& [pass, ms] : report.passes) {
+    if (times) std::cout << pass << ' ' << ms << " ms\n";
+  }
+  if (!report.probe) return;
+  const auto print = [](const char* side, const glm::vec4& v) {
+    std::cout << side << " (" << v.r << ", " << v.g << ", " << v.b << ")\n";
+  };
+  for (const std::string& line : lines(*report.probe)) std::cout << line << '\n';
+  print("picture", report.probed_a);
+  if (report.difference) print(io::printable(report.other).c_str(), report.probed_b);
+}
+
+io::Json json_of(const glm::vec3& v) {
+  return io::Json::array({v.x, v.y, v.z});
+}
+
+io::Json json_of(const render::PixelProbe& probe, const render::JobReport& report) {
+  io::Json out;
+  out["hit"] = probe.hit;
+  out["picture"] = json_of(glm::vec3(report.probed_a));
+  if (report.difference) out["other"] = json_of(glm::vec3(report.probed_b));
+  if (!probe.hit) return out;
+  out["object"] = probe.object;
+  for (const auto& [name, value] :
+       {std::pair{"position", &probe.position}, std::pair{"normal", &probe.normal},
+        std::pair{"wi", &probe.wi}, std::pair{"wo", &probe.wo}, std::pair{"f_r", &probe.value}})
+    out[name] = json_of(*value);
+  return out;
+}
+
+void print_json(const render::JobReport& report, const render::Job& job) {
+  io::Json out;
+  out["provenance"] = io::to_json(io::provenance());
+  out["output"] = job.output.string();
+  out["device"] = report.device;
+  out["width"] = report.width;
+  out["height"] = report.height;
+  out["exposure"] = report.exposure;
+  if (job.turntable) out["frames"] = *job.turntable;
+  out["clipped"] = report.clipped;
+  out["passes"] = io::Json::array();
+  for (const auto& [pass, ms] : report.passes) out["passes"].push_back({{"pass", pass}, {"ms", ms}});
+  if (report.difference) {
+    out["other"] = report.other;
+    out["rel_mse"] = report.difference->rel_mse;
+    out["psnr"] = report.difference->psnr;
+    out["coverage_mismatch"] = report.difference->coverage_mismatch;
+    out["not_measured"] = report.difference->not_measured;
+  }
+  if (report.samples > 0) out["samples"] = report.samples;
+  if (report.noise >= 0) out["noise"] = report.noise;
+  if (report.probe) out["probe"] = json_of(*report.probe, report);
+  if (job.validation) out["validation_messages"] = report.validation_messages;
+  std::cout << io::to_text(out);
+}
+
+struct RenderCall {
+  render::Job job;
+  std::string maps;
+  std::vector<std::string> forms;
+  ShownShader shader;
+  std::vector<int> probe;
+  bool json = false, times = false, split = false, no_labels = false;
+  bool parity = false, all = false, lookup_pictures = false, lobes = false, lobe_body = false;
+  int map_size = 256;
+  std::string over;
+  int balls = 6;
+  std::uint64_t seed = 1;
+};
+
+void read_exposure(const std::string& text, render::Job& job) {
+  job.exposure_from_picture = text == "auto";
+  if (job.exposure_from_picture) return;
+  double stops = 0;
+  if (!io::parse_number(text, stops) || !std::isfinite(stops))
+    throw CLI::ValidationError("--exposure", "'" + text + "' must be a finite number, or auto");
+  if (std::abs(stops) > 20)
+    throw CLI::ValidationError("--exposure", "Value " + text + " not in range -20 to 20");
+  job.exposure = float(stops);
+}
+
+void add_scene_options(CLI::App& verb, render::Job& job) {
+  verb.add_option("MATERIAL", job.materials, "Material JSON files, one sphere each; samples: as --measured");
+  verb.add_option("--scene", job.scene, "A scene's JSON file; a MATERIAL is then put on every object");
+  verb.add_option("--state", job.state, "A state that the viewer saved: the picture that it shows");
+  verb.add_option("-o,--output", job.output,
+                  "Picture to write: .exr (linear, layers) or .png (as displayed)");
+  verb.add_option("--width", job.width, "Pixels across, instead of the scene's")->check(CLI::Range(1, 16384));
+  verb.add_option("--height", job.height, "Pixels down, instead of the scene's")->check(CLI::Range(1, 16384));
+  verb.add_option("--gbuffer-bits", job.gbuffer_bits, "Bits per channel of the seven targets: 8, 16 or 32")
+      ->check(CLI::IsMember({8, 16, 32}))
+      ->capture_default_str();
+  offer_names<render::Shading>(
+      verb.add_option("--shading", job.shading, known_names<render::Shading>() + ", instead of the scene's"));
+  verb.add_flag("--per-vertex", job.per_vertex,
+                "phong, phong_blinn, lookup: once per vertex instead of per pixel");
+  verb.add_flag("--as-coded", job.as_coded, "With the articles' slips");
+  offer_names<render::ToneMap>(verb.add_option("--tone-map", job.tone_map,
+                                               known_names<render::ToneMap>() + ", instead of the scene's"));
+  verb.add_option_function<std::string>(
+          "--exposure", [&job](const std::string& text) { read_exposure(text, job); },
+          "Stops (-20 to 20), instead of the scene's; auto: from the picture, 95 % of the surface below 0.7")
+      ->type_name("STOPS|auto");
+  verb.add_option("--supersample", job.supersample,
+                  "Samples across a pixel, N x N averaged (default 4; EXR with other layers: 1)")
+      ->check(CLI::Range(1, render::kMostSupersample));
+  verb.add_flag_callback(
+      "--no-dither", [&job] { job.rounding = render::Rounding::nearest; },
+      "PNG: round to the nearest byte instead of spreading the rounding as blue noise");
+  add_environment_options(verb, job, job.samples);
+  verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
+  add_memory_option(verb, job.memory_limit);
+  verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
+}
+
+void add_show_options(CLI::App& verb, RenderCall& o) {
+  render::Job& job = o.job;
+  verb.add_option(
+      "--shape", job.shape,
+      "What a MATERIAL is shown on instead of a sphere: shader_ball, cloth, vase, sedan, any mesh of "
+      "a scene or a model's file");
+  CLI::Option* over = verb.add_option(
+      "--over", o.over,
+      "A row of one MATERIAL over a parameter: NAME=FIRST:LAST, each labelled with the value; log "
+      "spacing where the parameter's scale is one");
+  verb.add_option("--balls", o.balls, "With --over: how many")
+      ->needs(over)
+      ->check(CLI::Range(2, 12))
+      ->capture_default_str();
+  CLI::Option* turntable =
+      verb.add_option("--turntable", job.turntable,
+                      "So many frames, the camera once round its target; -o: an animation.webp, or PNG files "
+                      "named by the frame's number (frames/%03d.png)")
+          ->check(CLI::Range(2, 9999));
+  verb.add_option("--fps", job.frames_per_second, "Of an animation: frames per second")
+      ->needs(turntable)
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  verb.add_option("--quality", job.quality, "Of an animation: 0 to 99, or 100: without loss")
+      ->needs(turntable)
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+}
+
+void add_comparison_options(CLI::App& verb, RenderCall& o) {
+  render::Job& job = o.job;
+  offer(verb.add_option(
+            "--compare", job.compare,
+            "What the picture is compared with: embree (the reference), or a material's JSON file. PNG: "
+            "picture, other and difference side by side; EXR: as layers"),
+        {std::string(name_of(render::Other::embree))});
+  verb.add_option("--measured", job.measured,
+                  "Compare with a sample table, rendered with the same lights (no ambient)");
+  offer_names<render::Display>(
+      verb.add_option("--show", job.show,
+                      "PNG: picture, split (A|B), flip (B alone), difference (false colours with numbers) or "
+                      "gbuffer (the seven targets and the lighting)"));
+  verb.add_flag("--split", o.split, "The same as --show split");
+  verb.add_option("--split-at", job.split,
+                  "With --show split: share of the width that shows A (default: through the highlight)")
+      ->check(CLI::Range(0.0f, 1.0f));
+  verb.add_flag("--gbuffer", job.gbuffer, "The same as --show gbuffer; EXR: the seven targets as layers too");
+  verb.add_flag("--no-labels", o.no_labels, "PNG: leave the names and numbers out");
+  verb.add_option("--probe", o.probe, "Print what lies under this pixel (from the upper left): X,Y")
+      ->delimiter(',')
+      ->expected(2);
+  verb.add_flag("--times", o.times, "Print the time of each pass");
+  CLI::Option* lobes = verb.add_flag(
+      "--lobes", o.lobes,
+      "PNG: the polar plot of the material's lobe instead (with --compare FILE: of both, with --measured: "
+      "with its points)");
+  verb.add_flag("--lobe3d", o.lobe_body, "PNG: the lobe as a body, with --measured with its points");
+  verb.add_option(
+          "--theta", job.plot_theta,
+          "With --lobes and --lobe3d: angle of the light in degrees (default 45; with --measured the nearest "
+          "to it that was measured)")
+      ->check(CLI::Range(0.0, 90.0));
+  verb.add_option("--solo", job.solo, "With --lobes: one curve alone, for instance \"A r\"")->needs(lobes);
+}
+
+void add_other_modes(CLI::App& verb, RenderCall& o) {
+  CLI::Option* parity =
+      verb.add_flag("--parity", o.parity, "Measure deferred against Embree, form by form; no picture");
+  verb.add_flag("--all", o.all, "With --parity: every form")->needs(parity);
+  verb.add_option("--form", o.forms, "With --parity: these forms")->needs(parity);
+  CLI::Option* maps =
+      verb.add_option("--maps", o.maps, "Write seeded texture maps into the folder -o: rusty_metal or tiles")
+          ->check(CLI::IsMember({"rusty_metal", "tiles"}));
+  verb.add_option("--size", o.map_size, "With --maps: pixels")
+      ->needs(maps)
+      ->check(CLI::Range(8, 4096))
+      ->capture_default_str();
+  verb.add_option("--seed", o.seed, "With --maps: of the random numbers")->needs(maps)->capture_default_str();
+  verb.add_flag("--lookup-pictures", o.lookup_pictures,
+                "Write the lookup article's tables and their factors as PNG into the folder -o");
+  verb.add_flag("--json", o.json, "Measures as JSON on stdout");
+}
+
+// The job with the row that --over asks for in place of its material.
+void make_row(RenderCall& o) {
+  render::Job& job = o.job;
+  if (job.materials.size() != 1 || !job.scene.empty() || !job.state.empty())
+    throw InputError("--over takes one MATERIAL and no scene");
+  job.row_source = job.materials[0];
+  job.materials.clear();
+  job.row = parameter_row(io::read_material(job.row_source), o.over, o.balls);
+}
+
+Exit run_render(RenderCall& o) {
+  render::Job& job = o.job;
+  if (o.parity) {
+    std::vector<Reflectance> others;
+    if (const auto material = shown_material(o.shader, "render"))
+      others.push_back(material->terms.front().form);
+    return run_parity(o.forms, o.all, others, o.json);
+  }
+  if (job.plot_theta && !o.lobes && !o.lobe_body)
+    throw InputError("--theta is where the light of a lobe's plot stands: give --lobes or --lobe3d");
+  show_shader(o.shader, "render", job);
+  if (o.split && !job.show) job.show = "split";
+  job.labels = !o.no_labels;
+  if (!o.probe.empty()) job.probe = glm::ivec2(o.probe[0], o.probe[1]);
+  // Measures alone need no file.
+  if (job.output.empty() && o.probe.empty() && !o.times)
+    throw InputError("-o is required (see brdf render --help)");
+  if (!o.maps.empty()) {
+    render::write_maps(o.maps, o.map_size, o.seed, job.output);
+  } else if (o.lookup_pictures) {
+    render::write_lookup_pictures(job.output);
+  } else if (o.lobes || o.lobe_body) {
+    render::write_lobes(job, o.lobe_body ? render::LobeView::body : render::LobeView::plane);
+  } else {
+    if (!o.over.empty()) make_row(o);
+    if (job.turntable) job.progress = progress_line("brdf render");
+    const render::JobReport report = render::run(job);
+    for (const std::string& note : report.notes) Note() << "brdf render: " << note;
+    o.json ? print_json(report, job) : print_text(report, job, o.times);
+    if (report.validation_messages > 0) return Exit::failed;
+  }
+  return Exit::good;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  auto options = std::make_shared<RenderCall>();
+  CLI::App* verb =
+      add_verb(app, Purpose::look, "render", "Render materials or a scene with the deferred renderer");
+  add_scene_options(*verb, options->job);
+  add_show_options(*verb, *options);
+  add_shown_shader(*verb, options->shader);
+  add_comparison_options(*verb, *options);
+  add_other_modes(*verb, *options);
+  verb->footer(
+      "Example: brdf render fitted.json --compare embree -o fitted.png\n"
+      "         brdf render a.json --compare b.json --split -o a_and_b.png\n"
+      "         brdf render a.json --compare b.json --lobes --theta 60 -o lobes.png\n"
+      "         brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
+      "         brdf render fitted.json --measured samples.csv --lobe3d --theta 30 -o lobe.png\n"
+      "         brdf render samples.csv -o samples.png\n"
+      "         brdf render --scene scene.json --forward --exposure -1 --tone-map reinhard --no-labels -o "
+      "s.png\n"
+      "         brdf render --scene scene.json --shading lookup --as-coded --gbuffer-bits 8 -o "
+      "looked_up.exr\n"
+      "         brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
+      "         brdf render a.json --compare b.json --lobes --solo \"A r\" -o curve.png\n"
+      "         brdf render --shader ggx.glsl --set roughness=0.3 -o ggx.png\n"
+      "         brdf render --parity --shader ggx.glsl --param roughness=0.05:1\n"
+      "         brdf render --parity --form ward --validation\n"
+      "         brdf render --parity --all --json\n"
+      "         brdf render --scene scene.json --shading phong --per-vertex --width 640 --height 480 -o "
+      "vertices.png\n"
+      "         brdf render --scene scene.json --gbuffer -o targets.png\n"
+      "         brdf render --maps tiles --size 512 --seed 2 -o tiles\n"
+      "         brdf render --lookup-pictures -o tables\n"
+      "         brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
+      "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
+      "         brdf render gold.json --shape shader_ball --turntable 60 --fps 30 --quality 80 -o gold.webp\n"
+      "         brdf render gold.json --hard-light -o hard.png\n"
+      "         brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
+      "         brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
+      "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
+  on_run(*verb, [options] { return run_render(*options); });
+}
+
+}  // namespace brdf::cli

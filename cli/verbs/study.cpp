@@ -1,0 +1,53 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/options/fit_options.h"
+#include "cli/options/progress.h"
+#include "cli/steps/study_files.h"
+#include "cli/verb.h"
+#include "work/files.h"
+
+namespace brdf::cli {
+namespace {
+
+struct StudyCall {
+  std::vector<std::string> samples;
+  std::string output;
+  bool json = false, no_pictures = false;
+  unsigned jobs = 1;
+  fit::FitChoice choice;
+};
+
+Exit run_study(const StudyCall& o) {
+  watch_for_interrupt();
+  study::StudyOptions options =
+      work::study_options(o.choice, !o.no_pictures, o.output, o.jobs, this_program());
+  options.progress = progress_line("brdf study");
+  return print_study(study::study(work::sample_files(o.samples), options), o.output, o.json);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app) {
+  auto options = std::make_shared<StudyCall>();
+  StudyCall& o = *options;
+  CLI::App* verb = add_verb(app, Purpose::judge, "study",
+                            "All of one sample's story on one page; of many with an overview");
+  verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or folders of them")->required();
+  add_fit_options(*verb, o.choice);
+  verb->add_option("-o,--output", o.output,
+                   "Folder of the results: index.html, and with several samples a folder for each")
+      ->required();
+  verb->add_option("--jobs", o.jobs, "Samples studied at the same time")->check(CLI::Range(1u, 256u));
+  add_pictures_option(*verb, o.no_pictures);
+  verb->add_flag("--json", o.json, "JSON on stdout");
+  verb->footer(
+      "Samples whose results are in the folder, made from the same file by the same options, are kept.\n"
+      "Examples: brdf study paint.csv -o paint\n"
+      "          brdf study samples/*.csv --jobs 4 -o studied\n"
+      "          brdf study plane.csv --quantity BRF --mirror-side negative -o plane\n"
+      "          brdf study samples/*.csv --form cook_torrance --no-pictures --json -o numbers");
+  on_run(*verb, [options] { return run_study(*options); });
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,99 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/progress.h"
+#include "cli/verb.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "trade/ledger/compare.h"
+#include "trade/ledger/report.h"
+#include "trade/trade.h"
+
+namespace brdf::cli {
+namespace {
+
+struct TradeArguments {
+  trade::TradeOptions options;
+  std::vector<std::string> outputs;
+  std::vector<std::string> compared;  // two ledgers
+  bool json = false;
+};
+
+constexpr std::string_view kSuffixes[] = {".json", ".csv", ".html"};
+
+void check_outputs(const TradeArguments& a) {
+  std::vector<io::Target> targets;
+  for (const std::string& path : a.outputs) {
+    if (std::ranges::find(kSuffixes, std::filesystem::path(path).extension()) == std::end(kSuffixes))
+      throw InputError("-o " + path + ": the ledger is written as .json, .csv or .html");
+    if (!a.compared.empty()) throw InputError("-o " + path + ": --compare writes to stdout");
+    targets.push_back({"-o", path});
+  }
+  io::check_targets(targets);
+}
+
+void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& ledger) {
+  if (path.extension() == ".csv")
+    io::write_file_atomically(path, trade::to_csv(ledger));
+  else if (path.extension() == ".json")
+    trade::write_ledger(path, ledger);
+  else
+    io::write_file_atomically(path, trade::to_html(ledger));
+}
+
+Exit run_comparison(const TradeArguments& a) {
+  const trade::Comparison c =
+      trade::compare(trade::read_ledger(a.compared[0]), trade::read_ledger(a.compared[1]));
+  if (c.compared.empty()) throw InputError("the two ledgers have no row above 1 ns in common");
+  if (a.json)
+    std::cout << io::to_text(trade::to_json(c)) << '\n';
+  else
+    std::cout << trade::to_terminal(c);
+  return c.apart() == 0 ? Exit::good : Exit::failed;
+}
+
+}  // namespace
+
+void add_trade(CLI::App& app) {
+  auto arguments = std::make_shared<TradeArguments>();
+  CLI::App* verb = add_verb(app, Purpose::judge, "trade",
+                            "Measure speed against accuracy: the ledger of every approximation");
+  verb->add_flag("--quick", arguments->options.quick, "fewer points and rounds: about a minute");
+  verb->add_option(
+      "--only", arguments->options.only,
+      "only kernels, batches, families, fits, frames, or the questions whose name contains this");
+  verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
+  verb->add_option("-o,--output", arguments->outputs,
+                   "file to write: .json (the ledger), .csv, .html; may be repeated");
+  verb->add_option("--compare", arguments->compared,
+                   "instead: do the cost ratios of two ledgers agree within 25 %? Rows above 1 ns")
+      ->expected(2)
+      ->excludes(verb->get_option("--quick"))
+      ->excludes(verb->get_option("--only"));
+  verb->footer(
+      "Examples: brdf trade --quick -o ledger.json -o ledger.html\n"
+      "          brdf trade --compare ledger.json another.json\n"
+      "          brdf trade --only masking --json\n"
+      "Exit code 1: --compare found a row that differs by more.");
+  on_run(*verb, [arguments] {
+    check_outputs(*arguments);
+    if (!arguments->compared.empty()) return run_comparison(*arguments);
+    arguments->options.progress = percent_line();
+    const trade::Ledger ledger = trade::measure_ledger(arguments->options);
+    if (ledger.rows.empty())
+      throw InputError("--only " + arguments->options.only +
+                       ": is no group of questions, and no question's name contains it");
+    if (!ledger.left_out.empty()) std::fprintf(stderr, "%s\n", ledger.left_out.c_str());
+    for (const std::string& path : arguments->outputs) write_ledger_as(path, ledger);
+    if (arguments->json)
+      std::cout << io::to_text(trade::to_json(ledger)) << '\n';
+    else
+      std::cout << trade::to_terminal(ledger);
+    return Exit::good;
+  });
+}
+
+}  // namespace brdf::cli

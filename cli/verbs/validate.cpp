@@ -1,0 +1,330 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <initializer_list>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/options.h"
+#include "cli/options/progress.h"
+#include "cli/options/shader_options.h"
+#include "cli/options/terminal.h"
+#include "cli/steps/microsurface.h"
+#include "cli/steps/shader_proof.h"
+#include "cli/verb.h"
+#include "io/columns/supplied.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/png.h"
+#include "io/files/text.h"
+#include "io/material/settings.h"
+#include "prove/proof.h"
+#include "validate/form/against.h"
+#include "validate/numerics/error_bounds.h"
+#include "validate/numerics/integrators.h"
+#include "validate/numerics/numerics.h"
+#include "validate/report/judged.h"
+
+namespace brdf::cli {
+namespace {
+
+struct ValidateCall {
+  std::vector<std::string> files, forms, pictures, require;
+  bool all = false, json = false, keep_fill = false;
+  std::string effort = "quick", output;
+  double max_theta = 89.5;
+  std::uint64_t seed = 1;
+  double seconds = 0;
+  ShaderOptions shader;
+  io::Supplied supplied;
+  std::string such_that, against;
+  std::vector<std::string> maps;
+  bool integrators = false, microsurface = false, numerics = false, gpu = false;
+};
+
+// The pictures of the report, which are PNG files.
+std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
+  std::vector<validate::Picture> pictures;
+  for (const std::string& path : o.pictures) {
+    std::string bytes = io::read_content(path).bytes;
+    if (!io::is_png(bytes)) throw InputError("--picture " + path + ": is no PNG file");
+    if (!io::is_whole_png(bytes)) throw InputError("--picture " + path + ": the PNG file ends too soon");
+    pictures.push_back({path, std::move(bytes)});
+  }
+  return pictures;
+}
+
+// What a shader's source says of what is found.
+validate::OutsideFacts facts_of(const LoadedShader& shader) {
+  return {shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
+          shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
+}
+
+// A shader's function.
+validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
+  return validate::Subject::outside(file, shader.material, facts_of(shader));
+}
+
+// --such-that, of whatever is judged over a domain.
+void restrict_all(const ValidateCall& o, std::vector<validate::Subject>& subjects) {
+  const bool domain = o.all || !o.forms.empty() || !o.shader.file.empty();
+  if (!domain && !(o.such_that.empty() && o.against.empty()))
+    throw InputError("--such-that and --against go with --form, --all or --shader");
+  if (!o.maps.empty() && o.against.empty()) throw InputError("--map: goes with --against FORM");
+  if (o.such_that.empty()) return;
+  const io::Condition condition(o.such_that, "--such-that");
+  for (validate::Subject& subject : subjects) subject.restrict_to(condition);
+}
+
+// Forms, materials and tables with their findings.
+validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptions& options) {
+  validate::ReportContent content;
+  content.max_theta = o.max_theta;
+  content.keep_fill = o.keep_fill;
+  if (o.all)
+    for (const Reflectance& form : catalogue()) content.subjects.push_back(validate::Subject::form(form));
+  for (const std::string& name : o.forms)
+    content.subjects.push_back(validate::Subject::form(io::require_form(name)));
+  if (const auto shader = load(o.shader, "validate", o.json))
+    content.subjects.push_back(subject_of(*shader, o.shader.file));
+  restrict_all(o, content.subjects);
+  const std::size_t whole_domain = content.subjects.size();
+  for (const std::string& file : o.files) {
+    validate::add_file(content, file, o.supplied);
+    if (!content.subjects.empty() && content.subjects.back().name() == file)
+      if (const auto shader = shader_in(content.subjects.back().own()))
+        content.subjects.back() =
+            validate::Subject::material(file, content.subjects.back().own(), facts_of(*shader));
+    if (!content.tables.empty() && content.tables.back().table.source == file)
+      for (const std::string& sentence : content.tables.back().table.assumptions)
+        Note() << "brdf validate: " << file << ": " << sentence;
+  }
+  if (content.tables.empty() && o.supplied != io::Supplied())
+    throw InputError("--quantity, --mirror-side: go with tables of samples");
+  if (content.subjects.empty() && content.tables.empty())
+    throw InputError("nothing to validate: give materials, samples, --form, --all or --shader");
+  std::vector<validate::Against> against;  // refused before the work begins
+  for (std::size_t k = 0; !o.against.empty() && k < whole_domain; ++k)
+    against.push_back(validate::parse_against(content.subjects[k], o.against, o.maps));
+  validate::judge_all(content, options, progress_line("brdf validate: checks"));
+  for (std::size_t k = 0; k < against.size(); ++k)
+    content.findings.push_back(validate::within_seconds(options, [&](const validate::CheckOptions& own) {
+      return validate::check_against(content.subjects[k], against[k], own);
+    }));
+  return content;
+}
+
+// What is proved of a subject: properties that a few boxes or the formula itself decide, in milliseconds.
+std::vector<prove::Property> proved_of(const validate::Subject& subject) {
+  prove::Options brief;
+  brief.search = {60, 0.2};
+  std::vector<prove::Proof> proofs;
+  brief.properties = {prove::Property::finite, prove::Property::non_negative, prove::Property::reciprocity};
+  if (subject.of_form()) {
+    brief.properties.push_back(prove::Property::energy);
+    proofs = prove::prove(*subject.of_form(), brief);
+  } else {
+    proofs = prove::prove(subject.own(), subject.name(), brief);
+  }
+  std::vector<prove::Property> proved;
+  for (const prove::Property property : brief.properties) {
+    const auto holds = [&](const prove::Proof& p) {
+      return p.claim.property != property || p.verdict == prove::Verdict::proved;
+    };
+    if (std::ranges::all_of(proofs, holds)) proved.push_back(property);
+  }
+  return proved;
+}
+
+// Beside each check that passed and could be proved: whether it is.
+void add_proofs(validate::ReportContent& content) {
+  for (const validate::Subject& subject : content.subjects) {
+    std::vector<prove::Property> proved;
+    if (!subject.is_outside()) proved = proved_of(subject);
+    for (validate::Finding& f : content.findings) {
+      const auto property = find_named<prove::Property>(f.check);
+      if (!property || f.subject != subject.name() || f.outcome != validate::Outcome::pass) continue;
+      f.proof = std::ranges::find(proved, *property) == proved.end() ? "sampled" : "proved";
+    }
+  }
+}
+
+void check_output(const ValidateCall& o) {
+  if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
+    throw InputError("-o " + o.output + ": must end in .html or .md");
+  if (!o.pictures.empty() && !o.output.ends_with(".html"))
+    throw InputError("--picture " + o.pictures.front() + ": needs -o with a name that ends in .html");
+  std::vector<std::filesystem::path> inputs(o.files.begin(), o.files.end());
+  inputs.insert(inputs.end(), o.pictures.begin(), o.pictures.end());
+  io::check_targets({{"-o", o.output}}, inputs);
+}
+
+void write_report(const ValidateCall& o, const validate::ReportContent& content) {
+  if (o.output.empty()) return;
+  io::write_file_atomically(o.output, o.output.ends_with(".md") ? validate::to_markdown(content.findings)
+                                                                : validate::to_html(content));
+}
+
+Exit run_integrators(const ValidateCall& o) {
+  io::Json rows = io::Json::array();
+  bool honest = true;
+  const auto report = [&](const validate::IntegratorRow& row) {
+    honest = honest && row.wrong == 0;
+    rows.push_back({{"set", row.set},
+                    {"tolerance", row.tolerance},
+                    {"cases", row.cases},
+                    {"wrong", row.wrong},
+                    {"unconverged", row.unconverged},
+                    {"mean_evaluations", row.mean_evaluations},
+                    {"worst_over_allowed", row.worst},
+                    {"worst_case", row.worst_case}});
+    if (!o.json)
+      std::cout << row.set << " at " << row.tolerance << ": " << row.cases << " cases, " << row.wrong
+                << " wrong, " << row.unconverged << " unconverged, " << row.mean_evaluations
+                << " evaluations each\n"
+                << std::flush;
+  };
+  validate::check_integrators(o.seed, report);
+  validate::check_bounds(o.seed, o.effort == "full" ? 20000 : 4000, report);
+  if (o.json) std::cout << io::to_text(io::Json{{"rows", rows}}) << '\n';
+  return honest ? Exit::good : Exit::failed;
+}
+
+// The modes that judge the library itself take no files, and one mode is asked for at a time.
+void require_one_mode(const ValidateCall& o) {
+  const int modes = o.integrators + o.microsurface + o.numerics + o.gpu;
+  if (modes > 1) throw InputError("--integrators, --microsurface, --numerics, --gpu: give one of them");
+  if (modes == 1 && !o.files.empty())
+    throw InputError(o.files.front() + ": --integrators, --microsurface, --numerics and --gpu take no files");
+  if (modes == 1 && !o.output.empty())
+    throw InputError("-o " + o.output +
+                     ": --integrators, --microsurface, --numerics and --gpu write to stdout");
+}
+
+void print(const std::vector<validate::Finding>& findings) {
+  PlainText out;
+  validate::print_findings(out, findings, colours_on(STDOUT_FILENO));
+}
+
+Exit run_validate(const ValidateCall& o) {
+  require_one_mode(o);
+  if (o.microsurface)
+    return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
+  if (o.integrators) return run_integrators(o);
+  if (o.numerics) {
+    const auto quiet = [](int, int) {};  // the table itself grows as forms are measured
+    const bool good = validate::report_numerics(
+        forms_of(o.forms, o.all), {.evaluations = o.effort == "full" ? 1'000'000u : 10'000u, .seed = o.seed},
+        o.json, std::cout, o.json ? progress_line("brdf validate: forms measured") : quiet);
+    return good ? Exit::good : Exit::failed;
+  }
+  if (o.gpu && !o.shader.file.empty()) {
+    if (!o.forms.empty() || o.all) throw InputError("--shader and --gpu: without --form and --all");
+    const auto shader = load(o.shader, "validate", o.json);
+    return validate_gpu(std::vector{with_room(shader->material)}, o.seed, o.json, &*shader);
+  }
+  if (o.gpu) return validate_gpu(forms_of(o.forms, o.all), o.seed, o.json);
+  validate::check_max_theta(o.max_theta);
+  check_output(o);
+  std::vector<validate::Picture> pictures = read_pictures(o);
+  validate::check_required(o.require);
+  validate::CheckOptions options;
+  options.effort = o.effort == "full" ? validate::Effort::full : validate::Effort::quick;
+  options.max_theta = o.max_theta;
+  options.seed = o.seed;
+  options.seconds = o.seconds;
+  validate::ReportContent content = judged(o, options);
+  add_proofs(content);
+  content.pictures = std::move(pictures);
+  write_report(o, content);
+  if (o.json)
+    std::cout << io::to_text(validate::to_json(content.findings)) << '\n';
+  else
+    print(content.findings);
+  return validate::holds(content.findings, o.require) ? Exit::good : Exit::failed;
+}
+
+// What a mode that judges the library itself passes over may not stand beside it: --require would seem to hold.
+void refuse_what_is_passed_over(const CLI::App& verb) {
+  const auto refuse = [&](const char* mode, std::initializer_list<const char*> others) {
+    if (verb.count(mode) == 0) return;
+    for (const char* other : others)
+      if (verb.count(other) > 0)
+        throw InputError(std::string(other) + ": has no effect beside " + mode + ": leave it out");
+  };
+  for (const char* mode : {"--integrators", "--microsurface", "--numerics", "--gpu"})
+    refuse(mode, {"--require", "--seconds", "--max-theta", "--keep-fill", "--picture", "--such-that",
+                  "--against", "--map", "--quantity", "--mirror-side"});
+  for (const char* mode : {"--integrators", "--microsurface"}) refuse(mode, {"--form", "--all", "--shader"});
+  refuse("--numerics", {"--shader"});
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app) {
+  auto o = std::make_shared<ValidateCall>();
+  CLI::App* verb = add_verb(app, Purpose::judge, "validate", "Judge forms, materials and measured samples");
+  verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
+  add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
+  verb->add_flag("--all", o->all, "every form");
+  add_shader_options(*verb, o->shader);
+  verb->add_option("--such-that", o->such_that,
+                   "what parameters keep, as \"kd + ks <= 1\" (of --form, --all, --shader)");
+  verb->add_option("--against", o->against, "a form: where and by how much does it differ from that one?");
+  add_repeated_option(*verb, "--map", o->maps,
+                      "a parameter of that form from the own ones: alpha=roughness*roughness");
+  verb->add_option("--effort", o->effort, "of the search for the worst case")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+  verb->add_option("--seconds", o->seconds,
+                   "at most, of each check; what is not seen to its end is undecided")
+      ->check(CLI::NonNegativeNumber);
+  offer(verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(','),
+        validate::required_names());
+  verb->add_option("--max-theta", o->max_theta,
+                   "degrees: largest angle of the energy check; rows of samples beyond it are set apart")
+      ->capture_default_str();
+  add_keep_fill_option(*verb, o->keep_fill);
+  add_supplied_options(*verb, o->supplied);
+  verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
+  add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
+  verb->add_option("-o,--output", o->output, "report.html or report.md");
+  verb->add_flag("--json", o->json, "findings as JSON");
+  verb->add_flag("--integrators", o->integrators, "check the error bounds of the integrals on random cases");
+  verb->add_flag(
+      "--microsurface", o->microsurface,
+      "compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
+  verb->add_flag(
+      "--numerics", o->numerics,
+      "search for the largest errors of the forms (--form or --all) in float and double against 50 "
+      "digits, and for NaN, infinite and negative values; exit 1 where one is larger than stated "
+      "(--all: half a minute; --effort full, a million evaluations each: half an hour)");
+  verb->add_flag(
+      "--gpu", o->gpu,
+      "compare the forms' shaders with the library bit for bit; with --shader: the driver's values of that "
+      "function with correctly rounded ones");
+  verb->footer(
+      "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
+      "          brdf validate samples.csv --max-theta 80 --keep-fill --picture photograph.png -o "
+      "sheet.html\n"
+      "          brdf validate reflectance_factors.csv --quantity BRF --mirror-side negative\n"
+      "          brdf validate --form ward --effort full --seed 2\n"
+      "          brdf validate --all --json\n"
+      "          brdf validate --shader disney.brdf --param roughness=0.05:1 --require finite,non_negative\n"
+      "          brdf validate --shader ggx.glsl --such-that \"albedo + f0 <= 1\" --against cook_torrance "
+      "--map "
+      "alpha=roughness*roughness\n"
+      "          brdf validate --shader car_paint.glsl --seconds 5\n"
+      "          brdf validate --all --numerics\n"
+      "          brdf validate --integrators\n"
+      "          brdf validate --microsurface\n"
+      "          brdf validate --form ward --gpu\n"
+      "          brdf validate --shader ggx.glsl --gpu");
+  on_run(*verb, [o, verb] {
+    refuse_what_is_passed_over(*verb);
+    return run_validate(*o);
+  });
+}
+
+}  // namespace brdf::cli

@@ -1,0 +1,135 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/options/environment_options.h"
+#include "cli/options/options.h"
+#include "cli/options/terminal.h"
+#include "cli/steps/shown_shader.h"
+#include "cli/steps/solver_beside.h"
+#include "cli/verb.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/output.h"
+#include "render/job.h"
+#include "render/viewer/commands.h"
+#include "render/viewer/viewer.h"
+
+namespace brdf::cli {
+namespace {
+
+// A saved state, a scene, or materials; two materials are A and B.
+render::ViewState initial_state(const render::Job& given, int width, int height) {
+  render::Job job = render::with_samples_told(given);
+  if (job.state.empty()) {  // where the split goes depends on them
+    job.width = width;
+    job.height = height;
+  }
+  const bool two = job.scene.empty() && job.materials.size() == 2;
+  if (two) {
+    job.compare = job.materials[1].string();
+    job.materials.pop_back();
+  }
+  if (two || !job.measured.empty()) job.show = "split";
+  if (job.scene.empty() && job.materials.empty() && job.row.empty() && job.state.empty()) {
+    render::ViewState state;
+    state.scene = render::material_scene({render::any_material()});
+    render::apply_environment(job, state.scene);
+    state.scene.camera.width = width;
+    state.scene.camera.height = height;
+    if (!job.measured.empty()) render::open_file(state, job.measured);
+    return state;
+  }
+  return render::state_of(job);
+}
+
+// What the window's title names.
+std::filesystem::path file_of(const render::Job& job) {
+  if (!job.state.empty()) return job.state;
+  if (!job.scene.empty()) return job.scene;
+  if (!job.materials.empty()) return job.materials[0];
+  return job.row.empty() ? job.measured : job.row_source;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app) {
+  struct ViewCall {
+    render::Job job;
+    render::ViewerOptions viewer;
+    ShownShader shader;
+    bool commands = false;
+  };
+  auto options = std::make_shared<ViewCall>();
+  render::ViewerOptions& viewer = options->viewer;
+  CLI::App* verb = add_verb(app, Purpose::look, "view", "Look at materials and scenes in a window");
+  verb->add_option("MATERIAL", options->job.materials,
+                   "Material JSON files: two are compared side by side; or samples");
+  verb->add_option("--scene", options->job.scene, "A scene's JSON file");
+  verb->add_option("--shape", options->job.shape,
+                   "What a MATERIAL is shown on instead of a sphere: as in render");
+  add_shown_shader(*verb, options->shader);
+  verb->add_option("--measured", options->job.measured, "A sample table to compare with");
+  verb->add_option("--state", options->job.state, "A saved state to start from");
+  verb->add_option("--save-as", viewer.state_file, "Where Ctrl-S saves the state")->capture_default_str();
+  verb->add_option("--screenshot", viewer.screenshot, "Where P writes the picture")->capture_default_str();
+  verb->add_option("--width", viewer.width, "Of the window")
+      ->check(CLI::Range(64, 8192))
+      ->capture_default_str();
+  verb->add_option("--height", viewer.height, "Of the window")
+      ->check(CLI::Range(64, 8192))
+      ->capture_default_str();
+  verb->add_option("--gbuffer-bits", viewer.gbuffer_bits, "8, 16 or 32")
+      ->check(CLI::IsMember({8, 16, 32}))
+      ->capture_default_str();
+  add_environment_options(*verb, options->job, viewer.samples);
+  add_memory_option(*verb, viewer.memory_limit);
+  verb->add_option("--scale", viewer.scale, "Of text and panels, instead of the display's")
+      ->check(CLI::Range(0.5, 4.0));
+  verb->add_flag("--orbit", viewer.orbit,
+                 "Turn the camera with every frame; with --frames the frames' time is told");
+  verb->add_flag("--commands", options->commands,
+                 "Print what can be asked of the window, as JSON, and open none");
+  verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::Range(0, 1000000000));
+  verb->add_flag("--validation", viewer.validation,
+                 "Run under Vulkan's validation and synchronisation layers");
+  verb->footer(
+      "Keys and mouse:\n" + render::command_help(100) +
+      "Examples: brdf view fitted.json --measured samples.csv\n"
+      "          brdf view fitted.json --hard-light\n"
+      "          brdf view --shader ggx.glsl --param roughness=0.05:1 --set roughness=0.3\n"
+      "          brdf view --scene scenes/vase.json\n"
+      "          brdf view fitted.json --environment studio --rotate 30 --samples 256 --shape shader_ball\n"
+      "          brdf view --state kept.json --save-as kept.json --screenshot shown.png --width 800 --height "
+      "600\n"
+      "          brdf view a.json b.json --gbuffer-bits 16 --memory-limit 1G --validation --frames 100\n"
+      "          brdf view fitted.json --hard-light --orbit --frames 100 --scale 2\n"
+      "          brdf view --commands");
+  on_run(*verb, [options, verb] {
+    if (!options->commands) show_shader(options->shader, "view", options->job);
+    const render::Job& job = options->job;
+    if (options->commands) {
+      std::cout << render::command_json();
+      return Exit::good;
+    }
+    std::vector<io::Target> targets;  // those that were asked for: the others may never be written
+    if (verb->count("--save-as") > 0) targets.push_back({"--save-as", options->viewer.state_file});
+    if (verb->count("--screenshot") > 0) targets.push_back({"--screenshot", options->viewer.screenshot});
+    std::vector<std::filesystem::path> inputs = job.materials;  // a state may be saved over itself
+    inputs.insert(inputs.end(), {job.scene, job.measured});
+    io::check_targets(targets, inputs);
+    options->viewer.state = initial_state(options->job, options->viewer.width, options->viewer.height);
+    for (const std::string& note : render::colour_notes(options->viewer.state))
+      Note() << "brdf view: " << note;
+    options->viewer.file = file_of(job);
+    options->viewer.solver = solver_beside();
+    const render::ViewerReport report = render::view(options->viewer);
+    if (options->viewer.orbit && options->viewer.frames > 0)
+      std::cout << "median of " << report.frames << " frames: " << io::short_number(report.median_frame_ms, 3)
+                << " ms, " << io::short_number(1000 / report.median_frame_ms, 3) << " frames/s\n";
+    return report.validation_messages > 0 ? Exit::failed : Exit::good;
+  });
+}
+
+}  // namespace brdf::cli

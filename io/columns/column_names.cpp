@@ -1,0 +1,289 @@
+#include "io/columns/column_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "brdf/angle.h"
+#include "io/columns/angle_names.h"
+#include "io/columns/metadata_names.h"
+#include "io/columns/plain_names.h"
+#include "io/columns/polarisation_names.h"
+#include "io/columns/value_columns.h"
+#include "io/columns/wavelengths.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+
+namespace brdf::io {
+namespace {
+
+bool is_angle_unit(std::string_view text) {
+  const auto unit = unit_named(text);
+  return unit && unit->kind() == Unit::Kind::angle;
+}
+
+// Turns a header's names into columns; remembers what has to be said.
+class HeaderReading {
+ public:
+  HeaderReading(const std::vector<std::string_view>& names, const HeaderFacts& facts)
+      : names_(names), facts_(facts) {
+    facts_.is_plain = has_plain_angle_names(names_);
+    // What is written must be read back as it was.
+    const auto& stated = facts_.stated;
+    facts_.keeps_names =
+        facts_.is_plain && stated && stated->by == StatedQuantity::By::comment && stated->quantity.is_f_r();
+  }
+
+  Columns result() {
+    for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
+    place_angles();
+    announce_bands_and_turns();
+    if (out_.has_angle(0) && out_.has_angle(2))
+      place_values(out_, facts_,
+                   [this](std::string_view theirs, const std::string& ours) { announce(theirs, ours); });
+    if (!read_as_.empty()) out_.notes.insert(out_.notes.begin(), "read as: " + read_as_);
+    if (out_.only_azimuth) note_the_only_azimuth();
+    return std::move(out_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(facts_.where + ": " + what); }
+
+  // Adds "'their name' our name" to what is announced, where the names differ.
+  void announce(std::string_view theirs, const std::string& ours) {
+    if (theirs == ours) return;
+    if (!read_as_.empty()) read_as_ += ", ";
+    read_as_ += shown(theirs) + " " + ours;
+  }
+
+  Column column_of(std::string_view name) {
+    Column column;
+    column.name = name;
+    angles_.emplace_back();
+    if (is_polarisation_name(name)) column.kind = Column::Kind::polarisation;
+    if (read_as_wavelength(column) || (facts_.keeps_names && !is_plain_angle_name(name))) return column;
+    for (const auto& [bare, unit] : ways_to_part(name))
+      if (read_as_angle(column, bare, unit) || read_as_rotation(column, bare, unit)) break;
+    return column;
+  }
+
+  // Whether the name is an angle's, which the column then may hold.
+  bool read_as_angle(Column& column, std::string_view bare, std::string_view unit) {
+    const std::optional<AngleName> angle = angle_named(bare);
+    if (!angle || !(unit.empty() || is_angle_unit(unit))) return false;
+    if (facts_.is_plain && !is_plain_angle_name(column.name)) return false;
+    angles_.back() = angle;
+    angles_.back()->is_weak = angle->is_weak && unit.empty();
+    if (!unit.empty()) column.unit = unit_named(unit);
+    column.is_elevation = angle->quantity == AngleName::Quantity::elevation;
+    if (!angles_.back()->is_weak) column.kind = Column::Kind::angle;
+    return true;
+  }
+
+  static bool read_as_rotation(Column& column, std::string_view bare, std::string_view unit) {
+    if (!is_rotation_name(bare) || !(unit.empty() || is_angle_unit(unit))) return false;
+    column.kind = Column::Kind::rotation;
+    if (!unit.empty()) column.unit = unit_named(unit);
+    return true;
+  }
+
+  bool read_as_wavelength(Column& column) {
+    const auto found = wavelength_column(column.name);
+    if (!found) return false;
+    if (!found->fault.empty()) refuse("column " + shown(column.name) + " " + found->fault);
+    column.kind = Column::Kind::wavelength;
+    column.unit = found->unit;
+    return true;
+  }
+
+  // Whether a column is an azimuth, or else a polar angle or elevation, of this side.
+  bool states(bool azimuth, AngleSide side) const {
+    return std::any_of(angles_.begin(), angles_.end(), [&](const auto& angle) {
+      return angle && !angle->is_weak && is_azimuth(*angle) == azimuth && angle->side == side;
+    });
+  }
+
+  static bool is_azimuth(const AngleName& angle) { return angle.quantity == AngleName::Quantity::azimuth; }
+
+  // Whose angle it is; theta_s beside an incident direction is the scattered one's, phi beside phi_r is the
+  // light's.
+  AngleSide side_of(std::size_t k) {
+    const AngleName& angle = *angles_[k];
+    const bool light = states(is_azimuth(angle), AngleSide::light),
+               viewer = states(is_azimuth(angle), AngleSide::viewer);
+    if (angle.is_bare_phi && light != viewer) return light ? AngleSide::viewer : AngleSide::light;
+    if (angle.side == AngleSide::none) alone_ = k;
+    if (angle.side != AngleSide::scatter_or_source)
+      return angle.side == AngleSide::light ? AngleSide::light : AngleSide::viewer;
+    if (light == viewer)
+      refuse("column " + shown(names_[k]) + " may be the source's or the scattered direction: " +
+             (light ? "both are stated" : "neither is stated beside it"));
+    return light ? AngleSide::viewer : AngleSide::light;
+  }
+
+  // Gives each angle's column its index; what is ambiguous is decided by its neighbours.
+  void place_angles() {
+    std::map<std::size_t, std::string> taken;
+    for (std::size_t k = 0; k < out_.columns.size(); ++k) {
+      if (!angles_[k] || angles_[k]->is_weak) continue;
+      Column& column = out_.columns[k];
+      column.index = (side_of(k) == AngleSide::light ? 0 : 2) + (is_azimuth(*angles_[k]) ? 1 : 0);
+      const auto [first, is_new] = taken.emplace(column.index, std::string(names_[k]));
+      const std::string ours(kAngleNames[column.index]);
+      if (!is_new)
+        refuse("columns " + shown(first->second) + " and " + shown(names_[k]) + " are both " + ours);
+      announce_angle(column, ours);
+    }
+    place_weak_angles();
+    const bool of_light = out_.has_angle(1), of_viewer = out_.has_angle(3);
+    if (of_light != of_viewer) out_.only_azimuth = of_light ? 1 : 3;
+    out_.in_plane = !of_light && !of_viewer;
+    if (alone_ && of_light && of_viewer)
+      refuse("column " + shown(names_[*alone_]) + " does not say whose azimuth it is, and " +
+             std::string(kAngleNames[1]) + " is stated beside it");
+    refuse_other_angles();
+  }
+
+  // A word of several meanings is a polar angle if the table lacks that angle, states the other one, and has
+  // another column of values.
+  void place_weak_angles() {
+    const auto light = weak_angle(AngleSide::light), viewer = weak_angle(AngleSide::viewer);
+    const bool has_light = out_.has_angle(0), has_viewer = out_.has_angle(2);
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    if (!has_light && light && (has_viewer || viewer)) found.emplace_back(*light, 0);
+    if (!has_viewer && viewer && (has_light || light)) found.emplace_back(*viewer, 2);
+    const auto values =
+        std::size_t(std::count_if(out_.columns.begin(), out_.columns.end(),
+                                  [](const Column& c) { return c.kind == Column::Kind::value; }));
+    if (values <= found.size() && facts_.needs_values) return;
+    for (const auto& [k, angle] : found) {
+      Column& column = out_.columns[k];
+      column.kind = Column::Kind::angle;
+      column.index = angle;
+      announce_angle(column, std::string(kAngleNames[angle]));
+    }
+  }
+
+  // The only column of such a word.
+  std::optional<std::size_t> weak_angle(AngleSide side) const {
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      if (!angles_[k] || !angles_[k]->is_weak || angles_[k]->side != side) continue;
+      if (found) return std::nullopt;
+      found = k;
+    }
+    return found;
+  }
+
+  // An angle that is not read, in place of one that is missing.
+  void refuse_other_angles() const {
+    const bool lacks_polar = !out_.has_angle(0) || !out_.has_angle(2);
+    for (const Column& column : out_.columns)
+      for (const auto& [bare, unit] : ways_to_part(column.name)) {
+        const auto refused = refused_angle(bare);
+        if (refused && (lacks_polar || (refused->is_for_azimuths && out_.in_plane)))
+          refuse("column " + shown(column.name) + " " + refused->reason);
+      }
+  }
+
+  void announce_angle(const Column& column, const std::string& ours) {
+    const bool is_radians = column.unit && column.unit->factor == 1;
+    announce(column.name,
+             ours + (column.is_elevation ? " = 90 - elevation" : "") + (is_radians ? " in radians" : ""));
+  }
+
+  void announce_bands_and_turns() {
+    for (const Column& column : out_.columns) {
+      const bool is_nm = column.unit && column.unit->factor == 1e-9;
+      if (column.kind == Column::Kind::wavelength && column.unit && !is_nm)
+        announce(column.name, "wavelengths in nm");
+      if (column.kind == Column::Kind::rotation)
+        announce(column.name, "turn of the sample (subtracted from the azimuths)");
+    }
+  }
+
+  void note_the_only_azimuth() {
+    const std::size_t stated = *out_.only_azimuth, other = 4 - stated;
+    const auto column = std::find_if(out_.columns.begin(), out_.columns.end(), [&](const Column& c) {
+      return c.kind == Column::Kind::angle && c.index == stated;
+    });
+    out_.assume("one azimuth, " + shown(column->name) + ": taken for " + std::string(kAngleNames[stated]) +
+                " with " + std::string(kAngleNames[other]) +
+                " 0, so that the mirror direction is at 180 degrees");
+  }
+
+  const std::vector<std::string_view>& names_;
+  HeaderFacts facts_;
+  Columns out_;
+  std::vector<std::optional<AngleName>> angles_;  // what each column's name says
+  std::optional<std::size_t> alone_;              // the column of an azimuth that does not say whose it is
+  std::string read_as_;
+};
+
+// The number of degrees with the fewest digits that is this angle to its last bit: instruments write 30 degrees as
+// 0.5235987755982988.
+double shortest_degrees(double radian) {
+  const double plain = radians(radian).degrees();
+  for (double scale = 1; scale <= 1e12; scale *= 10) {
+    const double shorter = std::round(plain * scale) / scale;
+    const double back = degrees(shorter).radians();
+    if (std::abs(back - radian) <= std::abs(std::nextafter(radian, 4.0) - radian)) return shorter;
+  }
+  return plain;
+}
+
+// Degrees stay as they are.
+double in_degrees(double value, const std::optional<Unit>& unit) {
+  static const double degree = unit_named("deg")->factor;
+  return !unit || unit->factor == degree ? value : shortest_degrees(value * unit->factor);
+}
+
+}  // namespace
+
+double Column::converted(double value) const {
+  if (kind == Kind::angle || kind == Kind::rotation)
+    return is_elevation ? 90 - in_degrees(value, unit) : in_degrees(value, unit);
+  if (kind == Kind::wavelength && unit) {
+    const bool is_nm = unit->factor == 1e-9 && unit->kind() == Unit::Kind::length;
+    return is_nm ? without_noise(value) : to_nm(value, *unit);
+  }
+  return value;
+}
+
+bool is_unit(std::string_view field) {
+  if (field.size() > 1 && (field.front() == '[' || field.front() == '('))
+    field = trimmed(field.substr(1, field.size() - 2));
+  return field.empty() || field == "-" || unit_named(field);
+}
+
+bool names_angles(const std::vector<std::string_view>& names) {
+  std::size_t count = 0;
+  for (const std::string_view name : names)
+    for (const auto& [bare, unit] : ways_to_part(name)) {
+      const auto angle = angle_named(bare);
+      if (!angle || (angle->is_weak && unit.empty()) || !(unit.empty() || is_angle_unit(unit))) continue;
+      ++count;
+      break;
+    }
+  return count >= 2;
+}
+
+bool Columns::has_angle(std::size_t angle) const {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == angle; });
+}
+
+bool Columns::has(Column::Kind kind) const {
+  return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.kind == kind; });
+}
+
+void Columns::assume(const std::string& sentence) {
+  notes.push_back(sentence);
+  assumptions.push_back(sentence);
+}
+
+Columns understand_columns(const std::vector<std::string_view>& names, const HeaderFacts& facts) {
+  return HeaderReading(names, facts).result();
+}
+
+}  // namespace brdf::io

@@ -1,0 +1,304 @@
+#include "io/csv/csv.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/columns/no_number.h"
+#include "io/columns/plain_names.h"
+#include "io/columns/wavelengths.h"
+#include "io/csv/csv_header.h"
+#include "io/csv/long_format.h"
+#include "io/files/error.h"
+#include "io/samples/mirror_side.h"
+#include "io/samples/table_rules.h"
+#include "io/samples/to_f_r.h"
+
+namespace brdf::io {
+namespace {
+
+class CsvReader {
+ public:
+  CsvReader(const Content& text, bool need_values, const Supplied& supplied)
+      : reader_(text), supplied_(supplied), header_(reader_, dialect_, table_, need_values, supplied) {
+    table_.source = text.name;
+  }
+
+  SampleTable read() {
+    std::string_view whole;
+    while (reader_.next(whole)) {
+      const std::string_view line = trimmed(whole);
+      if (line.empty()) continue;
+      if (line.front() == '#')
+        header_.read_comment(line);
+      else if (header_.is_read())
+        read_line(header_.matrix() ? whole : line);  // a tab at its end is an empty cell
+      else if (!dialect_.is_separator_line(line))
+        read_header(line);
+    }
+    if (!header_.is_read())
+      throw InputError(table_.source + ": no header row (theta_i,phi_i,theta_o,phi_o,<channel>...)");
+    if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
+    finish();
+    return header_.is_long() ? widened(table_, bands_) : std::move(table_);
+  }
+
+ private:
+  const std::vector<Column>& columns() const { return header_.columns().columns; }
+
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
+  [[noreturn]] void fail(const Column& column, std::size_t k, const std::string& rule) const {
+    fail("column " + std::to_string(k + 1) + " (" + printable(column.name) + "): " + shown(fields_[k]) + " " +
+         rule);
+  }
+
+  void read_header(std::string_view line) {
+    const bool is_row = header_.read(line);
+    const std::size_t channels = header_.columns().channels.size();
+    table_.values.resize(channels);
+    table_.sigma.resize(channels);
+    row_values_.resize(channels);
+    row_sigma_.resize(channels);
+    for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
+    if (is_row) read_line(line);
+  }
+
+  void read_line(std::string_view line) {
+    split_row(line);
+    if (header_.matrix())
+      read_row_of_matrix(line);
+    else
+      read_row(line);
+  }
+
+  // From what is written to f_r, directions and bands.
+  void finish() {
+    make_f_r(table_, header_.columns().quantities);
+    if (empty_ > 0)
+      table_.warnings.push_back(std::to_string(empty_) + " empty cells of the matrix: not measured");
+    table_.skipped += empty_;
+    // What differs from the plain format is announced first.
+    std::vector<std::string> notes = header_.columns().notes;
+    if (const std::string differences = dialect_.differences(); !differences.empty())
+      notes.insert(notes.begin(), differences);
+    table_.warnings.insert(table_.warnings.begin(), notes.begin(), notes.end());
+    table_.assumptions = header_.columns().assumptions;
+    store_raw_angles();
+    if (header_.columns().in_plane)
+      place_in_plane(table_, supplied_.mirror_side);
+    else if (supplied_.mirror_side != MirrorSide::automatic)
+      throw InputError(table_.source +
+                       ": --mirror-side is for tables of two angles; this one states azimuths");
+    find_unit_of_bands();
+  }
+
+  void store_raw_angles() {
+    for (const Column& c : columns()) {
+      if (c.kind != Column::Kind::angle) continue;
+      RawAngle& angle = table_.raw_angles[c.index];
+      angle.name = c.name;
+      angle.has_unit = c.unit.has_value();
+      std::move(raw_[c.index]).store(angle);
+    }
+  }
+
+  // Wavelengths without a unit.
+  void find_unit_of_bands() {
+    const bool lacks_unit = std::any_of(columns().begin(), columns().end(), [](const Column& c) {
+      return c.kind == Column::Kind::wavelength && !c.unit;
+    });
+    if (!lacks_unit) return;
+    const auto largest = std::max_element(bands_.begin(), bands_.end());
+    if (!are_micrometres(largest->nm)) {
+      for (Band& band : bands_) band.nm = without_noise(band.nm);
+      return;
+    }
+    const Unit micrometre = *unit_named("um");
+    for (Band& band : bands_) band.nm = to_nm(band.nm, micrometre);
+    table_.assume("the wavelengths state no unit and are all below 100: taken for micrometres");
+  }
+
+  void split_row(std::string_view line) {
+    if (!dialect_.split_row(line, fields_)) fail(std::string(kBadQuotation));
+  }
+
+  void check_width(std::string_view line, std::size_t width) const {
+    if (fields_.size() != width)
+      fail(std::to_string(fields_.size()) + " columns where the header has " + std::to_string(width) +
+           ", separated by " + dialect_.separator_in_words() + other_separator(line, width));
+  }
+
+  // Where the line is one of another separator.
+  std::string other_separator(std::string_view line, std::size_t width) const {
+    for (const auto& [c, words] : {std::pair(',', "','"), std::pair(';', "';'"), std::pair('\t', "a tab")})
+      if (words != dialect_.separator_in_words() && fields_.size() == 1 &&
+          static_cast<std::size_t>(std::count(line.begin(), line.end(), c)) == width - 1)
+        return std::string("; this line is separated by ") + words;
+    return "";
+  }
+
+  double number_of(const Column& column, std::size_t k) {
+    double number;
+    if (!dialect_.parse(fields_[k], number))
+      fail(column, k,
+           dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
+                                      : "is not a number" + advice_on(fields_[k]));
+    if (column.kind == Column::Kind::angle) raw_[column.index].add(number);
+    number = column.converted(number);
+    if (!std::isfinite(number)) fail(column, k, "is not finite" + advice_on(fields_[k]));
+    return number;
+  }
+
+  void read_row(std::string_view line) {
+    const std::vector<Column>& all = columns();
+    check_width(line, all.size());
+    if (table_.rows() == 0) reserve(line.size() + 1);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Column& column = all[k];
+      if (column.kind == Column::Kind::polarisation)
+        read_polarisation(k);
+      else if (column.kind != Column::Kind::aside)
+        read_number(column, k, number_of(column, k));
+    }
+    store_row();
+  }
+
+  // About as many rows as the file has, by the length of the first one.
+  void reserve(std::size_t bytes) {
+    constexpr std::size_t kFewest = 8;  // bytes of a row
+    const std::size_t rows = reader_.content().bytes.size() / std::max(bytes, kFewest) + 1;
+    table_.reserve(std::min(rows, kMostRows));
+    table_.lines.reserve(std::min(rows, kMostRows));
+  }
+
+  void read_row_of_matrix(std::string_view line) {
+    const MatrixHeader& matrix = *header_.matrix();
+    check_width(line, matrix.angles.size() + 1);
+    static const Column value;
+    angles_[1] = angles_[3] = 0;
+    for (std::size_t k = 1; k < fields_.size(); ++k) {
+      if (!advice_on(fields_[k]).empty() && fields_[k].find_first_of("0123456789") == fields_[k].npos) {
+        ++empty_;
+        continue;
+      }
+      set_angle(matrix.rows, 0, number_of(matrix.rows, 0));
+      raw_[matrix.columns.index].add(matrix.angles[k - 1]);
+      angles_[matrix.columns.index] = matrix.columns.converted(matrix.angles[k - 1]);
+      row_values_[0] = number_of(value, k);
+      store_row();
+    }
+  }
+
+  void set_angle(const Column& column, std::size_t k, double number) {
+    largest_[column.index] = std::max(largest_[column.index], std::abs(number));
+    if (column.index % 2 == 0 && std::abs(number) > 90.0) below_horizon(column, k);
+    angles_[column.index] = number;
+  }
+
+  void read_number(const Column& column, std::size_t k, double number) {
+    switch (column.kind) {
+      case Column::Kind::angle:
+        set_angle(column, k, number);
+        break;
+      case Column::Kind::value:
+        row_values_[column.index] = number;
+        break;
+      case Column::Kind::sigma:
+        if (!(number > 0.0)) fail(column, k, "must be above 0");
+        row_sigma_[column.index] = number;
+        break;
+      case Column::Kind::wavelength:
+        if (!(number > 0.0)) fail(column, k, "must be above 0");
+        band_.nm = number;
+        break;
+      case Column::Kind::rotation:
+        turn_ = number;
+        break;
+      case Column::Kind::polarisation:
+      case Column::Kind::aside:
+        break;
+    }
+  }
+
+  void read_polarisation(std::size_t k) {
+    band_.polarisation = polarisation_named(fields_[k]);
+    if (!band_.polarisation) fail(columns()[k], k, "is no polarisation (s, p, ss, sp, ps, pp, te, tm)");
+  }
+
+  // Azimuths in the polar angle's column are told apart from a wrong angle: there are many of them, and the
+  // other column never exceeds 90 degrees. Reads the rest of the file for that.
+  [[noreturn]] void below_horizon(const Column& column, std::size_t k) {
+    const std::size_t theta = column.index, phi = theta + 1;
+    const std::string at = reader_.where() + ": column " + std::to_string(k + 1) + " (" +
+                           printable(column.name) + "): " + shown(fields_[k]) + " ";
+    std::size_t rows = table_.rows(), above = 0;
+    bool first = true;
+    for (std::string_view line; first || reader_.next(line); first = false) {
+      if (!first) split_row(trimmed(line));
+      if (fields_.size() != columns().size()) continue;
+      for (std::size_t field = 0; field < columns().size(); ++field) {
+        const Column& c = columns()[field];
+        double x;
+        if (c.kind != Column::Kind::angle || !dialect_.parse(fields_[field], x)) continue;
+        x = std::abs(c.converted(x));
+        largest_[c.index] = std::max(largest_[c.index], x);
+        above += c.index == theta && x > 90.0;
+      }
+      ++rows;
+    }
+    if (!header_.columns().in_plane && largest_[phi] <= 90.0 && above > 1 && 4 * above >= rows) {
+      const std::string t(kAngleNames[theta]), p(kAngleNames[phi]);
+      throw ExchangedColumns(at + "is below the horizon; " + t + " reaches " + to_text(largest_[theta]) +
+                             " degrees and " + p + " only " + to_text(largest_[phi]) + ": the columns " + t +
+                             " and " + p + " look exchanged");
+    }
+    throw InputError(at + "is below the horizon (theta must be between -90 and 90 degrees)" +
+                     (theta == 2 ? "; transmitted light is not read" : ""));
+  }
+
+  void store_row() {
+    if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
+    double theta_i = angles_[0], phi_i = angles_[1] - turn_, theta_o = angles_[2], phi_o = angles_[3] - turn_;
+    if (!header_.columns().in_plane) {
+      // Instruments that swing through the normal write the far side as negative theta.
+      unfold(theta_i, phi_i);
+      unfold(theta_o, phi_o);
+    }
+    table_.add_directions(theta_i, phi_i, theta_o, phi_o);
+    for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
+    if (has_sigma_) {
+      for (const Column& c : columns())
+        if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
+    }
+    table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
+    if (header_.is_long()) bands_.push_back(band_);
+  }
+
+  static void unfold(double& theta, double& phi) {
+    if (theta >= 0.0) return;
+    theta = -theta;
+    phi += 180.0;
+  }
+
+  LineReader reader_;
+  const Supplied& supplied_;
+  SampleTable table_;
+  Dialect dialect_;
+  CsvHeader header_;
+  std::vector<std::string_view> fields_;
+  double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
+  double turn_ = 0;                          // of the sample
+  RawMagnitudes raw_[4];
+  std::vector<double> row_values_, row_sigma_;
+  std::size_t empty_ = 0;  // cells of a matrix
+  bool has_sigma_ = false;
+  Band band_;  // of this row
+  std::vector<Band> bands_;
+};
+
+}  // namespace
+
+SampleTable read_csv(const Content& text, bool need_values, const Supplied& supplied) {
+  return CsvReader(text, need_values, supplied).read();
+}
+
+}  // namespace brdf::io

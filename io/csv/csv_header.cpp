@@ -1,0 +1,264 @@
+#include "io/csv/csv_header.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "io/colour/channel_colours.h"
+#include "io/columns/angle_names.h"
+#include "io/columns/no_number.h"
+#include "io/columns/plain_names.h"
+#include "io/columns/wavelengths.h"
+#include "io/csv/number_streams.h"
+#include "io/files/error.h"
+#include "io/samples/table_rules.h"
+
+namespace brdf::io {
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+constexpr std::size_t kMostTitles = 60;  // lines above the header row
+constexpr std::size_t kRowsAhead = 50;   // that tell columns of text
+
+bool is_number(Dialect& dialect, std::string_view field) {
+  double number;
+  return dialect.parse(field, number);
+}
+
+bool all_numbers(Dialect dialect, std::string_view line) {
+  Fields fields;
+  return dialect.split_header(line, fields) &&
+         std::all_of(fields.begin(), fields.end(), [&](std::string_view f) { return is_number(dialect, f); });
+}
+
+// Whether the line is a header row beyond doubt; titles stand above one.
+bool is_header(Dialect dialect, std::string_view line) {
+  Fields names;
+  return dialect.split_header(line, names) && (names_angles(names) || matrix_header(names, dialect));
+}
+
+// Fields and units may stand in two rows: as one they are "theta_i (deg)".
+bool add_units(Dialect& dialect, const Fields& fields, std::vector<std::string>& names) {
+  const auto is_one = [&](std::string_view field) { return !is_number(dialect, field) && is_unit(field); };
+  if (fields.size() != names.size() || !std::all_of(fields.begin(), fields.end(), is_one) ||
+      std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty(); }))
+    return false;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string_view unit = fields[k];
+    if (unit.empty() || unit == "-") continue;
+    const bool has_brackets = unit.front() == '[' || unit.front() == '(';
+    names[k] += has_brackets ? " " + std::string(unit) : " (" + std::string(unit) + ")";
+  }
+  return true;
+}
+
+}  // namespace
+
+void CsvHeader::fail(const std::string& what) const {
+  throw InputError(reader_.where() + ": " + what);
+}
+
+void CsvHeader::read_comment(std::string_view line) {
+  const std::string_view text = line.substr(1);
+  if (!is_read()) last_comment_ = trimmed(text);
+  const auto words = quantity_in_comment(text);
+  if (!words) {
+    table_.metadata.push_back(parse_comment(text));
+    if (!is_read() && table_.metadata.back().first.empty())
+      stated_.add_free_text(table_.metadata.back().second, reader_.line());
+    return;
+  }
+  // No comment: the table holds f_r whatever the file held.
+  if (is_read()) fail("the quantity must be stated before the header row");
+  stated_.add_comment(*words, reader_.line(), reader_.where());
+}
+
+bool CsvHeader::is_header_in_comment(std::string_view line) const {
+  Dialect of_numbers, of_names;
+  Fields fields, names;
+  if (!of_numbers.split_header(line, fields) || fields.empty() || !is_number(of_numbers, fields[0]) ||
+      !of_names.split_header(last_comment_, names))
+    return false;
+  return has_plain_angle_names(names) || (names_angles(names) && names.size() == fields.size());
+}
+
+bool CsvHeader::read(std::string_view line) {
+  if (!is_header_in_comment(line)) {
+    read_names(behind_titles(line));
+    return false;
+  }
+  table_.metadata.pop_back();
+  read_names(last_comment_);
+  columns_.notes.push_back("the header row is the comment above the numbers");
+  return true;
+}
+
+// Lines above the header row without '#', as instruments write them. They are comments, and may name the
+// quantity.
+std::string_view CsvHeader::behind_titles(std::string_view line) {
+  if (is_header(dialect_, line)) return line;
+  LineReader ahead = reader_;
+  std::size_t titles = 1;
+  bool found = false;
+  for (std::string_view next; !found && titles <= kMostTitles && ahead.next(next);) {
+    next = trimmed(next);
+    if (next.empty() || next.front() == '#') continue;
+    if (all_numbers(dialect_, next)) return line;
+    found = is_header(dialect_, next);
+    titles += !found;
+  }
+  if (!found) return line;
+  add_title(line);
+  for (std::string_view next; reader_.next(next);) {
+    next = trimmed(next);
+    if (next.empty()) continue;
+    if (reader_.line() == ahead.line()) {
+      table_.warnings.push_back(std::to_string(titles) + (titles == 1 ? " line" : " lines") +
+                                " above the header row: taken for titles");
+      return next;
+    }
+    next.front() == '#' ? read_comment(next) : add_title(next);
+  }
+  return line;
+}
+
+void CsvHeader::add_title(std::string_view title) {
+  if (const auto words = quantity_in_comment(title))
+    return stated_.add_comment(*words, reader_.line(), reader_.where());
+  stated_.add_title(title, reader_.line(), reader_.where());
+  const Comment pair = parse_comment(title);
+  constexpr std::size_t kLongestKey = 40;
+  const bool has_key =
+      !pair.first.empty() && pair.first.size() <= kLongestKey && title.find(": ") == title.find(':');
+  table_.metadata.push_back(has_key ? pair : parse_comment(": " + std::string(title)));
+}
+
+void CsvHeader::read_names(std::string_view line) {
+  Fields fields;
+  if (!dialect_.split_header(line, fields)) fail(std::string(kBadQuotation));
+  if (read_matrix(fields)) return;
+  const bool has_names = std::any_of(fields.begin(), fields.end(),
+                                     [&](std::string_view name) { return !is_number(dialect_, name); });
+  std::unordered_set<std::string_view> seen;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const std::string at = "column " + std::to_string(k + 1);
+    if (fields[k].empty()) fail(at + " has no name; leave out a column of row numbers");
+    const bool is_band = has_names && with_band_unit(fields[k]) != fields[k];
+    if (!is_band && is_number(dialect_, fields[k])) refuse_numbers(fields, k);
+    if (!seen.insert(fields[k]).second)
+      fail("column " + shown(fields[k]) +
+           " twice; a reading that was repeated is a row of its own, another channel has a name of its own");
+  }
+  std::vector<std::string> names(fields.begin(), fields.end());
+  HeaderFacts facts{reader_.where(), stated_.result(), need_values_, {}};
+  look_ahead(names, facts);
+  columns_ = understand_columns({names.begin(), names.end()}, facts);
+  if (columns_.has_unnamed)
+    if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
+  is_long_ = columns_.has(Column::Kind::wavelength) || columns_.has(Column::Kind::polarisation);
+  check_columns();
+  table_.channels = columns_.channels;
+  check_channel_names(table_.channels, facts.where);
+}
+
+// A number in place of a name.
+void CsvHeader::refuse_numbers(const Fields& fields, std::size_t k) const {
+  Dialect probe = dialect_;
+  if (k == 0 || is_number(probe, fields[0]))
+    fail("the header row is missing: column " + std::to_string(k + 1) + " is the number " + shown(fields[k]) +
+         ", not a name; " + header_for_numbers(reader_.content(), fields));
+  Fields axes;
+  split(fields[0], '\\', axes);
+  for (const std::string_view axis : axes)
+    if (const auto refused = refused_angle(axis)) fail("column " + shown(fields[0]) + " " + refused->reason);
+  fail("column " + std::to_string(k + 1) + " is the number " + shown(fields[k]) +
+       ", not a name; in a matrix of two angles the first cell names them: theta_o \\ theta_i, or the one "
+       "that goes down");
+}
+
+bool CsvHeader::read_matrix(const Fields& names) {
+  matrix_ = matrix_header(names, dialect_);
+  if (!matrix_) return false;
+  columns_.columns = {matrix_->rows, matrix_->columns};
+  columns_.channels = table_.channels = {"fr"};
+  columns_.in_plane = true;
+  const auto& stated = stated_.result();
+  columns_.quantities = {stated ? stated->quantity : Quantity{&quantity_kinds()[0]}};
+  const bool is_light_down = matrix_->rows.index == 0;
+  columns_.notes.push_back(std::string("a matrix: ") +
+                           (is_light_down ? "incidences" : "angles of the viewer") + " go down, " +
+                           (is_light_down ? "angles of the viewer" : "incidences") + " along");
+  if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
+  if (!stated)
+    columns_.assume("the values are taken for f_r in 1/sr: the matrix names no quantity");
+  else if (!stated->quantity.is_f_r())
+    columns_.assume("the matrix holds " + stated->quantity.meaning() + ": " + stated->quantity.operation());
+  return true;
+}
+
+// Units in a row of their own, which is passed over, and columns of text.
+void CsvHeader::look_ahead(std::vector<std::string>& names, HeaderFacts& facts) {
+  facts.is_text.assign(names.size(), true);
+  std::vector<bool> has_text(names.size());
+  LineReader ahead = reader_;
+  Dialect dialect = dialect_;
+  Fields fields;
+  bool is_first = true;
+  for (std::size_t rows = 0; rows < kRowsAhead;) {
+    std::string_view line;
+    if (!ahead.next(line)) break;
+    line = trimmed(line);
+    if (line.empty() || line.front() == '#') continue;
+    if (!dialect.split_row(line, fields) || fields.size() != names.size()) break;
+    if (std::exchange(is_first, false) && add_units(dialect, fields, names)) {
+      reader_ = ahead;
+      continue;
+    }
+    ++rows;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const bool number = is_number(dialect, fields[k]) || dialect.marks_are_mixed();
+      facts.is_text[k] = facts.is_text[k] && !number;
+      has_text[k] = has_text[k] || (!number && advice_on(fields[k]).empty());
+    }
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) facts.is_text[k] = facts.is_text[k] && has_text[k];
+}
+
+// Whether the header row is words between blanks, none of them an angle's.
+bool CsvHeader::is_a_title() const {
+  return dialect_.separates_by_blanks() &&
+         std::none_of(columns_.columns.begin(), columns_.columns.end(),
+                      [](const Column& c) { return c.kind == Column::Kind::angle; });
+}
+
+void CsvHeader::check_columns() const {
+  std::string found;
+  for (const Column& c : columns_.columns) found += (found.empty() ? "" : ", ") + shown(c.name);
+  for (const std::size_t angle : {0, 2})
+    if (!columns_.has_angle(angle))
+      fail("column '" + std::string(kAngleNames[angle]) +
+           "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by " +
+           dialect_.separator_in_words() + ": " + found +
+           (is_a_title() ? "; lines above the header row begin with '#'"
+            : columns_.has_angle(2 - angle)
+                ? std::string("; no column holds the polar angle of the ") + (angle == 0 ? "light" : "viewer")
+                : ""));
+  if (need_values_ && columns_.channels.empty()) {
+    std::string others;
+    for (const Column& c : columns_.columns)
+      if (c.kind != Column::Kind::angle) others += (others.empty() ? "" : ", ") + shown(c.name);
+    fail("no value column beside the four angles" + (others.empty() ? "" : "; no values are in " + others));
+  }
+  if (is_long_ && need_values_ && columns_.channels.size() != 1)
+    fail("a column of " +
+         std::string(columns_.has(Column::Kind::wavelength) ? "wavelengths" : "polarisations") +
+         " needs one column of values, not " + std::to_string(columns_.channels.size()));
+  for (const auto& [kind, name] : {std::pair(Column::Kind::wavelength, "wavelengths"),
+                                   std::pair(Column::Kind::polarisation, "polarisations"),
+                                   std::pair(Column::Kind::rotation, "turns of the sample")})
+    if (std::count_if(columns_.columns.begin(), columns_.columns.end(),
+                      [kind = kind](const Column& c) { return c.kind == kind; }) > 1)
+      fail(std::string("two columns of ") + name);
+}
+
+}  // namespace brdf::io

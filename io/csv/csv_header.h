@@ -1,0 +1,65 @@
+// What stands above the rows of a table of text columns: comments, titles, the quantity, the header row with
+// its units.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/columns/column_names.h"
+#include "io/columns/stated_quantity.h"
+#include "io/columns/supplied.h"
+#include "io/csv/dialect.h"
+#include "io/csv/matrix_header.h"
+#include "io/files/text.h"
+#include "io/samples/samples.h"
+
+namespace brdf::io {
+
+class CsvHeader {
+ public:
+  // All three must outlive it; comments and channels go into the table.
+  CsvHeader(LineReader& reader, Dialect& dialect, SampleTable& table, bool need_values,
+            const Supplied& supplied)
+      : reader_(reader),
+        dialect_(dialect),
+        table_(table),
+        need_values_(need_values),
+        stated_(stated_by_option(supplied.quantity)) {}
+
+  bool is_read() const { return !columns_.columns.empty(); }
+  // A line that begins with '#', above or below the header row.
+  void read_comment(std::string_view line);
+  // The first line that is no comment: the header row, a title above it, or numbers whose header row was the
+  // last comment, as numpy writes it. Returns whether the line is a row, which is still to be read.
+  bool read(std::string_view line);
+
+  const Columns& columns() const { return columns_; }
+  const std::optional<MatrixHeader>& matrix() const { return matrix_; }
+  bool is_long() const { return is_long_; }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const;
+  bool is_header_in_comment(std::string_view line) const;
+  std::string_view behind_titles(std::string_view line);
+  void add_title(std::string_view title);
+  void read_names(std::string_view line);
+  [[noreturn]] void refuse_numbers(const std::vector<std::string_view>& fields, std::size_t k) const;
+  bool read_matrix(const std::vector<std::string_view>& names);
+  void look_ahead(std::vector<std::string>& names, HeaderFacts& facts);
+  void check_columns() const;
+  bool is_a_title() const;
+
+  LineReader& reader_;
+  Dialect& dialect_;
+  SampleTable& table_;
+  bool need_values_;
+  StatedQuantities stated_;
+  Columns columns_;
+  std::optional<MatrixHeader> matrix_;
+  std::string last_comment_;  // above the header row
+  bool is_long_ = false;
+};
+
+}  // namespace brdf::io

@@ -1,0 +1,159 @@
+#include "io/csv/long_format.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <tuple>
+
+#include "io/files/error.h"
+#include "io/files/limits.h"
+#include "io/files/text.h"
+
+namespace brdf::io {
+namespace {
+
+using Rows = std::vector<std::size_t>;
+// The rows of one pair of directions, by band, those of one band in the file's order.
+using Pair = std::span<const std::size_t>;
+
+std::vector<Band> each_once(std::vector<Band> bands) {
+  std::sort(bands.begin(), bands.end());
+  bands.erase(std::unique(bands.begin(), bands.end()), bands.end());
+  return bands;
+}
+
+auto directions_of(const SampleTable& table, std::size_t row) {
+  return std::tuple(table.theta_i[row], table.phi_i[row], table.theta_o[row], table.phi_o[row]);
+}
+
+// All rows by directions, then by band, then in the file's order.
+Rows sorted_rows(const SampleTable& table, const std::vector<Band>& bands) {
+  Rows rows(table.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+    return std::tuple(directions_of(table, a), bands[a], a) <
+           std::tuple(directions_of(table, b), bands[b], b);
+  });
+  return rows;
+}
+
+std::size_t first_row(Pair pair) {
+  return *std::min_element(pair.begin(), pair.end());
+}
+
+// In the order of their first rows.
+std::vector<Pair> pairs_of(const SampleTable& table, const Rows& sorted) {
+  std::vector<Pair> pairs;
+  for (auto begin = sorted.begin(); begin != sorted.end();) {
+    const auto end = std::find_if(begin, sorted.end(), [&](std::size_t row) {
+      return directions_of(table, row) != directions_of(table, *begin);
+    });
+    pairs.emplace_back(begin, end);
+    begin = end;
+  }
+  std::sort(pairs.begin(), pairs.end(), [](Pair a, Pair b) { return first_row(a) < first_row(b); });
+  return pairs;
+}
+
+std::string words_of(const Band& band) {
+  const std::string nm = band.nm > 0 ? to_text(band.nm) + " nm" : "";
+  const std::string polarisation = band.polarisation ? std::string(name_of(*band.polarisation)) : "";
+  return nm + (nm.empty() || polarisation.empty() ? "" : ", ") + polarisation;
+}
+
+std::string channel_of(const Band& band, const std::string& values) {
+  const std::string nm = band.nm > 0 ? to_text(band.nm) + "nm" : "";
+  if (!band.polarisation) return nm;
+  const std::string polarisation(name_of(*band.polarisation));
+  return nm.empty() ? values + "_" + polarisation : polarisation + "_" + nm;
+}
+
+// How often the pair was measured, which every band must say alike: memory is asked for only after this.
+std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of_rows,
+                           const std::vector<Band>& bands, Pair pair) {
+  std::vector<std::size_t> times;
+  for (std::size_t k = 0; k < pair.size();) {
+    const Band& band = of_rows[pair[k]];
+    if (band != bands[times.size()]) break;
+    times.push_back(0);
+    for (; k < pair.size() && of_rows[pair[k]] == band; ++k) ++times.back();
+    if (times.back() != times.front())
+      throw InputError(table.where(pair[k - 1]) + ": rows of these directions at " + words_of(band) + ": " +
+                       std::to_string(times.back()) + ", at " + words_of(bands.front()) + ": " +
+                       std::to_string(times.front()));
+  }
+  if (times.size() < bands.size())
+    throw InputError(table.where(first_row(pair)) + ": these directions have no value at " +
+                     words_of(bands[times.size()]) + ", which others have");
+  return times.front();
+}
+
+// What has been announced, and a sentence on what was read.
+std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vector<Band>& bands) {
+  const Band &first = bands.front(), &last = bands.back();
+  const std::string count = std::to_string(bands.size());
+  const std::string what = bands.size() == 1 ? "1 band, " + words_of(first)
+                           : !first.polarisation
+                               ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
+                               : count + " bands, " + words_of(first) + " to " + words_of(last);
+  std::vector<std::string> warnings = narrow.warnings;
+  warnings.push_back("long format: " + std::to_string(narrow.rows()) + " rows of " + what);
+  return warnings;
+}
+
+// A pair's rows, `times` of each band, as rows of all bands.
+struct Measured {
+  Pair pair;
+  std::size_t times;
+  std::size_t row(std::size_t band, std::size_t time) const { return pair[band * times + time]; }
+};
+
+void take_column(const std::vector<double>& narrow, const std::vector<Measured>& all, std::size_t band,
+                 std::vector<double>& wide) {
+  for (const Measured& measured : all)
+    for (std::size_t t = 0; t < measured.times; ++t) wide.push_back(narrow[measured.row(band, t)]);
+}
+
+void add_rows(const SampleTable& narrow, const std::vector<Measured>& all, SampleTable& wide) {
+  for (const Measured& measured : all) {
+    const std::size_t row = first_row(measured.pair);
+    for (std::size_t t = 0; t < measured.times; ++t) {
+      wide.add_directions(narrow.theta_i[row], narrow.phi_i[row], narrow.theta_o[row], narrow.phi_o[row]);
+      wide.lines.push_back(t == 0 ? narrow.lines[row] : narrow.lines[measured.row(0, t)]);
+    }
+  }
+}
+
+}  // namespace
+
+SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows) {
+  const std::vector<Band> bands = each_once(of_rows);
+  if (bands.size() > kMostChannels)
+    throw InputError(narrow.name() + ": " + std::to_string(bands.size()) + " wavelengths are more than " +
+                     std::to_string(kMostChannels));
+  const Rows sorted = sorted_rows(narrow, of_rows);
+  const bool has_values = !narrow.channels.empty();
+  std::vector<Measured> all;
+  for (const Pair pair : pairs_of(narrow, sorted))
+    all.push_back({pair, has_values ? times_measured(narrow, of_rows, bands, pair) : 1});
+
+  SampleTable wide;
+  wide.metadata = narrow.metadata;
+  wide.source = narrow.source;
+  wide.warnings = has_values ? warnings_of(narrow, bands) : narrow.warnings;
+  wide.skipped = narrow.skipped;
+  wide.raw_angles = narrow.raw_angles;
+  wide.assumptions = narrow.assumptions;
+  add_rows(narrow, all, wide);
+  if (!has_values) return wide;
+  wide.values.resize(bands.size());
+  wide.sigma.resize(bands.size());
+  for (std::size_t band = 0; band < bands.size(); ++band) {
+    wide.channels.push_back(channel_of(bands[band], narrow.channels[0]));
+    take_column(narrow.values[0], all, band, wide.values[band]);
+    if (narrow.has_sigma(0)) take_column(narrow.sigma[0], all, band, wide.sigma[band]);
+  }
+  return wide;
+}
+
+}  // namespace brdf::io

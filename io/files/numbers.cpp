@@ -1,0 +1,43 @@
+#include "io/files/numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "io/files/text.h"
+
+namespace brdf::io {
+
+std::string short_number(double x, int digits) {
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr;
+  return {text, end};
+}
+
+std::string percent(double share, int digits) {
+  return short_number(100 * share, digits) + " %";
+}
+
+std::string percent_to_tenths(double share) {
+  return to_text(std::round(1000 * share) / 10) + " %";
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (const std::string& word : words) (text += text.empty() ? "" : separator) += word;
+  return text;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return NAN;
+  const auto place =
+      values.begin() + std::ptrdiff_t(std::min(share * double(values.size()), double(values.size() - 1)));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double median(std::vector<double> values) {
+  return quantile(std::move(values), 0.5);
+}
+
+}  // namespace brdf::io

@@ -1,0 +1,157 @@
+#include "io/files/output.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <tuple>
+
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/file_buffer.h"
+#include "io/files/temporary.h"
+
+namespace brdf::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+void write_stream(const fs::path& shown, int descriptor, const std::function<void(std::ostream&)>& write) {
+  FileBuffer buffer(descriptor);
+  std::ostream out(&buffer);
+  write(out);
+  out.flush();
+  if (buffer.error() != 0) broke_off(shown, buffer.error());
+}
+
+// The file behind a chain of links, whether it exists or not; the chain ends, because stat() has followed it.
+fs::path resolved(fs::path path) {
+  for (std::error_code error; fs::is_symlink(path, error);)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::optional<struct stat> status_of(const fs::path& path) {
+  struct stat status;
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return status;
+}
+
+bool is_standard_output(const fs::path& path) {
+  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+// Throws where the file cannot be written; what is there already.
+std::optional<struct stat> checked(const fs::path& path) {
+  if (path.empty() || !path.has_filename()) throw InputError("'" + path.string() + "': is no name of a file");
+  const std::optional<struct stat> old = status_of(path);
+  if (!old && errno != ENOENT) cannot_write(path, errno);
+  if (old && S_ISDIR(old->st_mode)) cannot_write(path, EISDIR);
+  if (is_standard_output(path)) return old;
+  // One who may do everything is held to a file's own word too.
+  if (old && S_ISREG(old->st_mode) && (old->st_mode & 0222) == 0)
+    throw InputError(path.string() + ": is read-only: cannot be written");
+  if (old && ::access(path.c_str(), W_OK) != 0) cannot_write(path, errno);
+  if (old && !S_ISREG(old->st_mode)) return old;
+  if (::access(folder_of(resolved(path)).c_str(), W_OK | X_OK) != 0) cannot_write(path, errno);
+  return old;
+}
+
+// What tells files apart: device and number, of one that does not exist those of its folder and its name.
+using Identity = std::tuple<dev_t, ino_t, std::string>;
+std::optional<Identity> identity(const fs::path& path) {
+  if (const auto status = status_of(path)) {
+    if (!S_ISREG(status->st_mode)) return std::nullopt;  // a terminal may be written to twice
+    return Identity{status->st_dev, status->st_ino, ""};
+  }
+  const fs::path target = resolved(path);
+  const auto folder = status_of(folder_of(target));
+  if (!folder) return std::nullopt;
+  return Identity{folder->st_dev, folder->st_ino, target.filename().string()};
+}
+
+}  // namespace
+
+void cannot_write(const fs::path& path, int error) {
+  const std::string message = path.string() + ": cannot be written: " + reason(error);
+  if (is_of_the_name(error)) throw InputError(message);
+  throw EnvironmentError(message);
+}
+
+void broke_off(const fs::path& path, int error) {
+  throw EnvironmentError(path.string() + ": writing broke off: " + reason(error));
+}
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  write_file_atomically(path, [&](std::ostream& out) {
+    out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  });
+}
+
+void write_file_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  const std::optional<struct stat> old = checked(path);
+  if (is_standard_output(path)) return write_stream(path, STDOUT_FILENO, write);
+  if (old && !S_ISREG(old->st_mode)) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (file < 0) cannot_write(path, errno);
+    const std::unique_ptr<const int, void (*)(const int*)> closed(&file, [](const int* f) { ::close(*f); });
+    return write_stream(path, file, write);
+  }
+  const fs::path target = resolved(path);
+  Temporary temporary(target, old ? &*old : nullptr, path);
+  write_stream(path, temporary.descriptor(), write);
+  temporary.rename_to(target);
+}
+
+void check_targets(const std::vector<Target>& targets, const std::vector<fs::path>& inputs) {
+  std::vector<std::pair<Identity, const Target*>> seen;
+  for (const Target& target : targets) {
+    if (target.path.empty()) continue;
+    checked(target.path);
+    const std::optional<Identity> id = identity(target.path);
+    if (!id) continue;
+    const std::string name = target.option + " " + target.path.string();
+    for (const fs::path& input : inputs)
+      if (identity(input) == id) throw InputError(name + ": is the input " + input.string());
+    for (const auto& [other, earlier] : seen)
+      if (other == *id) throw InputError(name + ": is written by " + earlier->option + " too");
+    seen.emplace_back(*id, &target);
+  }
+}
+
+void check_folder_target(const Target& folder, const std::vector<std::string>& names,
+                         const std::vector<fs::path>& inputs) {
+  fs::path existing = folder.path;
+  while (!status_of(existing)) {
+    if (errno != ENOENT) cannot_write(folder.path, errno);
+    existing = folder_of(existing);
+  }
+  if (!fs::is_directory(existing))
+    throw InputError(folder.option + " " + folder.path.string() + ": " + existing.string() +
+                     " is not a folder");
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) cannot_write(folder.path, errno);
+  if (!fs::is_directory(folder.path)) return;
+  std::vector<Target> targets;
+  for (const std::string& name : names) targets.push_back({folder.option, folder.path / name});
+  check_targets(targets, inputs);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) cannot_write(folder, error.value());
+}
+
+}  // namespace brdf::io

@@ -1,0 +1,95 @@
+// Independent jobs on a few threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "io/files/error.h"
+
+namespace brdf::io {
+
+inline std::atomic<unsigned> most_threads{8};
+
+// Where work is divided among processes or jobs already, each takes one processor: called before the work begins.
+inline void limit_threads(unsigned most) {
+  most_threads = most;
+}
+
+// As many as BRDF_THREADS says, else as there are processors; at most eight, and what limit_threads() leaves.
+// Throws InputError where that is no number.
+inline unsigned all_processors() {
+  const unsigned most = most_threads;
+  const char* const wanted = std::getenv("BRDF_THREADS");
+  if (!wanted) return std::clamp(std::thread::hardware_concurrency(), 1u, most);
+  unsigned number = 0;
+  const std::string_view text = wanted;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || stop != text.data() + text.size() || number == 0)
+    throw InputError("BRDF_THREADS: '" + std::string(text) + "' must be a whole number above 0");
+  return std::min(number, most);
+}
+
+// Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to places of
+// their own, so that they do not depend on the order. The first exception ends the work and is thrown here.
+template <class Work>
+void parallel_for(std::size_t count, Work&& work, unsigned threads = all_processors()) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto run = [&] {
+    for (std::size_t k = next++; k < count; k = next++) {
+      try {
+        work(k);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(run);
+    run();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+// Called one at a time with the number of finished jobs and of all jobs.
+using Progress = std::function<void(int done, int total)>;
+
+// Runs job(0), ..., job(count - 1) and hands every result to `consume`, one at a time and in order, so that sums do not
+// depend on the number of threads.
+template <class Job, class Consume>
+void parallel_in_order(int count, int threads, const Progress& progress, const Job& job,
+                       const Consume& consume) {
+  std::mutex mutex;
+  std::map<int, decltype(job(0))> waiting;
+  int consumed = 0, done = 0;
+  parallel_for(
+      std::size_t(count),
+      [&](std::size_t k) {
+        auto result = job(int(k));
+        const std::lock_guard lock(mutex);
+        waiting.emplace(int(k), std::move(result));
+        for (auto first = waiting.begin(); first != waiting.end() && first->first == consumed; ++consumed) {
+          consume(std::move(first->second));
+          first = waiting.erase(first);
+        }
+        if (progress) progress(++done, count);
+      },
+      unsigned(std::max(threads, 1)));
+}
+
+}  // namespace brdf::io

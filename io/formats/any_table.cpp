@@ -1,0 +1,31 @@
+#include "io/formats/any_table.h"
+
+#include "io/csv/csv.h"
+#include "io/files/error.h"
+#include "io/formats/astm.h"
+#include "io/formats/exr_table.h"
+#include "io/formats/merl.h"
+#include "io/formats/zemax.h"
+
+namespace brdf::io {
+
+void check_table_format(const std::filesystem::path& path) {
+  const std::string suffix = path.extension();
+  if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr" && suffix != ".astm" && suffix != ".zemax")
+    throw InputError(
+        path.string() +
+        ": unknown output format (known: .csv, .binary for MERL, .exr, .astm for ASTM E1392, .zemax for "
+        "lens-design text)");
+}
+
+std::vector<std::string> write_table(const std::filesystem::path& path, const SampleTable& table) {
+  check_table_format(path);
+  if (path.extension() == ".binary") return merl::write(path, table);
+  if (path.extension() == ".exr") return write_exr_table(path, table);
+  if (path.extension() == ".astm") return astm::write(path, table);
+  if (path.extension() == ".zemax") return zemax::write(path, table);
+  write_samples(path, table);
+  return {};
+}
+
+}  // namespace brdf::io

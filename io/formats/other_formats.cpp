@@ -1,0 +1,103 @@
+#include "io/formats/other_formats.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "io/columns/foreign_json.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+
+namespace brdf::io {
+namespace {
+
+using namespace std::string_view_literals;
+
+bool holds(std::string_view text, std::string_view part) {
+  return text.find(part) != text.npos;
+}
+
+// By their first bytes.
+void refuse_by_magic(const Content& content) {
+  constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+      {"\x89PNG"sv, "is a picture (PNG), not a table of samples"},
+      {"\xff\xd8\xff"sv, "is a picture (JPEG), not a table of samples"},
+      {"PK\x03\x04"sv, "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
+      {"\xd0\xcf\x11\xe0"sv, "is an Excel workbook: export the sheet as CSV"},
+      {"\x1f\x8b"sv, "is compressed: `zcat FILE | brdf fit /dev/stdin` reads what is in it"},
+      {"%PDF"sv, "is a PDF: copy the table out of it as text"},
+      {"\x89HDF"sv, "is an HDF5 file (AxF and others): export the table as CSV"},
+      {"\x93NUMPY"sv, "is an array of NumPy: write it with numpy.savetxt and a header row"},
+      {"MATLAB 5.0"sv, "is a MATLAB file: write the table with writetable, as CSV"},
+      {"\xff\xfe\0\0"sv, "is UTF-32 text: save it as UTF-8"},
+      {"\0\0\xfe\xff"sv, "is UTF-32 text: save it as UTF-8"}};
+  for (const auto& [magic, what] : kKinds)
+    if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
+}
+
+// "OPTIS - brdf surface file v8.0", then 0 for text or 1 for binary.
+std::string optis(std::string_view text) {
+  const std::size_t end = text.find('\n');
+  const std::string_view first = trimmed(text.substr(0, end));
+  const std::string_view second = end == text.npos ? "" : trimmed(text.substr(end + 1, 8));
+  const bool is_binary = second.starts_with('1');
+  const bool is_anisotropic = holds(lower_case(first), "anisotropic");
+  return "is a Speos " + std::string(is_anisotropic ? "anisotropic BSDF" : "BRDF") + " file (" +
+         shown(trimmed(first)) + ")" + (is_binary ? ", the binary variant" : "") +
+         ", which is not read: " + (is_binary ? "save it as text in Speos' editor of surfaces and " : "") +
+         std::string(kExportAsCsv);
+}
+
+// The name of the first element.
+std::string_view root_of(std::string_view xml) {
+  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
+    const char next = at + 1 < xml.size() ? xml[at + 1] : '?';
+    if (next == '?' || next == '!') continue;
+    const std::size_t end = xml.find_first_of(" \t\r\n/>", at + 1);
+    return xml.substr(at + 1, std::min(end, xml.size()) - at - 1);
+  }
+  return "";
+}
+
+std::string xml(std::string_view text) {
+  const std::string_view root = root_of(text);
+  const std::string lower = lower_case(root);
+  if (lower == "html" || lower_case(text.substr(0, 20)).find("<!doctype html") != std::string::npos)
+    return "is a web page or XML, not a table of samples";
+  if (holds(text, "WindowElement")) {
+    const bool is_tree = holds(text, "TensorTree");
+    return std::string("is a BSDF of Radiance or LBNL Window as XML, ") +
+           (is_tree ? "with a tensor tree" : "a matrix of patches (Klems basis)") +
+           ", which is not read: " + std::string(kExportAsCsv);
+  }
+  return "is a web page or XML (root element " + shown(root) + "), not a table of samples";
+}
+
+std::string text_format(std::string_view text) {
+  const std::string lower = lower_case(text.substr(0, 200));
+  if (text.starts_with('<')) return xml(text);
+  if (lower.starts_with("optis")) return optis(text);
+  if (lower.starts_with("type bsdf_data"))
+    return "is FRED's tabulated BSDF ('type bsdf_data'), which is not read. The head of a block is the "
+           "mirror direction "
+           "(theta_spec phi_spec): the light stands at theta_i = theta_spec, phi_i = phi_spec + 180. Write "
+           "columns "
+           "theta_i, phi_i, theta_o, phi_o and the value times 'scale' as CSV";
+  if (lower.starts_with("version") && holds(lower, "data_type") && holds(lower, "color_model"))
+    return std::string("is SSDD text of libbsdf, which is not read: ") + std::string(kExportAsCsv);
+  if (lower.starts_with(";;") && holds(lower, "data"))
+    return std::string("is a DDR or DDT file of libbsdf, which is not read: ") + std::string(kExportAsCsv);
+  return "";
+}
+
+}  // namespace
+
+void refuse_other_formats(const Content& content) {
+  refuse_by_magic(content);
+  const std::size_t first = content.bytes.find_first_not_of(" \t\r\n");
+  if (first == content.bytes.npos) return;
+  const std::string what = text_format(std::string_view(content.bytes).substr(first));
+  if (!what.empty()) throw InputError(content.name + ": " + what);
+}
+
+}  // namespace brdf::io

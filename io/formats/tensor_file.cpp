@@ -1,0 +1,100 @@
+#include "io/formats/tensor_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "io/files/error.h"
+#include "io/files/text.h"
+
+namespace brdf::io {
+namespace {
+
+// Bytes of an element by the type's number: integers of 8 to 64 bits, each without and with sign, then floats.
+constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
+
+}  // namespace
+
+TensorFile::TensorFile(const Content& content) : content_(content) {
+  if (!content.bytes.starts_with(kTensorMagic)) fail("not a tensor file of version 1.0");
+  std::size_t at = kTensorMagic.size();
+  const auto count = read_value<std::uint32_t>(at);
+  for (std::uint32_t k = 0; k < count; ++k) fields_.push_back(read_field(at));
+}
+
+TensorFile::Field TensorFile::read_field(std::size_t& at) const {
+  Field field;
+  field.name = read_bytes(at, read_value<std::uint16_t>(at));
+  field.shape.resize(read_value<std::uint16_t>(at));
+  field.type = read_value<std::uint8_t>(at);
+  field.offset = read_value<std::uint64_t>(at);
+  const std::size_t element = field.type < kElementSize.size() ? kElementSize[field.type] : 0;
+  if (element == 0)
+    fail("field " + shown(field.name) + " is of the unknown type " + std::to_string(field.type));
+  if (field.offset > content_.bytes.size())
+    fail("field " + shown(field.name) + " lies behind the file's end");
+  const std::size_t most = (content_.bytes.size() - field.offset) / element;
+  field.count = 1;
+  for (std::size_t& size : field.shape) {
+    size = read_value<std::uint64_t>(at);
+    if (size > 0 && field.count > most / size)
+      fail("field " + shown(field.name) + " reaches beyond the file's end");
+    field.count *= size;
+  }
+  return field;
+}
+
+template <class T>
+T TensorFile::read_value(std::size_t& at) const {
+  T value;
+  std::memcpy(&value, read_bytes(at, sizeof value).data(), sizeof value);
+  return value;
+}
+
+std::string_view TensorFile::read_bytes(std::size_t& at, std::size_t count) const {
+  if (count > content_.bytes.size() - at) fail("the table of fields is cut off");
+  at += count;
+  return std::string_view(content_.bytes).substr(at - count, count);
+}
+
+void TensorFile::fail(const std::string& what) const {
+  throw InputError(content_.name + ": tensor file: " + what);
+}
+
+const TensorFile::Field* TensorFile::find(const std::string& name) const {
+  const auto same = [&](const Field& field) { return field.name == name; };
+  const auto found = std::find_if(fields_.begin(), fields_.end(), same);
+  return found == fields_.end() ? nullptr : &*found;
+}
+
+const std::vector<std::size_t>& TensorFile::shape(const std::string& name) const {
+  const Field* field = find(name);
+  if (!field) fail("no field \"" + name + "\"");
+  return field->shape;
+}
+
+const TensorFile::Field& TensorFile::require(const std::string& name, std::uint8_t type,
+                                             const char* what) const {
+  shape(name);
+  const Field& field = *find(name);
+  if (field.type != type) fail("field \"" + name + "\" must hold " + what);
+  return field;
+}
+
+std::vector<float> TensorFile::floats(const std::string& name) const {
+  const Field& field = require(name, kFloat32, "32-bit floats");
+  std::vector<float> values(field.count);
+  if (values.empty()) return values;  // nothing may be copied to no place
+  std::memcpy(values.data(), content_.bytes.data() + field.offset, values.size() * sizeof(float));
+  if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
+    fail("field \"" + name + "\" holds a value that is not finite");
+  return values;
+}
+
+std::string TensorFile::bytes(const std::string& name) const {
+  const Field& field = require(name, kUint8, "bytes");
+  return content_.bytes.substr(field.offset, field.count);
+}
+
+}  // namespace brdf::io

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/files/content.h"
+
+namespace brdf::io {
+
+// What both sides of the container know: its first bytes (name and version 1.0), and the numbers of element types.
+inline constexpr std::string_view kTensorMagic("tensor_file\0\1\0", 14);
+enum TensorType : std::uint8_t { kUint8 = 1, kFloat32 = 10 };
+
+// The container of RGL's files: named arrays in one file.
+class TensorFile {
+ public:
+  // The content must outlive it. Throws InputError where an array reaches beyond the file.
+  explicit TensorFile(const Content& content);
+  explicit TensorFile(Content&&) = delete;
+
+  bool has(const std::string& name) const { return find(name) != nullptr; }
+  // Sizes from slow to fast; throws InputError where the field is missing.
+  const std::vector<std::size_t>& shape(const std::string& name) const;
+  std::vector<float> floats(const std::string& name) const;  // refuses values that are not finite
+  std::string bytes(const std::string& name) const;
+
+ private:
+  struct Field {
+    std::string name;
+    std::uint8_t type;
+    std::uint64_t offset;
+    std::vector<std::size_t> shape;
+    std::size_t count;
+  };
+  Field read_field(std::size_t& at) const;
+  template <class T>
+  T read_value(std::size_t& at) const;
+  std::string_view read_bytes(std::size_t& at, std::size_t count) const;
+  const Field* find(const std::string& name) const;
+  const Field& require(const std::string& name, std::uint8_t type, const char* what) const;
+  [[noreturn]] void fail(const std::string& what) const;
+
+  const Content& content_;
+  std::vector<Field> fields_;
+};
+
+}  // namespace brdf::io

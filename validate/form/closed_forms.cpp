@@ -1,0 +1,67 @@
+// Albedos known in closed form, against the integrals of the forms as they are implemented.
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/integrals.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
+#include "validate/form/checks.h"
+#include "validate/search/degrees.h"
+#include "validate/search/extremes.h"
+#include "validate/search/search.h"
+
+namespace brdf::validate {
+namespace {
+
+// A material of the form's lobe alone: equal widths, the shape at a point of the unit cube.
+Material lobe_at(const Subject& subject, std::span<const double> x) {
+  const ReflectanceInfo& f = info(*subject.of_form());
+  const auto [along, across] = f.axes();
+  Material m = subject.own();
+  Term& term = m.terms.front();
+  for (std::size_t j = 0; j < f.shape.size(); ++j)
+    term.shape.front()[j] =
+        parameter_value(f.shape[j], x[int(j) == across ? std::size_t(along) : j], f.shape[j].max);
+  std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
+  return m;
+}
+
+}  // namespace
+
+Finding check_albedo(const Subject& subject, const CheckOptions& options) {
+  const std::span<const ClosedAlbedo> albedos =
+      subject.of_form() ? info(*subject.of_form()).albedos : std::span<const ClosedAlbedo>{};
+  Finding finding = not_applicable(subject.name(), "albedo", "no closed form to compare with");
+  finding.bound = 1e-8;
+  if (albedos.empty()) return finding;
+  finding.value = -1;
+  const std::size_t cover = options.effort == Effort::full ? 60 : 12;
+  std::vector<std::string> sources;
+  for (const ClosedAlbedo& known : albedos) {
+    sources.emplace_back(known.source);
+    for (std::size_t k = 0; k < cover; ++k) {
+      const std::vector<double> x = cover_point(k, subject.shape_dimensions() + 1, options.seed);
+      const Material m = lobe_at(subject, x);
+      const Term& term = m.terms.front();
+      const double theta = known.theta_low + (known.theta_high - known.theta_low) * x.back();
+      AlbedoOptions integral;
+      integral.tolerance = 1e-10;
+      const AlbedoResult r = directional_albedo(term, 0, degrees(theta), {}, integral);
+      const double expected = known.albedo(term.shape_of(0), in_radians(theta));
+      const double error = std::max(std::abs(r.value - expected) - r.error_bound, 0.0) / expected;
+      finding.evaluations += r.evaluations;
+      if (error == finding.value || !is_worst(error, finding.value)) continue;
+      finding.value = error;
+      finding.witness =
+          Witness{subject.parameters(m),
+                  {{"theta", theta}, {"phi", 0}},
+                  {},
+                  subject.command("albedo", m, "--theta " + io::to_text(theta) + " --tolerance 1e-10")};
+    }
+  }
+  const std::string all = io::joined(sources, "; ");
+  finding.conclude(!(finding.value > finding.bound), "agrees with " + all, "differs from " + all);
+  return finding;
+}
+
+}  // namespace brdf::validate

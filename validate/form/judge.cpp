@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/parallel.h"
+#include "io/files/text.h"
+#include "validate/form/checks.h"
+#include "validate/form/outside_checks.h"
+
+namespace brdf::validate {
+namespace {
+
+// What code that is not ours declares to violate.
+void require_known(const Subject& subject) {
+  for (const Violation& v : subject.declared())
+    if (std::ranges::find(kChecks, v.check, &Check::name) == std::end(kChecks))
+      throw InputError(subject.name() + ": //: violates " + std::string(v.check) + ": must be one of " +
+                       io::joined(check_names()));
+}
+
+// A witness that the search could not meet proves nothing: its angle lies beyond the limit.
+bool inside(const Violation& v, const CheckOptions& options) {
+  return v.check != "energy" || v.theta <= options.max_theta;
+}
+
+void judge(Finding& finding, const Subject& subject, const CheckOptions& options) {
+  if (!subject.of_form() || finding.outcome == Outcome::not_applicable ||
+      finding.outcome == Outcome::undecided)
+    return;
+  const auto declared = subject.declared();
+  const auto found = std::find_if(declared.begin(), declared.end(),
+                                  [&](const Violation& v) { return v.check == finding.check; });
+  if (found == declared.end()) return;
+  if (finding.outcome == Outcome::fail) {
+    finding.outcome = Outcome::known_violation;
+  } else if (inside(*found, options)) {
+    finding.outcome = Outcome::fail;
+    finding.statement = "declared, but not found: " + std::string(found->statement);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> check_names() {
+  std::vector<std::string> names;
+  for (const Check& check : kChecks) names.emplace_back(check.name);
+  return names;
+}
+
+// A search that was cut short finds what it finds, and shows nothing of what it did not look at.
+Finding within_seconds(CheckOptions options, const std::function<Finding(const CheckOptions&)>& check) {
+  Budget budget(options.seconds);
+  options.budget = &budget;
+  Finding finding = check(options);
+  if (budget.left_out() == 0 || finding.outcome != Outcome::pass) return finding;
+  finding.outcome = Outcome::undecided;
+  finding.statement = "the search ended after " + io::short_number(budget.seconds(), 3) + " s with " +
+                      std::to_string(budget.looked_at()) + " of at least " +
+                      std::to_string(budget.looked_at() + budget.left_out()) +
+                      " points seen; with more --seconds it goes further (so far: " + finding.statement + ")";
+  return finding;
+}
+
+std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
+                                const io::Progress& progress) {
+  for (const Subject& subject : subjects)
+    if (subject.is_outside()) require_known(subject);
+  constexpr std::size_t kCount = std::size(kChecks);
+  const auto applies = [&](std::size_t k) {
+    return kChecks[k % kCount].of == Check::Of::all || subjects[k / kCount].is_outside();
+  };
+  std::vector<Finding> findings(subjects.size() * kCount);
+  // The dear ones first, so that no processor is left alone with one at the end.
+  const auto cost = [&](std::size_t k) {
+    return kChecks[k % kCount].cost * (subjects[k / kCount].anisotropic() ? 5 : 1);
+  };
+  std::vector<std::size_t> order(findings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t k) { return !applies(k); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
+  const auto run = [&](int j) {
+    const std::size_t k = order[std::size_t(j)];
+    const Subject& subject = subjects[k / kCount];
+    findings[k] = within_seconds(
+        options, [&](const CheckOptions& own) { return kChecks[k % kCount].run(subject, own); });
+    findings[k].subject = subject.name();
+    findings[k].check = kChecks[k % kCount].name;
+    judge(findings[k], subject, options);
+    return k;
+  };
+  io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
+  for (std::size_t s = 0; s < subjects.size(); ++s)
+    apply_voids(subjects[s], std::span(findings).subspan(s * kCount, kCount));
+  std::vector<Finding> out;
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    if (applies(k)) out.push_back(std::move(findings[k]));
+  return out;
+}
+
+}  // namespace brdf::validate

@@ -1,0 +1,102 @@
+// Monte Carlo with the form's own sampler against its
+// integral: mean of f cos_i / pdf, and its standard error.
+#include <algorithm>
+#include <cmath>
+
+#include "brdf/integrals.h"
+#include "brdf/random.h"
+#include "io/files/text.h"
+#include "validate/form/checks.h"
+#include "validate/search/degrees.h"
+#include "validate/search/search.h"
+
+namespace brdf::validate {
+namespace {
+
+constexpr double kDeviations = 4.5;  // standard errors: once in 150 000 by chance
+
+struct Mean {
+  double value, error;
+};
+
+Mean estimate(const Term& term, const Vec3<double>& wo, int count, std::uint64_t seed) {
+  const std::span<const double> shape = term.shape_of(0);
+  Random random(seed);
+  double sum = 0, sum2 = 0;
+  for (int k = 0; k < count; ++k) {
+    const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform();
+    const Vec3<double> wi = term.form->sample(shape, u1, u2, u3, wo);
+    const double density = term.form->pdf(shape, wi, wo);
+    double f = 0;
+    if (wi.z > 0 && density > 0) term.form->eval_cos(term.values(0), one_pair(wi, wo), &f);
+    const double x = f == 0 ? 0 : f / density;
+    sum += x;
+    sum2 += x * x;
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(sum2 / count - mean * mean, 0.0) / (count - 1))};
+}
+
+// Wide lobes only: cosine sampling, which a form without a sampler of its own gets, misses narrow ones.
+void widen(const ReflectanceInfo& form, std::span<const double> x, std::vector<double>& shape) {
+  for (std::size_t k = 0; k < form.shape.size(); ++k) {
+    const ParameterInfo& p = form.shape[k];
+    if (p.role == Role::exponent || p.role == Role::exponent_across)
+      shape[k] = std::clamp(40 * x[k], p.min, p.max);
+    if (p.role == Role::width || p.role == Role::width_across)
+      shape[k] = std::clamp(0.15 + 0.85 * x[k], p.min, p.max);
+  }
+}
+
+// Why the cosine may miss the lobe of a form that has no sampler; empty where it does not.
+std::string cannot_be_judged(const ReflectanceInfo& form) {
+  if (form.follows_lobe) return {};
+  for (const ParameterInfo& p : form.shape)
+    if (p.role == Role::other && p.map == Map::none)
+      return "no sampler of its own, and nothing says how narrow " + std::string(p.name) + " makes the lobe";
+  return {};
+}
+
+}  // namespace
+
+Finding check_sampling(const Subject& subject, const CheckOptions& options) {
+  if (!subject.of_form())
+    return not_applicable(subject.name(), "sampling", "sampling is a property of forms");
+  const ReflectanceInfo& form = info(*subject.of_form());
+  if (const std::string why = cannot_be_judged(form); !why.empty())
+    return not_applicable(subject.name(), "sampling", why);
+  Finding finding{subject.name(), "sampling"};
+  finding.bound = kDeviations;
+  const bool full = options.effort == Effort::full;
+  const int cases = full ? 12 : 4, count = full ? 40000 : 8000;
+  for (int k = 0; k < cases; ++k) {
+    const std::vector<double> x = cover_point(std::size_t(k), subject.dimensions() + 2, options.seed);
+    Material m = subject.at(x);
+    Term& term = m.terms.front();
+    widen(form, x, term.shape.front());
+    const Angle theta = radians(in_radians(x[x.size() - 2] * 80)), phi = radians(x.back() * 2 * kPi);
+    const double theta_o = in_degrees(theta.radians()), phi_o = in_degrees(phi.radians());
+    AlbedoOptions integral;
+    integral.fixed = Fixed::viewer;
+    integral.tolerance = 1e-6;
+    const AlbedoResult truth = directional_albedo(term, 0, theta, phi, integral);
+    const Mean mean = estimate(term, direction(theta, phi), count, options.seed + std::uint64_t(k));
+    const double z = std::abs(mean.value - truth.value) / (mean.error + 1e-12 + truth.error_bound);
+    finding.evaluations += truth.evaluations + count;
+    if (!is_worst(z, finding.value)) continue;
+    finding.value = z;
+    finding.witness = Witness{
+        subject.parameters(m),
+        {{"theta_o", theta_o}, {"phi_o", phi_o}},
+        {},
+        subject.command("albedo", m,
+                        "--fixed o --theta " + io::to_text(theta_o) + " --phi " + io::to_text(phi_o))};
+  }
+  finding.conclude(finding.value <= kDeviations, "the sampler's mean is the albedo",
+                   "the sampler's mean is not the albedo");
+  finding.statement += ": worst of " + std::to_string(cases) + " cases " +
+                       io::to_text(std::round(100 * finding.value) / 100) + " standard errors away";
+  return finding;
+}
+
+}  // namespace brdf::validate
