@@ -1,5 +1,6 @@
-// Time per evaluation in float, in one run: five shaders through the interpreter, on the Vulkan driver and compiled natively; then all
-// exported forms through the interpreter beside the library's compiled batch; then the shaders named.
+// Time per evaluation in float, in one run: five shaders through the interpreter, on the Vulkan driver and
+// compiled natively; then all exported forms through the interpreter beside the library's compiled batch;
+// then the shaders named.
 //   bench_shader [SHADER...]
 #include <chrono>
 #include <cmath>

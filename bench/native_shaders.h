@@ -1,4 +1,5 @@
-// The formulas of data/shaders as a programmer would write them in C++, in float: what the interpreter is compared with.
+// The formulas of data/shaders as a programmer would write them in C++, in float: what the interpreter is
+// compared with.
 #pragma once
 
 #include "brdf/directions.h"

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -12,6 +13,7 @@
 #include <string>
 
 #include "cli/help.h"
+#include "cli/options/old_spelling.h"
 #include "cli/options/options.h"
 #include "cli/options/shader_options.h"
 #include "cli/options/terminal.h"
@@ -45,8 +47,8 @@ int report(std::string_view message, Exit code, std::string_view before = "") {
   return static_cast<int>(code);
 }
 
-// Files would take the places of closed standard streams, and be written to as if they were these. What stands in
-// for stdout cannot be written, so that output is not lost unnoticed.
+// Files would take the places of closed standard streams, and be written to as if they were these. What
+// stands in for stdout cannot be written, so that output is not lost unnoticed.
 void fill_standard_descriptors() {
   for (const int k : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(k, F_GETFD) < 0 && errno == EBADF)
@@ -91,7 +93,9 @@ int run(int argc, char** argv) try {
     return static_cast<int>(Exit::good);
   }
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = in_new_spelling({argv + 1, argv + argc});
+    std::ranges::reverse(words);  // as CLI11 takes them
+    app.parse(std::move(words));
     return static_cast<int>(exit_code);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

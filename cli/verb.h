@@ -20,12 +20,14 @@ CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char*
 // `run` is called after the command line has been parsed; what it returns is the program's exit code.
 void on_run(CLI::App& verb, std::function<Exit()> run);
 
-// In the order of the help: to look, to measure, to judge, to ship. CMake reads them here. `describe` is hidden: man pages and
-// completions are made by it.
+// In the order of the help: to look, to measure, to judge, to ship. CMake reads them here. `describe` is
+// hidden: man pages and completions are made by it.
 void add_models(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_render(CLI::App& app);
+void add_lobes(CLI::App& app);
 void add_view(CLI::App& app);
+void add_maps(CLI::App& app);
 void add_synth(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_fit(CLI::App& app);
@@ -37,6 +39,7 @@ void add_prove(CLI::App& app);
 void add_albedo(CLI::App& app);
 void add_study(CLI::App& app);
 void add_recommend(CLI::App& app);
+void add_parity(CLI::App& app);
 void add_trade(CLI::App& app);
 void add_export(CLI::App& app);
 void add_describe(CLI::App& app);

@@ -1,3 +1,4 @@
+// ctest: style.model_docs label=style @build@/docs/model_docs --check
 // Writes docs/models.md and docs/models/<form>.svg from the catalogue, the headers' comments and
 // measurements. With --check it writes nothing and fails where a file is not current.
 #include <algorithm>

@@ -21,8 +21,8 @@ struct FitChoice {
 FitOptions options_of(const FitChoice& choice);
 // "all", "every", "ward" or "oren_nayar+ward"; none for "auto", which chooses by itself. Throws InputError.
 std::vector<std::vector<Reflectance>> models_of(const std::string& form);
-// The choice as a shell takes it, those left out that are as they were: " --form ward --fix ks=0". With the version it
-// is everything that decides a result.
+// The choice as a shell takes it, those left out that are as they were: " --form ward --fix ks=0". With the
+// version it is everything that decides a result.
 std::string words_of(const FitChoice& choice);
 // The same word by word.
 std::vector<std::string> arguments_of(const FitChoice& choice);

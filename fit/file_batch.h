@@ -41,8 +41,8 @@ struct BatchRow {
 std::vector<std::string> batch_names(const std::vector<std::string>& files);
 
 // Fits every file into the folder. A file whose name.fit.json was written by the same settings from the same
-// content is kept, so that a run that was killed redoes only what was in flight. What goes wrong with a
-// file is its row's error. Throws InputError where the folder cannot be written, a result would replace one of the
+// content is kept, so that a run that was killed redoes only what was in flight. What goes wrong with a file
+// is its row's error. Throws InputError where the folder cannot be written, a result would replace one of the
 // files, or two would have the same name.
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
                                 const std::vector<std::vector<Reflectance>>& models,

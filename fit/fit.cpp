@@ -50,8 +50,9 @@ void judge_by(RefitSolutions solutions, const SampleStream& stream, double loss_
                s.fit.estimates);
 }
 
-// Every form's left-out values, and its bootstrap. A robust loss estimates its scale form by form: to be compared they are
-// judged by one, that of the form with the least. `known`: of all models one after another, or null.
+// Every form's left-out values, and its bootstrap. A robust loss estimates its scale form by form: to be
+// compared they are judged by one, that of the form with the least. `known`: of all models one after another,
+// or null.
 void refit_all(const FitData& data, const FitOptions& options, const RefitSolutions* known,
                std::vector<Solved>& all, FitResult& result) {
   double scale = std::numeric_limits<double>::infinity();
@@ -140,7 +141,8 @@ Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Ref
 
 namespace {
 
-// Profiles take longer than many fits: those have them that are reported in full, which are ranked by what they say.
+// Profiles take longer than many fits: those have them that are reported in full, which are ranked by what
+// they say.
 void rank_and_profile(const FitData& data, const FitOptions& options, const Progress& progress,
                       Candidates& candidates, FitResult& result) {
   std::vector<std::size_t> number = rank(result);  // of each of the ranking, among the candidates

@@ -14,10 +14,10 @@ namespace brdf::fit {
 // The solver's parameters of each refit (fit/assess/refits.h); empty of a model that has no solution.
 using RefitSolutions = std::vector<std::vector<double>>;
 
-// Fits each model (a form, or several that are summed). Without any it chooses one step by step (fit/stepwise.h).
-// `progress` hears each before it is fitted. `refits`: those of all models, which solve_refits() gave, and which are then
-// not solved again. Throws InputError on options that do not fit.
-// The result holds the samples' sheet, and judges lack of fit by the scatter that the sheet found.
+// Fits each model (a form, or several that are summed). Without any it chooses one step by step
+// (fit/stepwise.h). `progress` hears each before it is fitted. `refits`: those of all models, which
+// solve_refits() gave, and which are then not solved again. Throws InputError on options that do not fit. The
+// result holds the samples' sheet, and judges lack of fit by the scatter that the sheet found.
 FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress = {},
               const RefitSolutions* refits = nullptr);
@@ -32,8 +32,8 @@ FitResult fit(const Prepared& prepared, const std::vector<std::vector<Reflectanc
 
 // How many refits a fit has: the folds of a cross-validation and the bootstrap's replicates, of each model.
 std::size_t count_refits(const io::SampleTable& table, std::size_t models, const FitOptions& options);
-// Those with the numbers from `first` on, those of the first model before those of the second: bit by bit what fit() solves.
-// The models they are of are fitted before. None where the run is interrupted.
+// Those with the numbers from `first` on, those of the first model before those of the second: bit by bit
+// what fit() solves. The models they are of are fitted before. None where the run is interrupted.
 RefitSolutions solve_refits(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
                             const FitOptions& options, std::size_t first, std::size_t count);
 

@@ -12,9 +12,9 @@ struct Samples {
   sheet::DataSheet sheet;
 };
 
-// The sheet is made of the table as it was read. Rows that hold a fill value are then left out, unless the options keep them, and
-// polarisations and repeats are arranged and the scale divided out as the options ask. What was done stands in the table's warnings.
-// Throws InputError as io::arrange and io::make_relative do.
+// The sheet is made of the table as it was read. Rows that hold a fill value are then left out, unless the
+// options keep them, and polarisations and repeats are arranged and the scale divided out as the options ask.
+// What was done stands in the table's warnings. Throws InputError as io::arrange and io::make_relative do.
 Samples arranged(io::SampleTable read, const FitOptions& options);
 
 }  // namespace brdf::fit

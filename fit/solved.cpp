@@ -31,7 +31,8 @@ std::string energy_text(const LargestAlbedo& a, const Extent& interval, const Fi
          (options.physical == Physical::off ? "; --physical bounds the weights" : "");
 }
 
-// The interval of the albedo at the angle where the most of the light is reflected; the value where it is not known.
+// The interval of the albedo at the angle where the most of the light is reflected; the value where it is not
+// known.
 Extent interval_of_albedo(const FormFit& f, const LargestAlbedo& a) {
   const std::vector<double> value{a.value};
   const auto found = intervals(f.material, knowledge_of(f), value, [&](const Material& m) {
@@ -40,7 +41,8 @@ Extent interval_of_albedo(const FormFit& f, const LargestAlbedo& a) {
   return found ? found->front() : Extent{a.value, a.value};
 }
 
-// A material that gives off more than it receives where it was measured is none, if its interval says so, too.
+// A material that gives off more than it receives where it was measured is none, if its interval says so,
+// too.
 void judge_energy(const FitOptions& options, FormFit& out) {
   if (out.has_free_scale || !out.largest_measured_albedo->breaks_energy()) return;
   const Extent interval = interval_of_albedo(out, *out.largest_measured_albedo);
@@ -145,7 +147,8 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   return solved;
 }
 
-// What refits and other metrics say of a parameter stays when its interval changes, and stays no narrower than that.
+// What refits and other metrics say of a parameter stays when its interval changes, and stays no narrower
+// than that.
 void keep_movement(const Estimate& from, Estimate& to) {
   to.left_out = from.left_out;
   to.other_metrics = from.other_metrics;

@@ -25,8 +25,8 @@ struct Solved {
   Misfit misfit;
 };
 
-// In the models' order; the first and those that were begun where the run is interrupted. `noise`: relative, where it is
-// known.
+// In the models' order; the first and those that were begun where the run is interrupted. `noise`: relative,
+// where it is known.
 std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vector<Reflectance>>& models,
                                const FitOptions& options, std::optional<double> noise,
                                const Progress& progress);
@@ -34,9 +34,9 @@ std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vecto
 // What --physical costs this form: it is tried.
 std::string physical_in_words(const FitData& data, const FitOptions& options, const Solved& solved);
 
-// Replaces the intervals of the curvature by those of the cost's profile, and what follows from them: which parameters the
-// samples tell, and the verdict. False, and nothing changes, where it has them already, where there are too many rows (the
-// intervals stay approximate), or where the run is interrupted.
+// Replaces the intervals of the curvature by those of the cost's profile, and what follows from them: which
+// parameters the samples tell, and the verdict. False, and nothing changes, where it has them already, where
+// there are too many rows (the intervals stay approximate), or where the run is interrupted.
 bool profile_intervals(const FitData& data, const FitOptions& options, const Progress& progress,
                        Solved& solved);
 

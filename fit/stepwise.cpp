@@ -68,8 +68,8 @@ Stage one_lobe() {
   return stage;
 }
 
-// A sum has one diffuse term: that of the first form, in the place of the lobe's own. Where there is no lobe it stands
-// alone.
+// A sum has one diffuse term: that of the first form, in the place of the lobe's own. Where there is no lobe
+// it stands alone.
 Stage better_diffuse_term(const Forms& model) {
   Stage stage{"a diffuse term with a shape", {}};
   for (const Reflectance& form : diffuse_forms()) {
@@ -91,8 +91,9 @@ Stage second_lobe(const Forms& model) {
   return stage;
 }
 
-// One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell. Every
-// start of a sum is tried again with each lobe at every width, so that a few starts do where a grid would take minutes.
+// One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell.
+// Every start of a sum is tried again with each lobe at every width, so that a few starts do where a grid
+// would take minutes.
 FitOptions options_for(const Stage& stage, std::size_t channels, const FitOptions& options) {
   const Forms& model = stage.candidates.front();
   FitOptions out = options;

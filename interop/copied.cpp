@@ -91,8 +91,8 @@ struct Copy {
     const double f0 = std::min(mean(&Said::f0) * excess(), 1.0);
     return !has_fresnel ? s.normal() : f0 > 0 ? s.normal() / f0 : s.lobe;
   }
-  // The lobe's weight stands beside its index where that can be one of a dielectric; a lobe of a higher reflectance is
-  // all index.
+  // The lobe's weight stands beside its index where that can be one of a dielectric; a lobe of a higher
+  // reflectance is all index.
   bool weighs_lobe() const {
     constexpr double kMostOfADielectric = 0.25;  // of index 3
     return target.shape_index(Role::specular) >= 0 && mean(&Said::f0) <= kMostOfADielectric;
@@ -107,9 +107,19 @@ struct Copy {
         return lobe_of(s);
       case Role::diffuse:
         return one_colour && metal() ? s.normal() : s.diffuse;
-      default:
-        return p.initial;
+      // No weight has these roles in a target yet.
+      case Role::width:
+      case Role::width_across:
+      case Role::exponent:
+      case Role::exponent_across:
+      case Role::slope:
+      case Role::index:
+      case Role::extinction:
+      case Role::tint:
+      case Role::other:
+        break;
     }
+    return p.initial;
   }
 
   double shape(const ParameterInfo& p, const Said& s) const {
@@ -139,9 +149,11 @@ struct Copy {
         return metal() ? s.normal() : s.diffuse;
       case Role::extinction:
         return s.index > 0 ? s.extinction : 2 * std::sqrt(f0 / (1 - f0));
-      default:
-        return p.initial;
+      case Role::exponent_across:
+      case Role::other:
+        break;
     }
+    return p.initial;
   }
 
   // Of this colour's reflectance along the normal, over that of all.

@@ -36,8 +36,8 @@ class Difference {
   std::vector<double> f_, g_;
 };
 
-// A point of the unit cube that the climbs move in: both polar angles, the azimuth between them, and of anisotropic
-// materials the light's.
+// A point of the unit cube that the climbs move in: both polar angles, the azimuth between them, and of
+// anisotropic materials the light's.
 struct Cube {
   bool turned;
 

@@ -16,7 +16,8 @@ inline constexpr double kDark = 1e-3;  // 1/sr
 // Infinite where one of them is no number.
 double relative_difference(double wanted, double carried);
 
-// The largest relative difference that a search found, at most 80 degrees from the normal: the true one is no smaller.
+// The largest relative difference that a search found, at most 80 degrees from the normal: the true one is no
+// smaller.
 struct Largest {
   double difference = 0;
   double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;  // degrees, in the surface's frame
@@ -60,9 +61,9 @@ class Comparison {
  private:
   void add_pairs(const Material& carried, Loss& loss) const;
   void add_albedos(const Material& carried, Loss& loss) const;
-  // Searched from a net of directions (theta in steps of 4 degrees to 80, azimuths close together at the mirror direction,
-  // the lobes at their own widths; of anisotropic materials along, across and between their axes) by climbs from its worst
-  // places.
+  // Searched from a net of directions (theta in steps of 4 degrees to 80, azimuths close together at the
+  // mirror direction, the lobes at their own widths; of anisotropic materials along, across and between their
+  // axes) by climbs from its worst places.
   Largest largest_of(const Material& carried) const;
 
   Material wanted_;
@@ -72,14 +73,15 @@ class Comparison {
   std::vector<std::vector<double>> albedos_;  // by angle, of each channel
 };
 
-// Of two formulas: what is bright at grazing light decides the rms, and a picture shows the others, so the median is at most
-// 2 %, or twice the other's.
+// Of two formulas: what is bright at grazing light decides the rms, and a picture shows the others, so the
+// median is at most 2 %, or twice the other's.
 bool is_nearer(const Loss& one, const Loss& other);
 
 // Of a refit and the copied parameters: a lower rms that is paid for with another stated figure is none.
 bool is_better(const Loss& one, const Loss& other);
 
-// "largest at least 2.1 % (theta_i 80, theta_o 76, phi 180, r), median 0.03 %, albedo within 0.002 (at 75), rms 0.0012".
+// "largest at least 2.1 % (theta_i 80, theta_o 76, phi 180, r), median 0.03 %, albedo within 0.002 (at 75),
+// rms 0.0012".
 std::string in_words(const Loss& loss);
 
 io::Json to_json(const Loss& loss);

@@ -1,4 +1,5 @@
-// Pairs of directions that see a material's lobes: around each at its own widths, and evenly over the hemisphere.
+// Pairs of directions that see a material's lobes: around each at its own widths, and evenly over the
+// hemisphere.
 #pragma once
 
 #include <span>
@@ -28,12 +29,12 @@ std::vector<LobePlace> lobe_places(const Material& material);
 // Rows of directions, without values.
 io::SampleTable pairs_about(const Material& material, Pairs which);
 
-// Rows from which a search for the largest difference from a material begins: theta in steps of 4 degrees to 80, azimuths
-// close together at the mirror direction, its lobes at their own widths.
+// Rows from which a search for the largest difference from a material begins: theta in steps of 4 degrees to
+// 80, azimuths close together at the mirror direction, its lobes at their own widths.
 io::SampleTable net_about(const Material& material);
 
-// The light of theta_i, phi_i mirrored at a half vector: its slopes along and across the lobe's axis, in widths. False
-// where that lies beyond kMostTheta.
+// The light of theta_i, phi_i mirrored at a half vector: its slopes along and across the lobe's axis, in
+// widths. False where that lies beyond kMostTheta.
 bool add_mirrored(io::SampleTable& table, const LobePlace& lobe, double theta_i, double phi_i, double along,
                   double across);
 

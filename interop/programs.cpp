@@ -15,13 +15,28 @@
 #include "brdf/targets/three.h"
 #include "fit/model/constraints.h"
 #include "interop/pbrt_colour.h"
-#include "interop/writers.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
 
 namespace brdf::interop {
+
+// A file for each, write_NAME.cpp; its row in the table below is all that others need to know.
+// A Python script that makes the node material: make_material(name, tangent).
+std::string write_blender(const Written& w);
+std::string write_blender_3_4(const Written& w);
+// A scene with the bsdf, to be included.
+std::string write_mitsuba(const Written& w);
+// MakeNamedMaterial.
+std::string write_pbrt(const Written& w);
+// A file with one material and its extensions.
+std::string write_gltf(const Written& w);
+// A nodegraph of pbrlib with its surface and material.
+std::string write_materialx(const Written& w);
+// A surface shader of OSL that adds closures.
+std::string write_osl(const Written& w);
+
 namespace {
 
 constexpr double kAnyWeight = std::numeric_limits<double>::infinity();
@@ -156,7 +171,8 @@ struct Attempt {
     header.insert(header.end(), program.conventions.begin(), program.conventions.end());
     return header;
   }
-  // The pair of the largest difference; where one command has the program's values, that which prints f there.
+  // The pair of the largest difference; where one command has the program's values, that which prints f
+  // there.
   static std::string worst_place(const Exported& made) {
     const Largest& l = made.loss.largest;
     std::string pair;
@@ -184,91 +200,96 @@ std::string in_words(const Exported& made) {
 std::span<const Program> programs() {
   constexpr CopyRules kGrey{.grey_lobe = true};
   static const std::vector<Program> all{
-      {"blender",
-       "Blender 4.3 and later, Cycles",
-       kAnyWeight,
-       1,
-       true,
-       false,
-       {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
-       {{blender_metallic{}, kGrey, true}},
-       write_blender},
-      {"blender-3.4",
-       "Blender 3.4, Cycles",
-       kAnyWeight,
-       kAnyWeight,
-       true,
-       true,
-       {"Roughness is the square root of alpha; colours are linear; distribution GGX, not Multiscatter GGX"},
-       {{blender_glossy{}},
-        {blender_principled{}, {}, false, false, {index_up_to(blender_principled{}, 1.788)}}},
-       write_blender_3_4},
-      {"mitsuba",
-       "Mitsuba 3",
-       1,
-       1,
-       true,
-       false,
-       {"roughconductor: alpha as it stands; principled: roughness is the square root of alpha",
-        "colours are linear; the tangent is the mesh's dp/du"},
-       {{mitsuba_roughconductor{}, {.coloured = {Role::index, Role::extinction}}, true, true},
-        {mitsuba_principled{}}},
-       write_mitsuba},
-      {"pbrt",
-       "pbrt-v4",
-       1,
-       1,
-       true,
-       false,
-       {"roughness is alpha: remaproughness is false; colours are linear and become spectra",
-        "mix: amount is the share of the second material; the tangent is the mesh's dp/du"},
-       {{pbrt_conductor{},
-         {.grey_lobe = true, .coloured = {Role::index, Role::extinction}},
-         true,
-         true,
-         {},
-         shown_by_pbrt}},
-       write_pbrt},
-      {"gltf",
-       "glTF 2.0, as its specification has it",
-       1,
-       1,
-       false,
-       true,
-       {"roughness is the square root of alpha (of the narrower axis); colours are linear",
-        "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
-       {{gltf_metallic_roughness{}, {.coloured = {Role::tint}}}},
-       write_gltf},
-      {"three",
-       "three.js 0.187, as glTF",
-       1,
-       1,
-       false,
-       true,
-       {"roughness is the square root of alpha (of the narrower axis); colours are linear",
-        "lit by lights, not by an environment map"},
-       {{three_physical{}, {.coloured = {Role::diffuse}}}},
-       write_gltf},
-      {"materialx",
-       "MaterialX 1.39.6, its generated shaders",
-       1,
-       1,
-       true,
-       false,
-       {"roughness of the lobe is alpha, of the diffuse part the slopes' standard deviation; colours are "
-        "linear (lin_rec709)",
-        "the tangent is Tworld, turned about Nworld"},
-       {{materialx_schlick{}, {.grey_lobe = true, .coloured = {Role::f0}}}},
-       write_materialx},
-      {"osl",
-       "OSL, as its testrender shades",
-       kAnyWeight,
-       kAnyWeight,
-       true,
-       false,
-       {"widths are alphas; colours are linear; the tangent is dPdu, turned about N"},
-       {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
-       write_osl}};
+      {.name = "blender",
+       .title = "Blender 4.3 and later, Cycles",
+       .most = kAnyWeight,
+       .most_lobe = 1,
+       .adds = true,
+       .run_here = false,
+       .conventions = {"Roughness is the square root of alpha; colours are linear; distribution GGX, not "
+                       "Multiscatter GGX"},
+       .targets = {{blender_metallic{}, kGrey, true}},
+       .write = write_blender},
+      {.name = "blender-3.4",
+       .title = "Blender 3.4, Cycles",
+       .most = kAnyWeight,
+       .most_lobe = kAnyWeight,
+       .adds = true,
+       .run_here = true,
+       .conventions = {"Roughness is the square root of alpha; colours are linear; distribution GGX, not "
+                       "Multiscatter GGX"},
+       .targets = {{blender_glossy{}},
+                   {blender_principled{}, {}, false, false, {index_up_to(blender_principled{}, 1.788)}}},
+       .write = write_blender_3_4},
+      {.name = "mitsuba",
+       .title = "Mitsuba 3",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = true,
+       .run_here = false,
+       .conventions =
+           {"roughconductor: alpha as it stands; principled: roughness is the square root of alpha",
+            "colours are linear; the tangent is the mesh's dp/du"},
+       .targets = {{mitsuba_roughconductor{}, {.coloured = {Role::index, Role::extinction}}, true, true},
+                   {mitsuba_principled{}}},
+       .write = write_mitsuba},
+      {.name = "pbrt",
+       .title = "pbrt-v4",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = true,
+       .run_here = false,
+       .conventions = {"roughness is alpha: remaproughness is false; colours are linear and become spectra",
+                       "mix: amount is the share of the second material; the tangent is the mesh's dp/du"},
+       .targets = {{pbrt_conductor{},
+                    {.grey_lobe = true, .coloured = {Role::index, Role::extinction}},
+                    true,
+                    true,
+                    {},
+                    shown_by_pbrt}},
+       .write = write_pbrt},
+      {.name = "gltf",
+       .title = "glTF 2.0, as its specification has it",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = false,
+       .run_here = true,
+       .conventions =
+           {"roughness is the square root of alpha (of the narrower axis); colours are linear",
+            "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
+       .targets = {{gltf_metallic_roughness{}, {.coloured = {Role::tint}}}},
+       .write = write_gltf},
+      {.name = "three",
+       .title = "three.js 0.187, as glTF",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = false,
+       .run_here = true,
+       .conventions = {"roughness is the square root of alpha (of the narrower axis); colours are linear",
+                       "lit by lights, not by an environment map"},
+       .targets = {{three_physical{}, {.coloured = {Role::diffuse}}}},
+       .write = write_gltf},
+      {.name = "materialx",
+       .title = "MaterialX 1.39.6, its generated shaders",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = true,
+       .run_here = false,
+       .conventions =
+           {"roughness of the lobe is alpha, of the diffuse part the slopes' standard deviation; colours are "
+            "linear (lin_rec709)",
+            "the tangent is Tworld, turned about Nworld"},
+       .targets = {{materialx_schlick{}, {.grey_lobe = true, .coloured = {Role::f0}}}},
+       .write = write_materialx},
+      {.name = "osl",
+       .title = "OSL, as its testrender shades",
+       .most = kAnyWeight,
+       .most_lobe = kAnyWeight,
+       .adds = true,
+       .run_here = false,
+       .conventions = {"widths are alphas; colours are linear; the tangent is dPdu, turned about N"},
+       .targets = {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
+       .write = write_osl}};
   return all;
 }
 

@@ -68,7 +68,8 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   const ReflectanceInfo& target = info(rules.target);
   fit::FitOptions options;
   options.cross_validation = options.profiles = false;
-  // The copy is near, and the values have no noise: a few starts besides it find what a grid of hundreds does.
+  // The copy is near, and the values have no noise: a few starts besides it find what a grid of hundreds
+  // does.
   options.grid_starts = false;
   options.random_starts = 4;
   options.threads = io::all_processors();

@@ -19,7 +19,8 @@ struct TargetRules {
   bool mixes = false;       // all weights are: the file mixes shaders by shares
   std::vector<fit::NamedRange>
       bounds{};  // of what the program's controls reach, besides the target's own ranges
-  // What the program shows of a material of one such term, where it is not the form channel by channel; null: it is.
+  // What the program shows of a material of one such term, where it is not the form channel by channel; null:
+  // it is.
   Material (*shown)(const Material&) = nullptr;
 };
 
@@ -31,8 +32,9 @@ struct Projection {
   bool refitted = false;
 };
 
-// Copied parameters where they are exact or `naive` asks for them; else the target's parameters of the least rms that are
-// worse than the copy in no stated figure, sought from fits to the wanted values and between those and the copy.
+// Copied parameters where they are exact or `naive` asks for them; else the target's parameters of the least
+// rms that are worse than the copy in no stated figure, sought from fits to the wanted values and between
+// those and the copy.
 Projection project(const Wanted& wanted, const TargetRules& rules, bool naive);
 
 }  // namespace brdf::interop

@@ -16,13 +16,14 @@ Material material_of(Values values, std::vector<std::string> channels);
 // The material as float evaluates it.
 Material in_float(const Material& material);
 
-// A MERL file by its own reader's rule, the cell that holds the directions (Matusik 2003, BRDFRead.cpp); no value is 0.
+// A MERL file by its own reader's rule, the cell that holds the directions (Matusik 2003, BRDFRead.cpp); no
+// value is 0.
 Material read_back_merl(const io::Content& file);
 // An RGL file by its own interpolation, bilinear in the warped squares (Dupuy and Jakob 2018).
 Material read_back_rgl(const io::Content& file);
 
-// Of a table against the material, channel by channel; of one channel written three times the first. Nothing where the
-// table has other channels than the material.
+// Of a table against the material, channel by channel; of one channel written three times the first. Nothing
+// where the table has other channels than the material.
 std::optional<Loss> loss_of_table(const Material& wanted, const Material& table);
 
 }  // namespace brdf::interop

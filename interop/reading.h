@@ -35,7 +35,8 @@ class Reading {
   double turn() const { return anisotropic() ? part_.tangent.degrees() : 0; }
   // The azimuth that the material gives to the axis of its alpha_x.
   double given_turn() const { return anisotropic() ? part_.given.degrees() : 0; }
-  // The wider axis lies along or across the mesh's tangent: where both widths are free they are written as they are.
+  // The wider axis lies along or across the mesh's tangent: where both widths are free they are written as
+  // they are.
   bool along_tangent() const;
   bool crosswise() const;
   // Of programs whose tangent is the mesh's: what must be true of the mesh, and how to export then.
@@ -52,8 +53,8 @@ class Reading {
   const ReflectanceInfo& form_;
 };
 
-// The parts as shares of one surface, for programs that mix: a diffuse colour of what the lobes leave, and each lobe with
-// its share and colour.
+// The parts as shares of one surface, for programs that mix: a diffuse colour of what the lobes leave, and
+// each lobe with its share and colour.
 struct Shares {
   struct Lobe {
     std::size_t part;

@@ -11,14 +11,17 @@ bool exceeds(const Term& of_target, const TargetRules& rules);
 
 class Refit {
  public:
-  // `table` has the wanted values at the fitted pairs. A copy whose weights the program cannot hold together limits nothing.
+  // `table` has the wanted values at the fitted pairs. A copy whose weights the program cannot hold together
+  // limits nothing.
   Refit(const Comparison& wanted, const TargetRules& rules, const io::SampleTable& table,
         const Material& copy, const Loss& of_copy);
 
-  // Tries these parameters, and some between them and the copy: what is a little nearer is seldom worse in anything.
+  // Tries these parameters, and some between them and the copy: what is a little nearer is seldom worse in
+  // anything.
   void between(const Material& fitted);
-  // Climbs from the best so far, and from half of the way to what was fitted, with the copy's figures at the fitted pairs
-  // as limits; tighter ones where the judged pairs or the search for the largest difference do not agree.
+  // Climbs from the best so far, and from half of the way to what was fitted, with the copy's figures at the
+  // fitted pairs as limits; tighter ones where the judged pairs or the search for the largest difference do
+  // not agree.
   void polish();
 
   bool improved() const { return improved_; }

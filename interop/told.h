@@ -6,8 +6,8 @@
 
 namespace brdf::interop {
 
-// kind, target, the loss and that of copied parameters, the words that give the same values here, what of the program's
-// targets was refused.
+// kind, target, the loss and that of copied parameters, the words that give the same values here, what of the
+// program's targets was refused.
 io::Json to_json(const Program& program, const Exported& made);
 
 }  // namespace brdf::interop

@@ -87,10 +87,6 @@ std::optional<Material> in_colours(const Material& given) {
   return out;
 }
 
-bool is_fresnel(Role role) {
-  return role == Role::f0 || role == Role::index || role == Role::extinction || role == Role::tint;
-}
-
 bool has_lobe(const Term& term) {
   const int specular = info(term.form).weight_index(Role::specular);
   if (specular < 0) return info(term.form).anisotropic();  // targets of one colour

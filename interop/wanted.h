@@ -17,7 +17,8 @@ class Refused : public InputError {
   using InputError::InputError;
 };
 
-// At most a diffuse part and one lobe, of one channel or red, green and blue, whose wider axis lies along the tangent.
+// At most a diffuse part and one lobe, of one channel or red, green and blue, whose wider axis lies along the
+// tangent.
 struct Wanted {
   Material material;  // as seen from the frame of the wider axis
   Angle tangent{};    // azimuth of that axis in the surface's frame
@@ -33,11 +34,11 @@ struct Limits {
   std::vector<Reflectance> targets{};
 };
 
-// The material in red, green and blue, or of its one channel, cut into parts of one lobe each whose sum it is: the first has
-// all terms without a lobe. Throws Refused for what no file of the program carries: other channels, a second lobe where
-// the program adds none, a shape per channel (but for what tells the boundary's reflectance, which every program takes by
-// colour in some way), a form that is not reciprocal or does not fade out at grazing light and is none of the targets,
-// weights above the most.
+// The material in red, green and blue, or of its one channel, cut into parts of one lobe each whose sum it
+// is: the first has all terms without a lobe. Throws Refused for what no file of the program carries: other
+// channels, a second lobe where the program adds none, a shape per channel (but for what tells the boundary's
+// reflectance, which every program takes by colour in some way), a form that is not reciprocal or does not
+// fade out at grazing light and is none of the targets, weights above the most.
 std::vector<Wanted> wanted(const Material& material, const Limits& limits);
 
 // The channels as red, green and blue; nothing where their names do not say which they are.
@@ -54,15 +55,12 @@ struct Holds {
 // What it has no place for of the part: a sentence each.
 std::vector<std::string> not_held(const Wanted& part, const Holds& target);
 
-// The widths of a term's lobe along and across the tangent, also of one with exponents (the slopes that scatter as much:
-// alpha^2 = 2/(n + 2)); 0.3 where it has neither.
+// The widths of a term's lobe along and across the tangent, also of one with exponents (the slopes that
+// scatter as much: alpha^2 = 2/(n + 2)); 0.3 where it has neither.
 struct Widths {
   double along = 0.3, across = 0.3;
 };
 Widths widths_of(const Term& term);
-
-// What tells the boundary's reflectance.
-bool is_fresnel(Role role);
 
 // Whether a term's form has a weight of a lobe that is not 0 in every channel.
 bool has_lobe(const Term& term);

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "interop/reading.h"
-#include "interop/writers.h"
 
 namespace brdf::interop {
 namespace {

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "interop/reading.h"
-#include "interop/writers.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
 

@@ -1,5 +1,4 @@
 #include "interop/reading.h"
-#include "interop/writers.h"
 
 namespace brdf::interop {
 namespace {

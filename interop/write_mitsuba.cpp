@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "interop/reading.h"
-#include "interop/writers.h"
 #include "io/files/error.h"
 
 namespace brdf::interop {
@@ -64,9 +63,9 @@ std::string mixed(const Written& w, const std::string& id) {
   for (std::size_t k = 1; k < pieces.size(); ++k) {
     sum += pieces[k].share;
     const bool outermost = k + 1 == pieces.size();
-    text = bsdf(
-        "blendbsdf", outermost ? id : "name=\"a_first\"",
-        element("float", "weight", number(pieces[k].share / sum)) + text + pieces[k].text("name=\"b_second\""));
+    text = bsdf("blendbsdf", outermost ? id : "name=\"a_first\"",
+                element("float", "weight", number(pieces[k].share / sum)) + text +
+                    pieces[k].text("name=\"b_second\""));
   }
   return text;
 }
@@ -77,7 +76,8 @@ std::string principled(const Reading& r, const std::string& id) {
                        element("float", "metallic", number(r.metallic())) +
                        element("float", "roughness", number(r.roughness())) +
                        element("float", "eta", number(std::max(r.shape(Role::index), 1.0 + 1e-6)));
-  if (r.anisotropic()) inside += element("float", "anisotropic", number((1 - r.alpha_y() / r.alpha_x()) / 0.9));
+  if (r.anisotropic())
+    inside += element("float", "anisotropic", number((1 - r.alpha_y() / r.alpha_x()) / 0.9));
   return bsdf("principled", id, inside);
 }
 

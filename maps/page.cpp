@@ -94,7 +94,8 @@ double share_of(double value, const Range& range) {
   return range.high > range.low ? (value - range.low) / (range.high - range.low) : 0.5;
 }
 
-// How often each share of the range occurs, over that of the most frequent; what is beyond is in the bins at the ends.
+// How often each share of the range occurs, over that of the most frequent; what is beyond is in the bins at
+// the ends.
 std::vector<double> histogram(const std::vector<float>& values, const Range& range, std::size_t bins) {
   std::vector<double> counts(bins, 0);
   for (const float value : values)
@@ -105,7 +106,8 @@ std::vector<double> histogram(const std::vector<float>& values, const Range& ran
   return counts;
 }
 
-// The map, and below it its histogram in the same colours, from dark to bright. Transparent where there is no value.
+// The map, and below it its histogram in the same colours, from dark to bright. Transparent where there is no
+// value.
 std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
   const std::size_t larger = std::max(maps.width, maps.height),
                     step = (larger + kWidestPicture - 1) / kWidestPicture,

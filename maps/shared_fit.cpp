@@ -225,7 +225,8 @@ class SharedFit {
     Held(const texel::Stack& stack, Settings s) : settings(std::move(s)), fitter(stack, settings) {}
   };
 
-  // A texel's own parameters as a fit that holds the shared ones has them, with what the shared ones' uncertainty adds.
+  // A texel's own parameters as a fit that holds the shared ones has them, with what the shared ones'
+  // uncertainty adds.
   TexelFit own_fit(TexelFitter& together, Held& held, const TexelPixels& pixels, const TexelFit& fit,
                    const Shared& shared) const {
     const fit::Profile profile = together.shared_terms(fit, slots_).profile;

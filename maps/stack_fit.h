@@ -11,8 +11,8 @@
 
 namespace brdf::maps {
 
-// Texels of a tile of kTile x kTile know nothing of another's: it does not matter who fits them, with which others, and
-// when. A unit, what one process does at a time, is of whole tiles.
+// Texels of a tile of kTile x kTile know nothing of another's: it does not matter who fits them, with which
+// others, and when. A unit, what one process does at a time, is of whole tiles.
 inline constexpr std::size_t kTile = 8;
 inline constexpr std::size_t kUnit = 64;  // texels to a side, where nothing else is asked for
 
@@ -25,16 +25,18 @@ struct Resources {
 using Normals = texel::Planes;
 Normals read_normals(const std::filesystem::path& path, const texel::Stack& stack);
 
-// The planes of a region, over its own texels: every parameter under the name that a fit reports it by (kd.r), its
-// standard error (standard_error.kd.r; half of the 95 % interval over 1.96, so that few images that decide count as few; NaN where it is not identified, 0 where it is held or at a bound), normal.x, .y
-// and .z, `error`, the root mean square of the residuals, `images`, how many were used, `verdict`, the number of the
-// verdict in fit::Verdict, and `grid`, 1 where the fit came from the grid of starts. NaN where there is no sample, and
-// where no pixel of a texel is above 0. `normals` may be null.
+// The planes of a region, over its own texels: every parameter under the name that a fit reports it by
+// (kd.r), its standard error (standard_error.kd.r; half of the 95 % interval over 1.96, so that few images
+// that decide count as few; NaN where it is not identified, 0 where it is held or at a bound), normal.x, .y
+// and .z, `error`, the root mean square of the residuals, `images`, how many were used, `verdict`, the number
+// of the verdict in fit::Verdict, and `grid`, 1 where the fit came from the grid of starts. NaN where there
+// is no sample, and where no pixel of a texel is above 0. `normals` may be null.
 texel::Planes fit_unit(const texel::Stack& stack, const Settings& settings, const Normals* normals,
                        const texel::Region& region, std::size_t memory);
 
-// The fits of a region's texels, one after another, as fit_unit() has them. `before` a texel is fitted it may be told what
-// the fitter holds; `visit` hears of each that says anything. Texels by their number in the region.
+// The fits of a region's texels, one after another, as fit_unit() has them. `before` a texel is fitted it may
+// be told what the fitter holds; `visit` hears of each that says anything. Texels by their number in the
+// region.
 using BeforeTexel = std::function<void(std::size_t texel)>;
 using VisitTexel = std::function<void(std::size_t texel, const TexelPixels& pixels, const TexelFit& fit)>;
 void fit_texels(TexelFitter& fitter, const texel::Stack& stack, const Settings& settings,
@@ -55,8 +57,8 @@ void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& 
 texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, const Normals* normals,
                         const Resources& resources, const io::Progress& progress = {});
 
-// The metric for all texels where none is asked for: the one that `auto` chooses most often of nine across the stack's
-// middle row; log where the noise of none is known.
+// The metric for all texels where none is asked for: the one that `auto` chooses most often of nine across
+// the stack's middle row; log where the noise of none is known.
 fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, const Normals* normals);
 
 // What maps are worth.

@@ -107,7 +107,8 @@ TexelFitter::TexelFitter(const texel::Stack& stack, const Settings& settings)
   data_.values.resize(stack.channels.size());
 }
 
-// The images that see the surface at usable angles, in the frame of its normal, or where that is fitted in the stack's.
+// The images that see the surface at usable angles, in the frame of its normal, or where that is fitted in
+// the stack's.
 void TexelFitter::select_rows(const Vec3<double>& normal) {
   const Directions<double> all = arrays_.view();
   const std::size_t channels = stack_.channels.size();
@@ -259,7 +260,8 @@ bool TexelFitter::jumps(const fit::Solution& s, const TexelFit& neighbour) const
   return s.cost > kExact * black;
 }
 
-// As the texel's table has it, where the rows are in the stack's frame: data and `values` in that of the normal.
+// As the texel's table has it, where the rows are in the stack's frame: data and `values` in that of the
+// normal.
 void TexelFitter::turn_rows(const Vec3<double>& normal, fit::FitData& data,
                             std::vector<std::vector<double>>& values) const {
   for (std::size_t k = 0; k < data.rows(); ++k) {

@@ -23,7 +23,8 @@ struct Settings {
   bool fits_normal = false;
 };
 
-// Throws InputError for what a fit of texels cannot do: choose a metric or a form, estimate a robust loss's scale.
+// Throws InputError for what a fit of texels cannot do: choose a metric or a form, estimate a robust loss's
+// scale.
 void check(const Settings& settings);
 
 struct TexelFit {
@@ -56,15 +57,16 @@ class TexelFitter {
 
   const fit::Model& model() const { return model_; }
 
-  // From the solution of a neighbour, and from a grid of shapes (and normals) where there is none or what it leads to
-  // costs more than the neighbour by more than noise explains. The minimum is that of fit::fit() on the texel's table.
-  // `normal` is the surface's, or where it is fitted a guess.
+  // From the solution of a neighbour, and from a grid of shapes (and normals) where there is none or what it
+  // leads to costs more than the neighbour by more than noise explains. The minimum is that of fit::fit() on
+  // the texel's table. `normal` is the surface's, or where it is fitted a guess.
   TexelFit fit(const TexelPixels& texel, const Vec3<double>& normal, const TexelFit* neighbour);
 
   // From now on these of the solver's parameters have these values; none: all are free again.
   void hold(std::span<const std::size_t> slots, std::span<const double> values);
 
-  // What the texel says of parameters that it shares with others, in the fit that was the last and is not empty.
+  // What the texel says of parameters that it shares with others, in the fit that was the last and is not
+  // empty.
   struct SharedTerms {
     fit::Profile profile;
     fit::Matrix meat;  // of the shared ones: the sum over rows of the outer product of what they feel of each

@@ -13,7 +13,8 @@ namespace {
 constexpr double kKnownNoise =
     0.02;  // of the samples that `known` is asked of: they need not agree to the last digit
 constexpr double kMostNoise = 100;
-// No length is shorter than the longest over this: 200 rows of a million are too far apart to tell short from none.
+// No length is shorter than the longest over this: 200 rows of a million are too far apart to tell short from
+// none.
 constexpr double kShortest = 10;
 constexpr std::size_t kAsked = 16;  // of the nearest for it
 

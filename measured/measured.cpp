@@ -21,10 +21,11 @@ constexpr double kLeastRatio = 1e-3;
 const std::vector<std::string> kNoChannels;  // channels of no material
 constexpr std::size_t kLearntFrom = 200;
 constexpr double kCores[] = {0.03, 0.1, 0.3};  // of lobes, radians
-// By so much per channel it must be likelier (its logarithm) that azimuths matter: light from several azimuths alone
-// does not mean that the sample was turned (half vectors of one azimuth, as in MERL's files).
+// By so much per channel it must be likelier (its logarithm) that azimuths matter: light from several
+// azimuths alone does not mean that the sample was turned (half vectors of one azimuth, as in MERL's files).
 constexpr double kForAzimuths = 5;
-// So far at most the ratio is taken to vary slowly, whatever the samples say: radians (of theta_h at 40 degrees).
+// So far at most the ratio is taken to vary slowly, whatever the samples say: radians (of theta_h at 40
+// degrees).
 constexpr struct {
   double theta_h, theta_d, sines;
 } kLongest{0.35, 0.4, 0.2};

@@ -1,4 +1,5 @@
-// Measured samples as a reflectance: what was measured, filled in between, and where it was not measured it says so.
+// Measured samples as a reflectance: what was measured, filled in between, and where it was not measured it
+// says so.
 #pragma once
 
 #include <memory>
@@ -29,19 +30,20 @@ struct Ratio {
 // Below this the samples are too far away to say what is there.
 constexpr double kLeastKnown = 0.7;
 
-// f_r of a table's channels at any pair of directions: the fitted material's value times the ratio measured/fitted,
-// whose logarithm is interpolated (by the ratio itself where a sample near by is 0 or below). The ratio is taken as the
-// same for light and viewer exchanged, and as isotropic unless the samples were turned (several azimuths of the light)
-// and are likelier so. It is a Gaussian process about 1 in half-vector coordinates (coordinates.h, field.h): lengths
-// and noise are the likeliest, the noise not below the sheet's (io/samples/noise.h). Away from all samples the ratio goes to 1,
-// so the fitted value remains, and `measured` is false. Channels without a counterpart in the material (of the same
-// name, or the same colour; a material of one channel serves all) or with a black one, and all where there is none, are
-// interpolated about their geometric mean instead: slowly where f_r is not smooth.
-// Domain: unit vectors; 0 below the horizon.
+// f_r of a table's channels at any pair of directions: the fitted material's value times the ratio
+// measured/fitted, whose logarithm is interpolated (by the ratio itself where a sample near by is 0 or
+// below). The ratio is taken as the same for light and viewer exchanged, and as isotropic unless the samples
+// were turned (several azimuths of the light) and are likelier so. It is a Gaussian process about 1 in
+// half-vector coordinates (coordinates.h, field.h): lengths and noise are the likeliest, the noise not below
+// the sheet's (io/samples/noise.h). Away from all samples the ratio goes to 1, so the fitted value remains,
+// and `measured` is false. Channels without a counterpart in the material (of the same name, or the same
+// colour; a material of one channel serves all) or with a black one, and all where there is none, are
+// interpolated about their geometric mean instead: slowly where f_r is not smooth. Domain: unit vectors; 0
+// below the horizon.
 class MeasuredReflectance final : public ReflectanceModel {
  public:
-  // Beside the fitted material; or beside it or without it, as the samples are likelier: a material that has little to
-  // do with them is no help.
+  // Beside the fitted material; or beside it or without it, as the samples are likelier: a material that has
+  // little to do with them is no help.
   enum class Beside { fit, likeliest };
   // Throws InputError where the table has no row above the horizon with a value.
   explicit MeasuredReflectance(const io::SampleTable& table, const Material* fitted = nullptr,
@@ -66,7 +68,8 @@ class MeasuredReflectance final : public ReflectanceModel {
   const Variation& variation() const { return chosen_.variation; }
   Turning turning() const { return chosen_.turning; }
   double core() const { return chosen_.core; }
-  // The largest polar angles that were scanned: the smaller one of a pair is within `inner`, the larger within `outer`.
+  // The largest polar angles that were scanned: the smaller one of a pair is within `inner`, the larger
+  // within `outer`.
   struct Range {
     double inner = 0, outer = 0;  // degrees
   };

@@ -14,7 +14,8 @@ std::shared_ptr<const MeasuredReflectance> seen_in_colour(
     const io::SampleTable& table, const Material* fitted,
     MeasuredReflectance::Beside beside = MeasuredReflectance::Beside::fit);
 
-// What io::sphere::add asks of a measurement, for as long as the result lives; none where `measured` is false:
+// What io::sphere::add asks of a measurement, for as long as the result lives; none where `measured` is
+// false:
 //   io::sphere::add(report, {.title = "copper", .fitted = material, .measured = on_sphere(seen),
 //                            .table = table_size(*seen)});
 // Throws InputError for channels that are no colours (io/colour/channel_colours.h).

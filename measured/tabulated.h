@@ -8,10 +8,11 @@
 
 namespace brdf::measured {
 
-// Answers as the reflectance does, within about 1 % (as much as its moving neighbourhood leaves open): the ratio at the
-// nodes of a lattice, 16 to a length of r, 8 to the others, linear between. A node is computed when it is first asked
-// for, so that a picture pays for the directions that it holds, and the next one hardly at all. Several threads may ask
-// at once. Where the samples were turned, or the lattice would have too many nodes, every answer is computed anew.
+// Answers as the reflectance does, within about 1 % (as much as its moving neighbourhood leaves open): the
+// ratio at the nodes of a lattice, 16 to a length of r, 8 to the others, linear between. A node is computed
+// when it is first asked for, so that a picture pays for the directions that it holds, and the next one
+// hardly at all. Several threads may ask at once. Where the samples were turned, or the lattice would have
+// too many nodes, every answer is computed anew.
 class Tabulated {
  public:
   explicit Tabulated(std::shared_ptr<const MeasuredReflectance> measured);

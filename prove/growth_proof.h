@@ -7,7 +7,8 @@
 
 namespace brdf::prove {
 
-// For light from `from` degrees to 90 the largest albedo of the lobe, over its widths, is K/cos^power with K in [low, high].
+// For light from `from` degrees to 90 the largest albedo of the lobe, over its widths, is K/cos^power with K
+// in [low, high].
 struct Growth {
   double power, from, low, high;
   double width = 0;  // at which `low` is reached

@@ -76,7 +76,8 @@ struct GrowingTree {
   }
 };
 
-// As few cells as it takes to decide, or to see that finer ones would not: a step gains less than the one before it.
+// As few cells as it takes to decide, or to see that finer ones would not: a step gains less than the one
+// before it.
 Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box box) {
   constexpr double kMostlyCells = 3, kNear = 0.1, kSmall = 1.0 / 64;
   const auto size = [&](std::size_t k) { return box[k].hi - box[k].lo; };

@@ -53,12 +53,12 @@ struct Options {
 // All that is asked for of a form of the catalogue; finite, non_negative and rounding in float and in double.
 std::vector<Proof> prove(const Reflectance& form, const Options& options);
 
-// The same of a material's channels at their parameters; energy: its largest directional albedo to 1e-3, where the integral
-// is known. `file` is named in what is said.
+// The same of a material's channels at their parameters; energy: its largest directional albedo to 1e-3,
+// where the integral is known. `file` is named in what is said.
 std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options);
 
-// Where a declared violation shows: a direction in which f is negative, an albedo above 1 by more than the integral's error
-// bound. None where none is declared or found.
+// Where a declared violation shows: a direction in which f is negative, an albedo above 1 by more than the
+// integral's error bound. None where none is declared or found.
 std::optional<Witness> find_negative(const Reflectance& form);
 std::optional<Witness> find_gain(const Reflectance& form);
 

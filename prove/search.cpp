@@ -43,8 +43,8 @@ struct Search {
     result.nodes.push_back(node);
   }
 
-  // The cut that gains most: halves that are decided, then halves that are bounded, then how far the lower bounds rise;
-  // where nothing gains, the variable that was cut least.
+  // The cut that gains most: halves that are decided, then halves that are bounded, then how far the lower
+  // bounds rise; where nothing gains, the variable that was cut least.
   struct Choice {
     int variable = -1;
     double cut = 0, score = -1;

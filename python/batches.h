@@ -13,7 +13,8 @@ constexpr double kUnitLength = 1e-4;  // by which a unit vector's squared length
 // Throws InputError on a direction that is no unit vector, by its array's name and its place in it.
 [[noreturn]] void refuse_direction(const char* name, std::size_t pair, double x, double y, double z);
 
-// Where the elements of an array lie: bytes from one to the next along each dimension, 0 where it is broadcast.
+// Where the elements of an array lie: bytes from one to the next along each dimension, 0 where it is
+// broadcast.
 struct Strides {
   std::vector<std::ptrdiff_t> of_pair;  // one for each dimension of the pairs
   std::ptrdiff_t of_last = 0;           // along the last dimension: coordinates, or channels
@@ -30,9 +31,9 @@ struct PairArrays {
   std::size_t count() const;
 };
 
-// f_r in 1/sr of every pair and channel (cosine: f_r cos_i), in blocks that stay in the cache; no array is copied as a
-// whole. The same bits as brdf::eval in double, within the forms' stated accuracy in float. Throws InputError
-// where a direction is no unit vector (within 1e-4), by its place.
+// f_r in 1/sr of every pair and channel (cosine: f_r cos_i), in blocks that stay in the cache; no array is
+// copied as a whole. The same bits as brdf::eval in double, within the forms' stated accuracy in float.
+// Throws InputError where a direction is no unit vector (within 1e-4), by its place.
 template <class T>
 void evaluate(const Material& material, const PairArrays<T>& arrays, bool cosine);
 

@@ -147,8 +147,8 @@ py::list albedo(const Optics& optics, fit::AlbedoChoice choice) {
   return out;
 }
 
-// Whole shaders have no functions to include; GlslContent says what the words mean. Functions to include carry the name
-// that is given, the material's, or its form's.
+// Whole shaders have no functions to include; GlslContent says what the words mean. Functions to include
+// carry the name that is given, the material's, or its form's.
 std::string glsl(const Optics& optics, const std::string& to, bool material, bool include,
                  const std::string& given) {
   if (to != "glsl" && to != "glsl-es") throw InputError("--to: " + to + " not in {glsl,glsl-es}");

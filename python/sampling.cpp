@@ -24,7 +24,8 @@ Chosen choose(double u, std::size_t count) {
   return {place, at - double(place)};
 }
 
-// A term's sampler in the surface's frame. Where the channels have shapes of their own, each with the same chance.
+// A term's sampler in the surface's frame. Where the channels have shapes of their own, each with the same
+// chance.
 class TermSampler {
  public:
   explicit TermSampler(const Term& term)

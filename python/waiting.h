@@ -15,8 +15,8 @@ namespace py = pybind11;
 // Ends work from inside: its progress throws it.
 struct Stopped {};
 
-// What a piece of work is asked to do from outside. A callback that returns False asks it to stop; one that raises
-// too, and what it raised is raised at the end.
+// What a piece of work is asked to do from outside. A callback that returns False asks it to stop; one that
+// raises too, and what it raised is raised at the end.
 class Watch {
  public:
   explicit Watch(py::object callback) : callback_(std::move(callback)) {}
@@ -53,8 +53,8 @@ class Watch {
   std::exception_ptr error_;
 };
 
-// Runs the work without the interpreter's lock. In the main thread signals are heard meanwhile: Ctrl-C stops the work
-// and is raised when it has ended. Then raises what the work or its callback threw.
+// Runs the work without the interpreter's lock. In the main thread signals are heard meanwhile: Ctrl-C stops
+// the work and is raised when it has ended. Then raises what the work or its callback threw.
 void run_watched(Watch& watch, const std::function<void()>& work);
 
 }  // namespace brdf::python

@@ -11,7 +11,8 @@ namespace brdf::render {
 void check_frames(const Job& job);
 // For before the work: as io::check_targets for every file that will be written.
 void check_frame_targets(const Job& job, const std::vector<std::filesystem::path>& inputs);
-// Writes every frame that `draw` makes: an animation as a whole or not at all, a picture as soon as it is drawn.
+// Writes every frame that `draw` makes: an animation as a whole or not at all, a picture as soon as it is
+// drawn.
 void write_frames(const Job& job, const std::function<BytePicture(int frame)>& draw);
 
 }  // namespace brdf::render

@@ -48,8 +48,8 @@ struct Job {
   std::optional<double> plot_theta;  // lobe plot: angle of the light in degrees
   std::optional<std::string> solo;   // lobe plot: this curve alone
   bool validation = false;           // under the validation layers
-  // Frames with the camera once round its target, the first being the picture itself: .webp, or PNG files whose name has
-  // the frame's number where `output` has %d or %04d.
+  // Frames with the camera once round its target, the first being the picture itself: .webp, or PNG files
+  // whose name has the frame's number where `output` has %d or %04d.
   std::optional<int> turntable;
   double frames_per_second = 25;
   int quality = 90;                        // of .webp: 100 is without loss
@@ -73,23 +73,24 @@ struct JobReport {
   std::vector<std::string> notes;  // how channels became colours where their names do not say it
 };
 
-// The job with sample tables that stand among its materials (told by their content) as what they are compared with.
-// Throws InputError where there are two. What such a job shows without a material is the samples alone.
+// The job with sample tables that stand among its materials (told by their content) as what they are compared
+// with. Throws InputError where there are two. What such a job shows without a material is the samples alone.
 Job with_samples_told(Job job);
 // A material to begin with: the catalogue's first canonical form of facets.
 std::pair<std::string, Material> any_material();
 
 // What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
-// Puts the job's environment and its rotation into a scene. Throws InputError where there is nothing to rotate.
+// Puts the job's environment and its rotation into a scene. Throws InputError where there is nothing to
+// rotate.
 void apply_environment(const Job& job, Scene& scene);
 // How the channels of a state's materials became colours, a line for each material that does not say it.
 std::vector<std::string> colour_notes(const ViewState& state);
 // Renders and writes the output, if one is named. Throws
 // InputError or EnvironmentError; nothing is written then.
 JobReport run(const Job& job);
-// Writes the lobe plot of the job's materials (A, and B where it is a material; measured points where it is a table) as
-// PNG: in the plane of incidence, or as a body.
+// Writes the lobe plot of the job's materials (A, and B where it is a material; measured points where it is a
+// table) as PNG: in the plane of incidence, or as a body.
 enum class LobeView { plane, body };
 void write_lobes(const Job& job, LobeView view = LobeView::plane);
 

@@ -16,7 +16,8 @@
 namespace brdf::render {
 namespace {
 
-// The table whose points are drawn, and the angle of its light: the one asked for, or the nearest to the usual one.
+// The table whose points are drawn, and the angle of its light: the one asked for, or the nearest to the
+// usual one.
 std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
   if (state.other != Other::samples || state.samples.empty()) return std::nullopt;
   io::SampleTable table = io::read_samples(state.samples);

@@ -8,7 +8,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 namespace {
@@ -259,11 +259,11 @@ std::set<std::pair<bool, std::uint32_t>> read_slots(const Program& p) {
   for (const Stretch& s : p.stretches) {
     if (s.end == End::branch) out.insert({true, s.condition});
     for (const Step& step : s.steps) {
-      const Operands o = operands_of(step.op);
+      const Operation& o = operation(step.op);
       const std::uint32_t slots[] = {step.a, step.b, step.c};
-      for (int k = 0; k < o.count; ++k) {
-        const std::uint32_t width = k == 0 && o.indexed_load ? step.c : 1;
-        for (std::uint32_t j = 0; j < width; ++j) out.insert({o.integer[k], slots[k] + j});
+      for (int k = 0; k < o.count(); ++k) {
+        const std::uint32_t width = k == 0 && o.loads() ? step.c : 1;
+        for (std::uint32_t j = 0; j < width; ++j) out.insert({o.reads_integer(k), slots[k] + j});
       }
     }
   }

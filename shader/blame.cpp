@@ -11,7 +11,7 @@ namespace brdf::shader {
 namespace {
 
 int operands_in(const Entry& e) {
-  return e.step->op == Op::select ? 1 : operands_of(e.step->op).count;
+  return e.step->op == Op::select ? 1 : operation(e.step->op).count();
 }
 
 bool only_passes_on(Op op) {
@@ -20,9 +20,9 @@ bool only_passes_on(Op op) {
 
 // The operand to follow; nothing: it begins here.
 std::optional<int> not_finite_operand(const Entry& e) {
-  const Operands o = operands_of(e.step->op);
+  const Operation& o = operation(e.step->op);
   for (int k = 0; k < operands_in(e); ++k)
-    if ((e.step->op == Op::select || !o.integer[k]) && !std::isfinite(e.operand[k])) return k;
+    if ((e.step->op == Op::select || !o.reads_integer(k)) && !std::isfinite(e.operand[k])) return k;
   return std::nullopt;
 }
 
@@ -112,7 +112,8 @@ const Entry* first_other_way(const Trace& a, const Trace& b) {
   return nullptr;
 }
 
-// Back from the result of two runs of the same steps: where they differ, and what is read differs far less; -1: nowhere.
+// Back from the result of two runs of the same steps: where they differ, and what is read differs far less;
+// -1: nowhere.
 int where_they_part(const Trace& a, const Trace& b) {
   const auto error = [&](int entry) {
     const double x = a.entries[std::size_t(entry)].result, y = b.entries[std::size_t(entry)].result;
@@ -178,7 +179,7 @@ Blame blame_jump(const Function& f, std::span<const double> values, const Direct
     Blame blame;
     blame.line = x.step->line;
     blame.expression = line_of_text(f.source.text, blame.line);
-    const bool two = operands_of(x.step->op).count > 1;
+    const bool two = operation(x.step->op).count() > 1;
     blame.operation = two ? io::short_number(x.operand[0], 6) + " passes " + io::short_number(x.operand[1], 6)
                           : io::short_number(x.operand[0], 6) + " becomes another integer";
     return blame;

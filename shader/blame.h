@@ -21,8 +21,9 @@ struct Blame {
   std::string operation;   // with its operands and result: "0.25 / 0 = inf"
 };
 
-// Follows the value back from the result to the operation that first has the fault while its operands have not. `values` are all
-// parameters' in order, of `component` of the result. Empty where the result has no such fault there. Throws EndlessLoop.
+// Follows the value back from the result to the operation that first has the fault while its operands have
+// not. `values` are all parameters' in order, of `component` of the result. Empty where the result has no
+// such fault there. Throws EndlessLoop.
 template <class T>
 Blame blame(const Function& function, Fault fault, std::span<const double> values, const Vec3<double>& wi,
             const Vec3<double>& wo, std::size_t component);
@@ -31,8 +32,8 @@ extern template Blame blame<float>(const Function&, Fault, std::span<const doubl
 extern template Blame blame<double>(const Function&, Fault, std::span<const double>, const Vec3<double>&,
                                     const Vec3<double>&, std::size_t);
 
-// Of two pairs of directions that lie beside one another and have different values: the comparison that one passes and the other does
-// not, else the operation that jumps.
+// Of two pairs of directions that lie beside one another and have different values: the comparison that one
+// passes and the other does not, else the operation that jumps.
 struct DirectionPair {
   Vec3<double> wi, wo;
 };

@@ -13,7 +13,6 @@
 namespace brdf::shader {
 namespace {
 
-using spirv::Function;
 using spirv::Kind;
 using spirv::Module;
 
@@ -28,8 +27,8 @@ bool is_main(const std::string& name) {
 }
 
 // Functions of the file's own, by name, without what the program adds.
-std::vector<const Function*> own_functions(const Module& module) {
-  std::vector<const Function*> out;
+std::vector<const spirv::Function*> own_functions(const Module& module) {
+  std::vector<const spirv::Function*> out;
   for (const auto& [id, f] : module.functions)
     if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") && !is_main(f.name))
       out.push_back(&f);
@@ -63,7 +62,7 @@ struct Seen {
 };
 
 // Takes a direction of light and one of view, or their products with the normal; one of them may be global.
-bool takes_directions(const Module& m, const Function& f, const std::vector<std::string>& free) {
+bool takes_directions(const Module& m, const spirv::Function& f, const std::vector<std::string>& free) {
   Seen seen;
   for (std::size_t k = 0; k < f.parameters.size(); ++k) {
     const spirv::Id type = pointee(m, f.parameter_types[k]);
@@ -89,9 +88,9 @@ bool takes_directions(const Module& m, const Function& f, const std::vector<std:
   return seen.light && seen.view;
 }
 
-std::string listed(const Module& module, const std::vector<const Function*>& functions) {
+std::string listed(const Module& module, const std::vector<const spirv::Function*>& functions) {
   std::vector<std::string> words;
-  for (const Function* f : functions) words.push_back(signature(module, *f));
+  for (const spirv::Function* f : functions) words.push_back(signature(module, *f));
   if (words.size() > 12) {
     words.resize(12);
     words.push_back("...");
@@ -100,7 +99,7 @@ std::string listed(const Module& module, const std::vector<const Function*>& fun
 }
 
 // "brdf(L, V, N, kd)", as --entry takes it.
-std::string entry_words(const Module& module, const Function& function) {
+std::string entry_words(const Module& module, const spirv::Function& function) {
   std::vector<std::string> words;
   for (const spirv::Id parameter : function.parameters) words.push_back(module.name(parameter));
   return function.name + "(" + io::joined(words) + ")";
@@ -108,31 +107,32 @@ std::string entry_words(const Module& module, const Function& function) {
 
 // Those of the functions that are so; all where none is.
 template <class Is>
-std::vector<const Function*> those(const std::vector<const Function*>& of, Is&& is) {
-  std::vector<const Function*> out;
+std::vector<const spirv::Function*> those(const std::vector<const spirv::Function*>& of, Is&& is) {
+  std::vector<const spirv::Function*> out;
   std::copy_if(of.begin(), of.end(), std::back_inserter(out), is);
   return out.empty() ? of : out;
 }
 
 // Of overloads the one whose arguments the entry's line names, else the only one that takes directions and
 // that no other function calls. `note` says which it is. Throws InputError where nothing tells them apart.
-const Function* meant_overload(const Module& module, const Source& source,
-                               const std::vector<const Function*>& all, const std::set<spirv::Id>& called,
-                               const std::vector<std::string>& free, std::string& note) {
+const spirv::Function* meant_overload(const Module& module, const Source& source,
+                                      const std::vector<const spirv::Function*>& all,
+                                      const std::set<spirv::Id>& called, const std::vector<std::string>& free,
+                                      std::string& note) {
   if (all.size() == 1) return all[0];
-  std::vector<const Function*> left = all;
+  std::vector<const spirv::Function*> left = all;
   if (source.entry && source.entry->arguments) {
     const std::vector<std::string>& words = *source.entry->arguments;
-    left = those(left, [&](const Function* f) { return f->parameters.size() == words.size(); });
-    left = those(left, [&](const Function* f) {
+    left = those(left, [&](const spirv::Function* f) { return f->parameters.size() == words.size(); });
+    left = those(left, [&](const spirv::Function* f) {
       for (std::size_t k = 0; k < words.size() && k < f->parameters.size(); ++k)
         if (module.name(f->parameters[k]) != words[k]) return false;
       return true;
     });
     if (left.size() == 1) return left[0];
   }
-  left = those(left, [&](const Function* f) { return !called.contains(f->id); });
-  left = those(left, [&](const Function* f) { return takes_directions(module, *f, free); });
+  left = those(left, [&](const spirv::Function* f) { return !called.contains(f->id); });
+  left = those(left, [&](const spirv::Function* f) { return takes_directions(module, *f, free); });
   if (left.size() > 1)
     throw InputError(source.name + ": has " + std::to_string(all.size()) + " functions " + all[0]->name +
                      ": " + listed(module, all) + "; say which is the reflectance with --entry '" +
@@ -181,7 +181,7 @@ constexpr const char* kHelp =
 
 }  // namespace
 
-std::string signature(const Module& module, const Function& f) {
+std::string signature(const Module& module, const spirv::Function& f) {
   std::vector<std::string> words;
   for (std::size_t k = 0; k < f.parameters.size(); ++k)
     words.push_back(module.spelled(pointee(module, f.parameter_types[k])) + " " +
@@ -209,15 +209,15 @@ std::vector<std::string> free_directions(const Module& module, const Source& sou
 
 Chosen choose_entry(const Module& module, const Source& source, const Compiled& compiled) {
   const std::vector<LeftOut>& left_out = compiled.left_out;
-  const std::vector<const Function*> all = own_functions(module);
+  const std::vector<const spirv::Function*> all = own_functions(module);
   const std::set<spirv::Id> called = called_by_others(module);
   const std::vector<std::string> free = free_directions(module, source);
   const auto named = [&](auto&& is) {
-    std::vector<const Function*> out;
+    std::vector<const spirv::Function*> out;
     std::copy_if(all.begin(), all.end(), std::back_inserter(out), is);
     return out;
   };
-  const auto with_results = [&](const Function* f, const std::string& note = "") {
+  const auto with_results = [&](const spirv::Function* f, const std::string& note = "") {
     Results results = results_of(module, *f, source);
     if (!results.several.empty())
       throw InputError(
@@ -232,7 +232,7 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
     return Chosen{f, std::move(results), note};
   };
   if (source.entry) {
-    const auto same = named([&](const Function* f) { return f->name == source.entry->name; });
+    const auto same = named([&](const spirv::Function* f) { return f->name == source.entry->name; });
     if (same.empty())
       require_compiled(left_out, [&](const std::string& name) { return name == source.entry->name; });
     if (same.empty() && is_main(source.entry->name))
@@ -242,26 +242,26 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
       throw InputError(source.name + ": has no function " + source.entry->name +
                        (all.empty() ? "" : " (it has " + listed(module, all) + ")") + asked_for(compiled));
     std::string note;
-    const Function* const meant = meant_overload(module, source, same, called, free, note);
+    const spirv::Function* const meant = meant_overload(module, source, same, called, free, note);
     return with_results(meant, note);
   }
-  const auto gives = [&](const Function* f) {
+  const auto gives = [&](const spirv::Function* f) {
     const Results results = results_of(module, *f, source);
     const auto returned = module.type(f->type).kind;
     return !results.parts.empty() && (returned == Kind::number || returned == Kind::vector || results.named);
   };
   require_compiled(left_out, [](const std::string& name) { return io::lower_case(name) == "brdf"; });
-  const auto exact = named([&](const Function* f) {
+  const auto exact = named([&](const spirv::Function* f) {
     const Results results = results_of(module, *f, source);
     return io::lower_case(f->name) == "brdf" && (!results.parts.empty() || !results.several.empty());
   });
   if (!exact.empty()) {
     std::string note;
-    const Function* const meant = meant_overload(module, source, exact, called, free, note);
+    const spirv::Function* const meant = meant_overload(module, source, exact, called, free, note);
     return with_results(meant, note);
   }
   // A factor of one is none, whatever it takes.
-  const auto is_factor = [&](const Function* f) {
+  const auto is_factor = [&](const spirv::Function* f) {
     const std::string name = io::lower_case(f->name);
     const auto has = [&](const char* word) { return name.find(word) != name.npos; };
     return !is_called_brdf(f->name) &&
@@ -271,23 +271,23 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
             name.starts_with("vis_"));
   };
   // Those that draw a direction, or say how densely, know both and are no value.
-  const auto draws = [](const Function* f) {
+  const auto draws = [](const spirv::Function* f) {
     const std::string name = io::lower_case(f->name);
     return name.find("sample") != name.npos || name.find("pdf") != name.npos ||
            name.find("albedo") != name.npos;
   };
-  const auto could_be = [&](const Function* f) {
+  const auto could_be = [&](const spirv::Function* f) {
     return gives(f) && !draws(f) && takes_directions(module, *f, free);
   };
-  auto likely =
-      named([&](const Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
+  auto likely = named(
+      [&](const spirv::Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
   if (likely.empty())  // one of the file's others may call it
-    likely = named([&](const Function* f) { return could_be(f) && is_called_brdf(f->name); });
+    likely = named([&](const spirv::Function* f) { return could_be(f) && is_called_brdf(f->name); });
   if (likely.empty())  // a shading function of the file's calls it
-    likely = named([&](const Function* f) { return could_be(f) && !is_factor(f); });
+    likely = named([&](const spirv::Function* f) { return could_be(f) && !is_factor(f); });
   if (likely.size() > 1) {
     auto by_name = likely;
-    std::erase_if(by_name, [&](const Function* f) { return !is_called_brdf(f->name); });
+    std::erase_if(by_name, [&](const spirv::Function* f) { return !is_called_brdf(f->name); });
     if (by_name.size() == 1) likely = by_name;
   }
   if (likely.size() == 1) require_whole(left_out, likely[0]->name);

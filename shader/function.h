@@ -61,10 +61,11 @@ struct Symmetry {
   std::uint32_t line =
       0;  // of the source, where the argument fails; 0: it does not fail, or the line is unknown
   std::vector<std::vector<Turning>> steps = {};  // of each step of each stretch; empty unless isotropic
-  // The result stays when both directions are reflected at the plane of the tangent, and at that of the bitangent.
+  // The result stays when both directions are reflected at the plane of the tangent, and at that of the
+  // bitangent.
   bool reflects = false;
-  // Operations from the coordinates to a closing step, at most. Rounding changes the closing sum by at most about that
-  // many units of the sum of the absolute values of its terms.
+  // Operations from the coordinates to a closing step, at most. Rounding changes the closing sum by at most
+  // about that many units of the sum of the absolute values of its terms.
   int depth = 0;
 };
 
@@ -100,8 +101,8 @@ struct Function {
   }
   // Nothing shows that the value stays when light and viewer turn together: the light has to be turned, too.
   bool may_turn() const { return !symmetry.isotropic || !symmetry_as_meant.isotropic; }
-  // Nothing shows that half of the azimuths stands for all: neither the sign of the azimuth between light and viewer nor
-  // both reflections of an anisotropic function.
+  // Nothing shows that half of the azimuths stands for all: neither the sign of the azimuth between light and
+  // viewer nor both reflections of an anisotropic function.
   bool all_round() const { return needs_all(symmetry) || needs_all(symmetry_as_meant); }
   // Whether light or viewer is among what it is given, by itself, in a product or in the half vector.
   bool is_given(Axis axis) const;
@@ -118,8 +119,8 @@ Function make_function(Source source, const ShaderChoice& choice, Compiler& comp
 // What to do where an argument's meaning is open.
 std::string entry_advice(const Function& function);
 
-// What is said of a function that is 0 or does not depend on all that the file declares, with the macros that may be the reason; empty:
-// nothing.
+// What is said of a function that is 0 or does not depend on all that the file declares, with the macros that
+// may be the reason; empty: nothing.
 std::string said_of_unread(const Function& function);
 
 // What an integer or a truth that is bound to a parameter of value v holds.
@@ -236,8 +237,8 @@ T reflectance_of_returned(Returns returns, const T& value, const T& cos_i, const
   return times_cosine ? value / o * i : value / o;
 }
 
-// f_r at one pair of unit directions, 1/sr; 0 below the horizon. `values`: of all parameters in order, a colour's three together.
-// Throws EndlessLoop.
+// f_r at one pair of unit directions, 1/sr; 0 below the horizon. `values`: of all parameters in order, a
+// colour's three together. Throws EndlessLoop.
 template <class T>
 T evaluate(const Function& function, Runner<T, 1>& runner, std::span<const T> values, const Vec3<T>& wi,
            const Vec3<T>& wo, std::size_t component) {

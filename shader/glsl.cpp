@@ -4,7 +4,7 @@
 
 #include "brdf/geometry.h"
 #include "shader/glsl_statement.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 namespace {
@@ -25,7 +25,8 @@ std::string steps_of(const Stretch& s, const std::string& indent) {
   return out;
 }
 
-// Stretches stand in the order in which they follow one another; those that lead back do so within a loop over all.
+// Stretches stand in the order in which they follow one another; those that lead back do so within a loop
+// over all.
 std::string body(const Program& p) {
   if (p.stretches.size() == 1) return steps_of(p.stretches[0], "  ");
   const std::string end = integer_text(std::uint32_t(p.stretches.size()));
@@ -44,13 +45,13 @@ std::string declarations(const Program& p, bool precise) {
   for (const Stretch& s : p.stretches) {
     if (s.end == End::branch) integers.insert(s.condition);
     for (const Step& step : s.steps) {
-      const Operands o = operands_of(step.op);
+      const Operation& o = operation(step.op);
       const std::uint32_t slots[] = {step.a, step.b, step.c};
-      for (std::uint32_t k = 0; k < o.writes(step); ++k)
-        (o.result_integer ? integers : numbers).insert(step.r + k);
-      for (int j = 0; j < o.count; ++j)
-        for (std::uint32_t k = 0; k < (j == 0 && o.indexed_load ? step.c : 1); ++k)
-          (o.integer[j] ? integers : numbers).insert(slots[j] + k);
+      for (std::uint32_t k = 0; k < o.slots_written(step); ++k)
+        (o.writes_integer() ? integers : numbers).insert(step.r + k);
+      for (int j = 0; j < o.count(); ++j)
+        for (std::uint32_t k = 0; k < (j == 0 && o.loads() ? step.c : 1); ++k)
+          (o.reads_integer(j) ? integers : numbers).insert(slots[j] + k);
     }
   }
   for (const Input& input : p.inputs)
@@ -122,8 +123,8 @@ std::string glsl_obstacle(const Function& f) {
     return "has more than " + std::to_string(kMostOperations) + " operations";
   for (const Stretch& s : f.as_written.stretches)
     for (const Step& step : s.steps) {
-      const Operands o = operands_of(step.op);
-      if ((o.indexed_load || o.indexed_store) && step.c > kLongestArray)
+      const Operation& o = operation(step.op);
+      if ((o.loads() || o.stores()) && step.c > kLongestArray)
         return "has an array of more than " + std::to_string(kLongestArray) + " numbers";
     }
   return "";

@@ -7,9 +7,10 @@
 
 namespace brdf::shader {
 
-// f_r in 1/sr of one component by the processor's extended type (64 bits of mantissa on x86-64), rounded to double at
-// the end, for the unit directions that these vectors stand for; `values` are those of all parameters in order. Errors
-// of rounding are about two thousand times smaller than those of double. Throws EndlessLoop.
+// f_r in 1/sr of one component by the processor's extended type (64 bits of mantissa on x86-64), rounded to
+// double at the end, for the unit directions that these vectors stand for; `values` are those of all
+// parameters in order. Errors of rounding are about two thousand times smaller than those of double. Throws
+// EndlessLoop.
 double in_more_digits(const Function& function, std::span<const double> values, const Vec3<double>& wi,
                       const Vec3<double>& wo, std::size_t component);
 

@@ -17,7 +17,8 @@ namespace {
 constexpr int kDeepestPlace = 16;
 constexpr std::size_t kLargestWhole = 16 * kLargestShader;
 
-// The name that a line includes; empty where it includes none. `bare`: the line without comments and what stands in quotes.
+// The name that a line includes; empty where it includes none. `bare`: the line without comments and what
+// stands in quotes.
 std::string included_name(std::string_view line, std::string_view bare) {
   std::string_view rest = io::trimmed(bare);
   if (!rest.starts_with('#')) return "";

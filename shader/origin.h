@@ -7,9 +7,9 @@
 
 namespace brdf::shader {
 
-// The file's text with each file that it includes in the place of the #include; lines that say something to this program (`//:`) count
-// in the shader's own file only, and are marked so in the others. What is not found stays an #include. Throws InputError where a
-// file cannot be read, or includes are nested too deeply.
+// The file's text with each file that it includes in the place of the #include; lines that say something to
+// this program (`//:`) count in the shader's own file only, and are marked so in the others. What is not
+// found stays an #include. Throws InputError where a file cannot be read, or includes are nested too deeply.
 std::string whole_text(const ShaderChoice& choice);
 
 struct ShaderOrigin {

@@ -19,7 +19,8 @@ class Names {
  public:
   Name of(const std::vector<int>& key);
   Name constant(double value);
-  // Sums and products do not depend on the order of two operands; signs are taken out, so that two of them meet.
+  // Sums and products do not depend on the order of two operands; signs are taken out, so that two of them
+  // meet.
   Name add(Name a, Name b);
   Name neg(Name a);
   Name mul(Name a, Name b);
@@ -45,7 +46,8 @@ inline constexpr int kLx = 0, kLy = 1, kVx = 2, kVy = 3;
 
 using Terms = std::array<Name, kTerms>;
 
-// What becomes of a value when the azimuth between light and viewer changes its sign: nothing, its sign, or more.
+// What becomes of a value when the azimuth between light and viewer changes its sign: nothing, its sign, or
+// more.
 enum class Hand : std::uint8_t { even, odd, mixed };
 inline Hand both(Hand a, Hand b) {
   return a == b ? a : Hand::mixed;
@@ -55,7 +57,8 @@ inline Hand product_of(Hand a, Hand b) {
   return a == b ? Hand::even : Hand::odd;
 }
 
-// A slot's value: a number that does not change (its name), or a polynomial that does (its place among those known).
+// A slot's value: a number that does not change (its name), or a polynomial that does (its place among those
+// known).
 struct Form {
   enum class Kind : std::uint8_t { absent, still, partial, unknown } kind = Kind::absent;
   Hand hand = Hand::even;
@@ -91,8 +94,8 @@ class Polynomials {
   Terms sum(Terms a, const Terms& b);
   // Nothing beyond the second degree.
   std::optional<Terms> product(const Terms& a, const Terms& b);
-  // The polynomial as a form: one that depends on dot products and on the cross product along the normal alone is a number
-  // that does not change.
+  // The polynomial as a form: one that depends on dot products and on the cross product along the normal
+  // alone is a number that does not change.
   Form closed(const Terms& terms, Hand hand, int depth);
   // Whether the terms of one are those of the other along the other axis.
   bool is_pair(const Form& a, const Form& b) const;

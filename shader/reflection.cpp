@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 namespace {
@@ -102,12 +102,12 @@ class Reflection {
   }
 
   void follow(State& s, const Step& x) {
-    const Operands o = operands_of(x.op);
+    const Operation& o = operation(x.op);
     const std::uint32_t slots[] = {x.a, x.b, x.c};
-    const auto operand = [&](int k) { return at(s, o.integer[k], slots[k]); };
-    if (o.indexed_load || o.indexed_store) return indexed(s, x, o);
+    const auto operand = [&](int k) { return at(s, o.reads_integer(k), slots[k]); };
+    if (o.loads() || o.stores()) return indexed(s, x, o);
     bool all_even = true;
-    for (int k = 0; k < o.count; ++k) all_even = all_even && is_even(operand(k));
+    for (int k = 0; k < o.count(); ++k) all_even = all_even && is_even(operand(k));
     Parity out = all_even ? Parity::even : Parity::unknown;
     if (x.op == Op::copy || x.op == Op::icopy || is_odd_function(x.op)) out = operand(0);
     if (x.op == Op::abs && operand(0) == Parity::odd) out = Parity::even;
@@ -117,20 +117,20 @@ class Reflection {
     if (x.op == Op::fma) out = sum_of(product_of(operand(0), operand(1)), operand(2));
     if (x.op == Op::mix) out = is_even(operand(2)) ? sum_of(operand(0), operand(1)) : Parity::unknown;
     if (x.op == Op::select) out = is_even(operand(0)) ? sum_of(operand(1), operand(2)) : Parity::unknown;
-    at(s, o.result_integer, x.r) = out;
+    at(s, o.writes_integer(), x.r) = out;
   }
   // Elements of an array are taken together.
-  void indexed(State& s, const Step& x, const Operands& o) const {
+  void indexed(State& s, const Step& x, const Operation& o) const {
     Parity all = is_even(at(s, true, x.b)) ? Parity::unreached : Parity::unknown;
-    const std::uint32_t from = o.indexed_load ? x.a : x.r;
+    const std::uint32_t from = o.loads() ? x.a : x.r;
     for (std::uint32_t k = 0; k < x.c; ++k)
-      all = sum_of(all, at(s, o.indexed_load ? o.integer[0] : o.result_integer, from + k));
-    if (o.indexed_load) {
-      at(s, o.result_integer, x.r) = all;
+      all = sum_of(all, at(s, o.loads() ? o.reads_integer(0) : o.writes_integer(), from + k));
+    if (o.loads()) {
+      at(s, o.writes_integer(), x.r) = all;
       return;
     }
-    all = sum_of(all, at(s, o.integer[0], x.a));
-    for (std::uint32_t k = 0; k < x.c; ++k) at(s, o.result_integer, x.r + k) = all;
+    all = sum_of(all, at(s, o.reads_integer(0), x.a));
+    for (std::uint32_t k = 0; k < x.c; ++k) at(s, o.writes_integer(), x.r + k) = all;
   }
 
   const Program& p_;

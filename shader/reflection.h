@@ -5,9 +5,9 @@
 
 namespace brdf::shader {
 
-// The value stays, bit for bit, when the tangent's coordinates of light and viewer change their sign together, and when
-// the bitangent's do. Every value is followed as even or odd in that sign; a comparison, an index or a result that is not
-// even ends the argument. Where this is false, nothing is known.
+// The value stays, bit for bit, when the tangent's coordinates of light and viewer change their sign
+// together, and when the bitangent's do. Every value is followed as even or odd in that sign; a comparison,
+// an index or a result that is not even ends the argument. Where this is false, nothing is known.
 bool reflects(const Program& program, const std::vector<Binding>& bindings);
 
 }  // namespace brdf::shader

@@ -20,7 +20,8 @@ std::string identifier(const std::string& file) {
   return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "shader_" + out : out;
 }
 
-// An argument of three numbers that no line calls a colour, whose components meet in one channel, is the direction that is missing.
+// An argument of three numbers that no line calls a colour, whose components meet in one channel, is the
+// direction that is missing.
 void require_directions(const Function& f) {
   const char* const missing = !f.is_given(Axis::view)    ? "the viewer"
                               : !f.is_given(Axis::light) ? "the light"
@@ -33,7 +34,8 @@ void require_directions(const Function& f) {
                        " a colour with a line `//: color " + p.name + " 0.5 0.5 0.5`");
 }
 
-// What a channel's value has of the other channels' colours, a table of one channel cannot say: three numbers of all can.
+// What a channel's value has of the other channels' colours, a table of one channel cannot say: three numbers
+// of all can.
 void split_colours(Function& function) {
   std::deque<Parameter> parameters;
   for (const Parameter& p : function.parameters) {

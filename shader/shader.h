@@ -12,10 +12,11 @@
 
 namespace brdf::shader {
 
-// f_r as the shader computes it, in the scalar that is asked for: float rounds each operation correctly, double evaluates the same code
-// with the constants as they are written. 0 below the horizon, where the shader is not called; else whatever it gives, finite or not.
-// Colours are weights; where f is linear in some parameters (found out by asking it) those are weights, too, it has lobes and can be
-// fitted; all others are its shape. Evaluation throws InputError with the line where a loop does not end.
+// f_r as the shader computes it, in the scalar that is asked for: float rounds each operation correctly,
+// double evaluates the same code with the constants as they are written. 0 below the horizon, where the
+// shader is not called; else whatever it gives, finite or not. Colours are weights; where f is linear in some
+// parameters (found out by asking it) those are weights, too, it has lobes and can be fitted; all others are
+// its shape. Evaluation throws InputError with the line where a loop does not end.
 class ShaderReflectance final : public ReflectanceModel {
  public:
   explicit ShaderReflectance(Function function, std::optional<ShaderOrigin> origin = {});

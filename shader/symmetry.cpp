@@ -121,8 +121,9 @@ class Analysis {
     return begin;
   }
 
-  // What comes by several ways is a choice between them, by conditions that do not change. Of what a loop brings back
-  // only a number that does not change stays known: its name stands for another number in each turn of the loop.
+  // What comes by several ways is a choice between them, by conditions that do not change. Of what a loop
+  // brings back only a number that does not change stays known: its name stands for another number in each
+  // turn of the loop.
   Form joined(const std::vector<std::pair<std::size_t, const State*>>& ways, std::size_t target,
               std::size_t slot, bool loop) {
     const Form& first = (*ways.front().second)[slot];

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shader/function.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 
@@ -53,23 +53,23 @@ Trace traced(const Function& f, std::span<const double> values, const Vec3<doubl
   Trace trace;
   constexpr std::size_t kMostEntries = 1u << 20;
   run_watched<T>(program, bank, [&](const Step& step) {
-    const Operands o = operands_of(step.op);
+    const Operation& o = operation(step.op);
     const std::uint32_t slots[] = {step.a, step.b, step.c};
     Entry e{&step, 0, {NAN, NAN, NAN}, {-1, -1, -1}};
-    for (int k = 0; k < o.count; ++k) {
-      if (o.integer[k]) continue;
+    for (int k = 0; k < o.count(); ++k) {
+      if (o.reads_integer(k)) continue;
       std::uint32_t slot = slots[k];
-      if (o.indexed_load) slot += std::min(*bank.integer(step.b), step.c - 1);
+      if (o.loads()) slot += std::min(*bank.integer(step.b), step.c - 1);
       e.operand[k] = before[slot];
       e.from[k] = writer[slot];
     }
-    if (o.result_integer) {
-      if (o.count > 0 && !o.integer[0] && trace.decisions.size() < kMostEntries)
+    if (o.writes_integer()) {
+      if (o.count() > 0 && !o.reads_integer(0) && trace.decisions.size() < kMostEntries)
         trace.decisions.push_back({&step, {e.operand[0], e.operand[1]}, *bank.integer(step.r)});
       return;
     }
     std::uint32_t r = step.r;
-    if (o.indexed_store) r += std::min(*bank.integer(step.b), step.c - 1);
+    if (o.stores()) r += std::min(*bank.integer(step.b), step.c - 1);
     e.result = before[r] = Functions<T>::value(*bank.number(r));
     if (step.op == Op::select) {  // what was taken
       const bool yes = *bank.integer(step.a) != 0;

@@ -5,18 +5,18 @@
 namespace brdf::shader {
 
 Turning TurningSteps::step(State& s, const Step& x) {
-  const Operands o = operands_of(x.op);
-  if (o.indexed_load || o.indexed_store) return indexed(s, x, o);
+  const Operation& o = operation(x.op);
+  if (o.loads() || o.stores()) return indexed(s, x, o);
   bool partial_operand = false;
   int depth = 0;
   const std::uint32_t slots[] = {x.a, x.b, x.c};
-  for (int k = 0; k < o.count; ++k) {
-    const Form& f = at(s, o.integer[k], slots[k]);
+  for (int k = 0; k < o.count(); ++k) {
+    const Form& f = at(s, o.reads_integer(k), slots[k]);
     partial_operand = partial_operand || f.kind == Form::Kind::partial;
     depth = std::max(depth, f.depth + 1);
   }
   const Form out = value(s, x, o);
-  at(s, o.result_integer, x.r) = out;
+  at(s, o.writes_integer(), x.r) = out;
   const bool partial = out.kind == Form::Kind::partial;
   if (partial || (out.is_still() && partial_operand)) depth_ = std::max(depth_, depth);
   if (partial && depth > kFarthest && too_deep_ == 0) too_deep_ = std::max(x.line, 1u);
@@ -28,7 +28,7 @@ Turning TurningSteps::step(State& s, const Step& x) {
 }
 
 // Elements of an array are followed only where all of them are numbers that do not change.
-Turning TurningSteps::indexed(State& s, const Step& x, const Operands& o) {
+Turning TurningSteps::indexed(State& s, const Step& x, const Operation& o) {
   const Form place = at(s, true, x.b);
   bool known = place.is_still();
   Hand hand = place.hand == Hand::even ? Hand::even : Hand::mixed;
@@ -39,26 +39,26 @@ Turning TurningSteps::indexed(State& s, const Step& x, const Operands& o) {
     if (f.hand != Hand::even) hand = Hand::mixed;
     key.push_back(f.is_still() ? f.name : -1);
   };
-  for (std::uint32_t k = 0; k < (o.indexed_load ? x.c : 1); ++k) include(at(s, o.integer[0], x.a + k));
-  if (o.indexed_load) {
-    at(s, o.result_integer, x.r) = known ? still(forms_.names.of(key), hand) : unknown();
+  for (std::uint32_t k = 0; k < (o.loads() ? x.c : 1); ++k) include(at(s, o.reads_integer(0), x.a + k));
+  if (o.loads()) {
+    at(s, o.writes_integer(), x.r) = known ? still(forms_.names.of(key), hand) : unknown();
     return Turning::still;
   }
-  for (std::uint32_t k = 0; k < x.c; ++k) include(at(s, o.result_integer, x.r + k));
+  for (std::uint32_t k = 0; k < x.c; ++k) include(at(s, o.writes_integer(), x.r + k));
   for (std::uint32_t k = 0; k < x.c; ++k) {
     key.push_back(int(k));
-    at(s, o.result_integer, x.r + k) = known ? still(forms_.names.of(key), hand) : unknown();
+    at(s, o.writes_integer(), x.r + k) = known ? still(forms_.names.of(key), hand) : unknown();
   }
   return Turning::still;
 }
 
-Form TurningSteps::value(const State& s, const Step& x, const Operands& o) {
+Form TurningSteps::value(const State& s, const Step& x, const Operation& o) {
   const std::uint32_t slots[] = {x.a, x.b, x.c};
-  const auto operand = [&](int k) -> const Form& { return at(s, o.integer[k], slots[k]); };
+  const auto operand = [&](int k) -> const Form& { return at(s, o.reads_integer(k), slots[k]); };
   if (x.op == Op::copy || x.op == Op::icopy) return operand(0);
   bool all_still = true, all_known = true;
   int depth = 1;
-  for (int k = 0; k < o.count; ++k) {
+  for (int k = 0; k < o.count(); ++k) {
     all_still = all_still && operand(k).is_still();
     all_known = all_known && operand(k).is_known();
     depth = std::max(depth, operand(k).depth + 1);
@@ -69,7 +69,7 @@ Form TurningSteps::value(const State& s, const Step& x, const Operands& o) {
     set_rounding(f, s, x);
     return f;
   }
-  if (!all_still && all_known && o.count == 2 && o.result_integer && !o.integer[0]) {
+  if (!all_still && all_known && o.count() == 2 && o.writes_integer() && !o.reads_integer(0)) {
     // A comparison of two sums is one of their difference with 0.
     const Form difference = forms_.closed(
         forms_.sum(forms_.terms_of(operand(0)), forms_.opposite(forms_.terms_of(operand(1)))), hand, depth);
@@ -79,16 +79,16 @@ Form TurningSteps::value(const State& s, const Step& x, const Operands& o) {
   }
   if (!all_still) return unknown();
   std::vector<int> key{int(x.op)};
-  for (int k = 0; k < o.count; ++k) key.push_back(operand(k).name);
+  for (int k = 0; k < o.count(); ++k) key.push_back(operand(k).name);
   if (x.op == Op::min) key.push_back(int(x.c));
   return still(forms_.names.of(key), hand);
 }
 
-Hand TurningSteps::hand_of(const State& s, const Step& x, const Operands& o, bool all_still) const {
+Hand TurningSteps::hand_of(const State& s, const Step& x, const Operation& o, bool all_still) const {
   const std::uint32_t slots[] = {x.a, x.b, x.c};
-  const auto hand = [&](int k) { return at(s, o.integer[k], slots[k]).hand; };
+  const auto hand = [&](int k) { return at(s, o.reads_integer(k), slots[k]).hand; };
   bool all_even = true;
-  for (int k = 0; k < o.count; ++k) all_even = all_even && hand(k) == Hand::even;
+  for (int k = 0; k < o.count(); ++k) all_even = all_even && hand(k) == Hand::even;
   if (all_even) return Hand::even;
   if (!all_still) return Hand::mixed;
   if (x.op == Op::neg) return hand(0);

@@ -5,7 +5,7 @@
 
 #include "shader/function.h"
 #include "shader/polynomials.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 
@@ -31,11 +31,11 @@ class TurningSteps {
   void start_over() { too_deep_ = 0; }
 
  private:
-  Turning indexed(State& s, const Step& x, const Operands& o);
-  Form value(const State& s, const Step& x, const Operands& o);
-  Hand hand_of(const State& s, const Step& x, const Operands& o, bool all_still) const;
-  // Which errors of rounding are relative to the value itself: not those of sums whose terms are rounded already and
-  // may cancel.
+  Turning indexed(State& s, const Step& x, const Operation& o);
+  Form value(const State& s, const Step& x, const Operation& o);
+  Hand hand_of(const State& s, const Step& x, const Operation& o, bool all_still) const;
+  // Which errors of rounding are relative to the value itself: not those of sums whose terms are rounded
+  // already and may cancel.
   void set_rounding(Form& f, const State& s, const Step& x) const;
   // Sums, products and choices as polynomials; nothing of other operations, or beyond the second degree.
   std::optional<Terms> polynomial(const State& s, const Step& x, bool all_known);

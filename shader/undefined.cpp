@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io/files/numbers.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 namespace {
@@ -78,32 +78,32 @@ class MarkedRun {
   std::uint32_t integer(std::uint32_t slot) { return *runner_.bank().integer(slot); }
 
   // The first mark among the operands that the result is made of.
-  std::uint32_t mark_of_operands(const Step& s, const Operands& o) {
+  std::uint32_t mark_of_operands(const Step& s, const Operation& o) {
     if (s.op == Op::select || s.op == Op::iselect) {
       const std::uint32_t condition = marks_.at(true, s.a);
       return condition > 0 ? condition : marks_.at(s.op == Op::iselect, integer(s.a) != 0 ? s.b : s.c);
     }
-    if (o.indexed_load) {
+    if (o.loads()) {
       const std::uint32_t at = marks_.at(true, s.b);
-      return at > 0 ? at : marks_.at(o.integer[0], s.a + std::min(integer(s.b), s.c - 1));
+      return at > 0 ? at : marks_.at(o.reads_integer(0), s.a + std::min(integer(s.b), s.c - 1));
     }
     const std::uint32_t slots[] = {s.a, s.b, s.c};
-    for (int k = 0; k < o.count; ++k)
-      if (const std::uint32_t mark = marks_.at(o.integer[k], slots[k]); mark > 0) return mark;
+    for (int k = 0; k < o.count(); ++k)
+      if (const std::uint32_t mark = marks_.at(o.reads_integer(k), slots[k]); mark > 0) return mark;
     return 0;
   }
 
   void follow(const Step& s) {
-    const Operands o = operands_of(s.op);
+    const Operation& o = operation(s.op);
     const auto place = [&](std::uint32_t mark) {
       return s.op == Op::copy || s.op == Op::icopy ? mark : marks_.placed(mark, s.line);
     };
-    if (o.indexed_store) {
-      const std::uint32_t at = place(marks_.at(true, s.b)), value = place(marks_.at(o.integer[0], s.a));
+    if (o.stores()) {
+      const std::uint32_t at = place(marks_.at(true, s.b)), value = place(marks_.at(o.reads_integer(0), s.a));
       // An undefined place may be any element.
       for (std::uint32_t k = 0; k < s.c; ++k)
         if (at > 0 || k == std::min(integer(s.b), s.c - 1))
-          marks_.set(o.result_integer, s.r + k, at > 0 ? at : value);
+          marks_.set(o.writes_integer(), s.r + k, at > 0 ? at : value);
       return;
     }
     std::uint32_t mark = place(mark_of_operands(s, o));
@@ -112,12 +112,12 @@ class MarkedRun {
               s, [&](std::uint32_t slot) { return number(slot); },
               [&](std::uint32_t slot) { return integer(slot); }))
         mark = marks_.add({*why, s.line, operands(s, o)});
-    marks_.set(o.result_integer, s.r, mark);
+    marks_.set(o.writes_integer(), s.r, mark);
   }
 
-  std::array<double, 2> operands(const Step& s, const Operands& o) {
-    if (o.integer[0]) return {double(std::int32_t(integer(s.a))), double(std::int32_t(integer(s.b)))};
-    return {number(s.a), o.count > 1 ? number(s.b) : 0};
+  std::array<double, 2> operands(const Step& s, const Operation& o) {
+    if (o.reads_integer(0)) return {double(std::int32_t(integer(s.a))), double(std::int32_t(integer(s.b)))};
+    return {number(s.a), o.count() > 1 ? number(s.b) : 0};
   }
 
   const Program& program_;

@@ -32,7 +32,8 @@ struct UndefinedValue {
   std::array<double, 2> operands{};  // as they were read
 };
 
-// Whether this step gives an undefined value for these operands. `number(slot)` and `integer(slot)` are the operands.
+// Whether this step gives an undefined value for these operands. `number(slot)` and `integer(slot)` are the
+// operands.
 template <class Number, class Integer>
 std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&& integer) {
   const auto if_so = [](bool is, Undefined why) { return is ? std::optional(why) : std::nullopt; };
@@ -75,9 +76,9 @@ std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&
   }
 }
 
-// The undefined value that the result depends on, in the program that the scalar T runs; nothing where the result is
-// defined. A value that no result depends on does not count. `values` are those of all parameters in order; the
-// directions are unit vectors. Throws EndlessLoop.
+// The undefined value that the result depends on, in the program that the scalar T runs; nothing where the
+// result is defined. A value that no result depends on does not count. `values` are those of all parameters
+// in order; the directions are unit vectors. Throws EndlessLoop.
 template <class T>
 std::optional<UndefinedValue> undefined_value(const Function& function, std::span<const double> values,
                                               const Vec3<double>& wi, const Vec3<double>& wo);

@@ -1,5 +1,5 @@
-// Angles in another unit or convention than the table format's: degrees, polar angles from the normal, the mirror
-// direction at phi_o = phi_i + 180. Each is told by what no surface does in these coordinates.
+// Angles in another unit or convention than the table format's: degrees, polar angles from the normal, the
+// mirror direction at phi_o = phi_i + 180. Each is told by what no surface does in these coordinates.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -64,9 +64,9 @@ std::vector<Highlight> highlights(const View& view) {
   return found;
 }
 
-// How much the logarithm of the values varies with the azimuth on the ring of rows at a polar angle, median over the
-// lights of middling angles; none where no such light has two azimuths a right angle apart on it. One row at a pole
-// (where the azimuth means nothing) is a ring without variation.
+// How much the logarithm of the values varies with the azimuth on the ring of rows at a polar angle, median
+// over the lights of middling angles; none where no such light has two azimuths a right angle apart on it.
+// One row at a pole (where the azimuth means nothing) is a ring without variation.
 std::optional<double> variation(const View& view, double theta, bool pole) {
   const io::SampleTable& t = view.table();
   std::vector<double> found;
@@ -90,8 +90,9 @@ std::optional<double> variation(const View& view, double theta, bool pole) {
   return io::quantile(std::move(found), 0.49);  // the lower of two
 }
 
-// Where the peak on the mirror side lies, if a light's angle is an elevation and the viewer's is not, or the reverse:
-// at 90 degrees less the light's. True where that explains the peaks of several lights and the mirror does not.
+// Where the peak on the mirror side lies, if a light's angle is an elevation and the viewer's is not, or the
+// reverse: at 90 degrees less the light's. True where that explains the peaks of several lights and the
+// mirror does not.
 bool peaks_at_the_complement(const std::vector<Highlight>& lights) {
   std::vector<double> mirror, complement;
   std::set<double> angles;
@@ -104,8 +105,8 @@ bool peaks_at_the_complement(const std::vector<Highlight>& lights) {
   return angles.size() >= 3 && io::median(mirror) > 12 && io::median(complement) < 6;
 }
 
-// A highlight that stands out less and less as the light goes from the smallest stated angle to the largest, by half at
-// least: Fresnel's and the facets' laws make it grow.
+// A highlight that stands out less and less as the light goes from the smallest stated angle to the largest,
+// by half at least: Fresnel's and the facets' laws make it grow.
 bool fades_with_theta(const std::vector<Highlight>& lights) {
   std::map<double, std::vector<double>> contrasts;
   for (const Highlight& h : lights)
@@ -117,8 +118,8 @@ bool fades_with_theta(const std::vector<Highlight>& lights) {
          series.end();
 }
 
-// The logarithm of how wide a highlight is across the plane of incidence over how wide it is in it, between the places where the
-// value falls to half; none where the rows do not reach these places.
+// The logarithm of how wide a highlight is across the plane of incidence over how wide it is in it, between
+// the places where the value falls to half; none where the rows do not reach these places.
 std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   const io::SampleTable& t = view.table();
   constexpr double kNear = 6, kFew = 0.3, kSide = 60;  // degrees
@@ -133,8 +134,8 @@ std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   for (const Row k : scan.rows)
     if (!std::isnan(view.level(k))) levels.push_back(view.level(k));
   const double floor = io::median(std::move(levels)) + std::log(1.5);
-  // The first place along a series of rows where the level falls below half: from the top a parabola leads there, unless the next row
-  // lies beyond the highlight already.
+  // The first place along a series of rows where the level falls below half: from the top a parabola leads
+  // there, unless the next row lies beyond the highlight already.
   const auto reach = [&](std::vector<std::pair<double, double>> series) {
     std::sort(series.begin(), series.end());
     double at = 0, level = view.level(*top);
@@ -161,8 +162,9 @@ std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   return std::log(width / depth);
 }
 
-// A highlight is as wide across as along where it surrounds the mirror direction, and narrower the steeper the light where it
-// surrounds the half vector (as the cosine). Read with elevations for polar angles it grows wider, as the tangent or faster.
+// A highlight is as wide across as along where it surrounds the mirror direction, and narrower the steeper
+// the light where it surrounds the half vector (as the cosine). Read with elevations for polar angles it
+// grows wider, as the tangent or faster.
 bool widens_with_theta(const View& view) {
   constexpr double kApart = 15, kGrows = 0.03;  // degrees; per degree
   std::vector<std::pair<double, double>> shapes;
@@ -218,7 +220,8 @@ AngleColumn column_of(std::string name, bool is_polar, const std::vector<double>
   return c;
 }
 
-// By the cells of the file where its reader kept them: signs and conventions hide a unit. A column whose unit the file states is none.
+// By the cells of the file where its reader kept them: signs and conventions hide a unit. A column whose unit
+// the file states is none.
 std::vector<AngleColumn> angle_columns(const io::SampleTable& t) {
   const std::pair<const char*, const std::vector<double>*> of_table[] = {
       {"theta_i", &t.theta_i}, {"phi_i", &t.phi_i}, {"theta_o", &t.theta_o}, {"phi_o", &t.phi_o}};
@@ -344,8 +347,8 @@ Finding azimuth(const Evidence& e) {
   f.value = io::median(ratios);
   f.bound = kHighlight;
   std::sort(back.begin(), back.end(), [](const Back& a, const Back& b) { return a.theta_i < b.theta_i; });
-  // A faint highlight stands out where the light is steep. There rough surfaces are bright towards the light as well,
-  // but broadly: to 0.5 of it within 25 degrees.
+  // A faint highlight stands out where the light is steep. There rough surfaces are bright towards the light
+  // as well, but broadly: to 0.5 of it within 25 degrees.
   const Back& steepest = back.back();
   const bool narrow = steepest.shoulder >= 0 && steepest.shoulder < 0.3 * steepest.value;
   if (f.value > 1.2 && narrow && steepest.ratio > kHighlight && steepest.contrast > kHighlight)
@@ -360,7 +363,8 @@ Finding azimuth(const Evidence& e) {
       "values are " + io::short_number(f.value, 3) +
       " times as large at phi_o = phi_i, towards the light, as at phi_o = phi_i + 180, the "
       "mirror direction";
-  // A mirror's highlight grows towards grazing, or stays; a retro-reflector's fades, a rough surface's is broad.
+  // A mirror's highlight grows towards grazing, or stays; a retro-reflector's fades, a rough surface's is
+  // broad.
   const bool fades = steepest.value < 0.5 * back.front().value;
   const bool stands_out = std::max(io::median(contrasts), steepest.contrast) >= kHighlight;
   f.outcome = stands_out && narrow && !fades ? Outcome::fail : Outcome::undecided;

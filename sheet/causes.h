@@ -9,9 +9,10 @@
 
 namespace brdf::sheet {
 
-// cosine: the values are f_r times cos_i (size 1) or times cos_o (size -1). gain: the values under one light are exp(size) times too
-// large. drift: the values grow by exp(size) from the first row of the file to the last. dark_level: a constant of `size` relative to the
-// median value was added before the values were divided by cos_o.
+// cosine: the values are f_r times cos_i (size 1) or times cos_o (size -1). gain: the values under one light
+// are exp(size) times too large. drift: the values grow by exp(size) from the first row of the file to the
+// last. dark_level: a constant of `size` relative to the median value was added before the values were
+// divided by cos_o.
 enum class Cause { cosine, gain, drift, dark_level };
 
 struct Explanation {
@@ -29,7 +30,8 @@ struct Causes {
   std::size_t pairs = 0;
   std::optional<double> difference;  // median |log_ratio|; none of fewer than kFewestPairs
   std::vector<Explanation> tried;    // by falling share; a cause without enough pairs is not tried
-  // The first of them where it holds by its own rule: its quartiles agree with it and exclude 0, and no rival removes as much.
+  // The first of them where it holds by its own rule: its quartiles agree with it and exclude 0, and no rival
+  // removes as much.
   std::optional<Explanation> found;
   // Whether the rule was met by a wide margin.
   bool is_certain = false;

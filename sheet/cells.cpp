@@ -1,5 +1,5 @@
-// The sheet of a MERL file. A million cells have no common lights, so that the checks of scans say nothing; but every
-// cell knows its neighbours, and integrals look values up.
+// The sheet of a MERL file. A million cells have no common lights, so that the checks of scans say nothing;
+// but every cell knows its neighbours, and integrals look values up.
 #include <algorithm>
 #include <array>
 #include <cmath>

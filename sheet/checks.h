@@ -80,7 +80,8 @@ Finding quantity(const CellEvidence& evidence);
 Finding coverage(const CellEvidence& evidence);
 Finding energy(const CellEvidence& evidence);
 DataSheet sheet_of_cells(const io::SampleTable& table, double max_theta);
-// The values of a MERL file in the plane of incidence against the viewer's angle (mirror side positive), light at theta_i.
+// The values of a MERL file in the plane of incidence against the viewer's angle (mirror side positive),
+// light at theta_i.
 io::Series cells_in_plane(const io::SampleTable& table, double theta_i);
 
 // --- Shared by scans and cells ---------------------------------------------------------------------------
@@ -89,8 +90,9 @@ inline constexpr double kEnoughCoverage = 0.6;  // of the projected hemisphere, 
 
 Finding negative_of(const View& view);
 Finding missing_of(const io::SampleTable& table);
-// What the plane of incidence reflects beside its highlight, if it stood for all azimuths: over the lights of the channel that reflects
-// most the median, and of the highlight's side alone the least, since there even half of the weight may be bright.
+// What the plane of incidence reflects beside its highlight, if it stood for all azimuths: over the lights of
+// the channel that reflects most the median, and of the highlight's side alone the least, since there even
+// half of the weight may be bright.
 struct Plane {
   double reflected;  // 0 where no light covers enough of the plane
   bool is_half;

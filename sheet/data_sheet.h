@@ -13,7 +13,8 @@
 
 namespace brdf::sheet {
 
-// Rows beyond this polar angle (of light or viewer) are set apart: near grazing every error of an angle is large.
+// Rows beyond this polar angle (of light or viewer) are set apart: near grazing every error of an angle is
+// large.
 inline constexpr double kMaxTheta = 89.5;  // degrees
 
 struct SheetOptions {
@@ -40,15 +41,17 @@ struct DataSheet {
   Scatter scatter;
   bool is_anisotropic = false;  // turns of the sample show it
 
-  // What a fit must say before it says anything else: the findings that fail, then the quantity where it is in doubt.
+  // What a fit must say before it says anything else: the findings that fail, then the quantity where it is
+  // in doubt.
   std::vector<const Finding*> faults() const;
   // Whether the check of this name fails.
   bool has_failed(std::string_view check) const;
 };
 
-// Every check of sheet/checks.cpp, once. A check that the table says nothing about is not_applicable, and says why; one that
-// would not have seen its fault is undecided. A fault is named once: the checks that it would mislead are then not_applicable.
-// Large tables take as long as their file takes to read, small ones some tens of milliseconds (bench_sheet FILE).
+// Every check of sheet/checks.cpp, once. A check that the table says nothing about is not_applicable, and
+// says why; one that would not have seen its fault is undecided. A fault is named once: the checks that it
+// would mislead are then not_applicable. Large tables take as long as their file takes to read, small ones
+// some tens of milliseconds (bench_sheet FILE).
 DataSheet data_sheet(const io::SampleTable& table, const SheetOptions& options = {});
 
 // Of each row whether it holds a fill value: the same as DataSheet::not_measured, without the other checks.

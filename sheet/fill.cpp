@@ -34,8 +34,8 @@ std::vector<double> candidates(const std::vector<double>& values) {
   return found;
 }
 
-// Whether no other value comes near this one: a flat curve, or the last digit, repeats a value among others of its size, and a
-// saturated detector its largest one.
+// Whether no other value comes near this one: a flat curve, or the last digit, repeats a value among others
+// of its size, and a saturated detector its largest one.
 bool is_alone(const std::vector<double>& values, double value) {
   constexpr double kNear = 1.25, kBeyondSaturation = 20;
   const double largest = *std::max_element(values.begin(), values.end());
@@ -44,7 +44,8 @@ bool is_alone(const std::vector<double>& values, double value) {
                       [&](double v) { return v != value && v < value * near && v * near > value; });
 }
 
-// Whether the rows have one half vector, or one angle between light and viewer: a peak that is as high under every light.
+// Whether the rows have one half vector, or one angle between light and viewer: a peak that is as high under
+// every light.
 bool are_one_feature(const View& view, const std::vector<Row>& rows) {
   constexpr double kSame = 0.02;
   const io::SampleTable& t = view.table();
@@ -92,7 +93,8 @@ class Surroundings {
   }
 
  private:
-  // Noise about 0 that was cut at 0 leaves values of any smallness beside the zeros; where values were replaced there is a gap.
+  // Noise about 0 that was cut at 0 leaves values of any smallness beside the zeros; where values were
+  // replaced there is a gap.
   bool are_noise_about_0() const {
     constexpr double kFarBelow = 0.12, kGap = 0.25;
     if (double(far_below_) <= kFarBelow * double(all_.size())) return false;

@@ -12,7 +12,8 @@
 
 namespace brdf::sheet {
 
-// undecided: the check applies, and the data could not have shown the fault, or suggest it without proving it.
+// undecided: the check applies, and the data could not have shown the fault, or suggest it without proving
+// it.
 enum class Outcome { pass, known_violation, fail, not_applicable, undecided };
 
 // Where the worst value was found, so that `brdf eval` or `brdf albedo` reproduces it.

@@ -25,7 +25,8 @@ struct Neighbour {
   bool exists() const { return std::isfinite(distance); }
 };
 
-// The nearest sample in each quadrant about a direction: first towards the horizon or the normal, then to either side.
+// The nearest sample in each quadrant about a direction: first towards the horizon or the normal, then to
+// either side.
 struct Around {
   std::array<Neighbour, 4> quadrants;
   double nearest = HUGE_VAL;      // squared
@@ -40,7 +41,8 @@ struct Around {
   }
 };
 
-// `reach`: the square of the distance from which on a sample says nothing; `cell`: of the distance that the direction stands for.
+// `reach`: the square of the distance from which on a sample says nothing; `cell`: of the distance that the
+// direction stands for.
 Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double reach, double cell) {
   const double s = std::hypot(d.x, d.y);
   const Vec3<double> along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};
@@ -89,7 +91,8 @@ Samples samples_of(const View& view, const Scan& scan) {
   return out;
 }
 
-// The distance between neighbouring samples as the grid has it, squared: nine of ten have a neighbour within it.
+// The distance between neighbouring samples as the grid has it, squared: nine of ten have a neighbour within
+// it.
 double squared_step(const View& view, const Scan& scan) {
   const io::SampleTable& t = view.table();
   std::vector<double> steps;
@@ -107,9 +110,10 @@ double squared_step(const View& view, const Scan& scan) {
   return steps.empty() ? 0 : io::quantile(std::move(steps), 0.9);
 }
 
-// Inverse squares of the distances as weights. The bound: what no sample is near to, half of what the samples around a direction
-// differ by, and half the scatter. A lower bound counts only directions that samples enclose, and of these the least value: a
-// highlight on a line of samples says nothing of the directions beside the line.
+// Inverse squares of the distances as weights. The bound: what no sample is near to, half of what the samples
+// around a direction differ by, and half the scatter. A lower bound counts only directions that samples
+// enclose, and of these the least value: a highlight on a line of samples says nothing of the directions
+// beside the line.
 MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
   const io::SampleTable& t = view.table();
   const double near = 2 - 2 * std::cos(degrees(8).radians()),
@@ -157,8 +161,9 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
   return m;
 }
 
-// The plane of incidence alone: read as if it stood for all azimuths, each row counts with cos sin of its angle. The value below
-// which half of that weight lies leaves a highlight out, pi times it is the reflected fraction of the rest.
+// The plane of incidence alone: read as if it stood for all azimuths, each row counts with cos sin of its
+// angle. The value below which half of that weight lies leaves a highlight out, pi times it is the reflected
+// fraction of the rest.
 void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
   constexpr double kReach = 8,
                    kSteepest =

@@ -9,8 +9,8 @@
 
 namespace brdf::sheet {
 
-// Of up to 60 scans, evenly chosen. `scatter`: relative, of one value; half of it is added to the bound, since noise that is
-// common to the samples does not average out.
+// Of up to 60 scans, evenly chosen. `scatter`: relative, of one value; half of it is added to the bound,
+// since noise that is common to the samples does not average out.
 std::vector<MeasuredAlbedo> albedos(const View& view, std::optional<double> scatter);
 
 }  // namespace brdf::sheet

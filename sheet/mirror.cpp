@@ -1,4 +1,5 @@
-// Whether highlights stand at the mirror direction. A zero error of an arm shifts them under every light, a wrong label under one.
+// Whether highlights stand at the mirror direction. A zero error of an arm shifts them under every light, a
+// wrong label under one.
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ struct Peak {
   bool is_one_row;  // no other row reaches half of the largest value
 };
 
-// Least squares of a parabola through (x, y): the place of its top and its curvature there; none where it has no top.
+// Least squares of a parabola through (x, y): the place of its top and its curvature there; none where it has
+// no top.
 struct Top {
   double place, curvature;
 };
@@ -37,8 +39,9 @@ std::optional<Top> top_of(std::span<const std::pair<double, double>> dots) {
   return Top{x0 - p[1] / (2 * p[2]), 2 * p[2]};
 }
 
-// The highlight of a scan in the darkest channel, where it stands out most: the parabola through the logarithms of the dots above
-// half of the largest value. None where nothing stands out, or where the largest value is the last of the curve.
+// The highlight of a scan in the darkest channel, where it stands out most: the parabola through the
+// logarithms of the dots above half of the largest value. None where nothing stands out, or where the largest
+// value is the last of the curve.
 std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) {
   constexpr double kStandsOut = 2, kHalf = 0.5;
   constexpr std::size_t kFewest = 5;
@@ -83,7 +86,8 @@ std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) 
               last - first == 2 && dots[first].second < half && dots[last].second < half};
 }
 
-// Those of the turn of the sample under which most stand: an anisotropic sample's peaks move differently under each.
+// Those of the turn of the sample under which most stand: an anisotropic sample's peaks move differently
+// under each.
 std::vector<Peak> of_one_turn(std::vector<Peak> peaks) {
   std::map<double, std::size_t> count;
   for (const Peak& p : peaks) ++count[p.scan->phi_i];
@@ -107,8 +111,8 @@ std::vector<Peak> peaks_of(const View& view, double scatter) {
   return peaks;
 }
 
-// offset = zero + slope * lever: the peaks of rough surfaces move off the mirror direction as the light grows steeper, from 0 along
-// the normal; a zero error stays there.
+// offset = zero + slope * lever: the peaks of rough surfaces move off the mirror direction as the light grows
+// steeper, from 0 along the normal; a zero error stays there.
 enum class Lever { angle, tangent };  // of theta_i
 
 double lever_of(const Peak& p, Lever lever) {
@@ -160,8 +164,8 @@ std::vector<Peak> without(std::vector<Peak> peaks, std::size_t k) {
   return peaks;
 }
 
-// Whether a scan has a top of its own where one is expected, about as high as those of the other lights: then another one is no sign
-// of a wrong label, but an outlier.
+// Whether a scan has a top of its own where one is expected, about as high as those of the other lights: then
+// another one is no sign of a wrong label, but an outlier.
 bool has_highlight_at(const View& view, const Scan& scan, double angle, double contrast) {
   constexpr double kNear = 3, kAsHigh = 0.5;  // degrees; of the logarithm
   const std::vector<double>& values = view.table().values[view.darkest()];

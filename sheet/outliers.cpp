@@ -113,9 +113,9 @@ Say say(const std::vector<double>& values, std::span<const Row> near, std::size_
   return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
 }
 
-// The smooth surface through the logarithms of the rows around a row, at that row: a + b x + c y + d (x^2 + y^2) in the plane that
-// touches the sphere of directions there. On the slope of a lobe neighbours differ among themselves, and yet say well what the row
-// must be.
+// The smooth surface through the logarithms of the rows around a row, at that row: a + b x + c y + d (x^2 +
+// y^2) in the plane that touches the sphere of directions there. On the slope of a lobe neighbours differ
+// among themselves, and yet say well what the row must be.
 class Surface {
  public:
   Surface(const View& view, Row k) : near_(view.near(k)) {
@@ -157,9 +157,9 @@ class Surface {
   bool is_between_ = false;
 };
 
-// How far a value of a channel may lie from its neighbours because the dark level is no better known: twice what all
-// but a twentieth depart by, of the tenth of the rows whose neighbours are darkest. A factor of two is nothing where
-// there is no light.
+// How far a value of a channel may lie from its neighbours because the dark level is no better known: twice
+// what all but a twentieth depart by, of the tenth of the rows whose neighbours are darkest. A factor of two
+// is nothing where there is no light.
 double dark_floor(const std::vector<double>& values, const std::vector<Near>& near) {
   constexpr double kDarkest = 0.1, kUsual = 0.95;
   constexpr std::size_t kFewest = 40;
@@ -208,7 +208,8 @@ class Witnesses {
   }
 
  private:
-  // A value of 0 has no logarithm; both kinds of neighbours must agree that there is light. Values below 0 have a check of their own.
+  // A value of 0 has no logarithm; both kinds of neighbours must agree that there is light. Values below 0
+  // have a check of their own.
   std::optional<double> dark_hole(double v, const Say& viewer, const Say& half) const {
     constexpr double kSure = 0.5;  // spread of the logarithms
     if (v < 0 || !viewer.known || !half.known || viewer.spread > kSure || half.spread > kSure)
@@ -218,8 +219,8 @@ class Witnesses {
     return expected;
   }
 
-  // Between the two rows beside it on its line through the normal, or on its ring: a highlight that is narrow across the line is a
-  // ridge along it.
+  // Between the two rows beside it on its line through the normal, or on its ring: a highlight that is narrow
+  // across the line is a ridge along it.
   bool lies_on_a_ridge(Row k, double x) const {
     const io::SampleTable& t = view_.table();
     constexpr double kSame = 0.3;  // degrees

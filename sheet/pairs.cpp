@@ -55,7 +55,8 @@ std::optional<Read> read(const Line& line, double theta) {
   return Read{value, std::max(0.5 * std::abs(value - linear), 1e-6), nearest};
 }
 
-// The lines of a scan by their azimuth in tenths of a millidegree, with its sign; the normal belongs to every line.
+// The lines of a scan by their azimuth in tenths of a millidegree, with its sign; the normal belongs to every
+// line.
 std::map<std::int64_t, Line> lines_of(const View& view, const Scan& scan) {
   std::map<std::int64_t, Line> lines;
   std::optional<Point> normal;

@@ -1,4 +1,5 @@
-// Reciprocal pairs: the same two directions, light and viewer exchanged (Helmholtz reciprocity: the two values are equal).
+// Reciprocal pairs: the same two directions, light and viewer exchanged (Helmholtz reciprocity: the two
+// values are equal).
 #pragma once
 
 #include <vector>
@@ -20,9 +21,10 @@ struct Pair {
   bool is_in_plane() const { return azimuth < 1 || azimuth > 179; }
 };
 
-// Every pair that the scans hold, in logarithms by cubic interpolation along the viewer's polar angle where the grid does
-// not hit the exchanged direction; pairs whose interpolation is worse than 30 % are left out. Of scattered directions the exact
-// pairs. Directions with equal polar angles are their own partners and are left out.
+// Every pair that the scans hold, in logarithms by cubic interpolation along the viewer's polar angle where
+// the grid does not hit the exchanged direction; pairs whose interpolation is worse than 30 % are left out.
+// Of scattered directions the exact pairs. Directions with equal polar angles are their own partners and are
+// left out.
 std::vector<Pair> reciprocal_pairs(const View& view);
 
 }  // namespace brdf::sheet

@@ -35,8 +35,9 @@ AroundNormal around_normal(std::vector<std::pair<double, double>> values) {
   return {high > 0 ? (high - low) / high : 0, variance > 0 ? steps / (2 * variance) : 1};
 }
 
-// How far dark values scatter about 0, whatever they are worth: of the tenth of the rows whose neighbours are darkest, how far they
-// lie from these, as a standard deviation. Noise that is a share of the value never leads below 0.
+// How far dark values scatter about 0, whatever they are worth: of the tenth of the rows whose neighbours are
+// darkest, how far they lie from these, as a standard deviation. Noise that is a share of the value never
+// leads below 0.
 double dark_noise(const View& view, const std::vector<double>& values) {
   constexpr double kDarkest = 0.1;
   constexpr std::size_t kFewest = 8, kAround = 4;

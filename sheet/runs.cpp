@@ -1,4 +1,5 @@
-// Values that no detector read: a reading that stands still, rows that software interpolated, ramped down or copied.
+// Values that no detector read: a reading that stands still, rows that software interpolated, ramped down or
+// copied.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,7 +11,7 @@
 namespace brdf::sheet {
 namespace {
 
-// --- A reading that stands still ----------------------------------------------------------------------------
+// --- A reading that stands still ---------------------------------------------------------------------------
 
 struct Run {
   Row first;
@@ -58,7 +59,7 @@ bool is_the_only_place(const Run& run, const std::vector<double>& values) {
   return count <= run.length + std::max<std::size_t>(1, run.length / 10);
 }
 
-// --- Lines of rows along the viewer's angle -----------------------------------------------------------------
+// --- Lines of rows along the viewer's angle ----------------------------------------------------------------
 
 struct Dot {
   double theta, value;
@@ -80,7 +81,7 @@ std::vector<Curve> curves_of(const View& view, const Scan& scan, const std::vect
   return curves;
 }
 
-// --- A straight ramp to 0 at 90 degrees ---------------------------------------------------------------------
+// --- A straight ramp to 0 at 90 degrees --------------------------------------------------------------------
 
 // The relative deviation (root mean square) of the dots from c * law(theta), c being their mean ratio.
 template <class Law>
@@ -93,8 +94,8 @@ double deviation(std::span<const Dot> dots, Law&& law) {
 
 constexpr double kNearHorizon = 75;  // degrees: a curve that ends before it says nothing of the horizon
 
-// Where the straight end of a curve begins, in degrees; none where the curve has none. f_r times a cosine ends in a curve that
-// looks straight over few degrees: the line must fit far better.
+// Where the straight end of a curve begins, in degrees; none where the curve has none. f_r times a cosine
+// ends in a curve that looks straight over few degrees: the line must fit far better.
 std::optional<double> ramp_from(const Curve& curve) {
   constexpr double kFewestDegrees = 5, kStraight = 0.01, kBetter = 0.4;
   constexpr std::size_t kFewestDots = 4;
@@ -116,7 +117,7 @@ std::optional<double> ramp_from(const Curve& curve) {
   return found;
 }
 
-// --- Interpolated rows --------------------------------------------------------------------------------------
+// --- Interpolated rows -------------------------------------------------------------------------------------
 
 struct Between {
   std::size_t looked = 0;
@@ -146,7 +147,7 @@ void look_between(const Curve& curve, double resolution, Between& b) {
   }
 }
 
-// --- One curve for several lights ---------------------------------------------------------------------------
+// --- One curve for several lights --------------------------------------------------------------------------
 
 struct PlaneCurve {
   std::size_t scan;

@@ -1,4 +1,5 @@
-// What makes reciprocal pairs differ: a cosine that is left in the values, one light's gain, a drift through the file, a dark level.
+// What makes reciprocal pairs differ: a cosine that is left in the values, one light's gain, a drift through
+// the file, a dark level.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -87,9 +88,10 @@ struct GrazingPower {
   double power, low, high;  // median and quartiles
 };
 
-// The power of the cosines that values fall with towards grazing while the half vector keeps its angle, where no highlight
-// stands: reciprocity says nothing of f_r cos_i cos_o. At most 0 for lobes of facets and for diffuse surfaces. Each line of values
-// whose half vectors lie within two degrees of one another counts with its values; none of fewer than 30 values.
+// The power of the cosines that values fall with towards grazing while the half vector keeps its angle, where
+// no highlight stands: reciprocity says nothing of f_r cos_i cos_o. At most 0 for lobes of facets and for
+// diffuse surfaces. Each line of values whose half vectors lie within two degrees of one another counts with
+// its values; none of fewer than 30 values.
 std::optional<GrazingPower> grazing_power(const View& view) {
   constexpr double kCell = 2, kHighlight = 20, kSteepest = 85;  // degrees
   constexpr std::size_t kFewestValues = 30, kJudgedRows = 50'000;

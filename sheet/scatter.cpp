@@ -95,7 +95,8 @@ void add_interpolated(const View& view, const std::vector<Pair>& pairs, Scatter&
 }  // namespace
 
 const Agreement* Scatter::largest(bool isotropic) const {
-  // A standard deviation of n pairs is known to 1.2/sqrt(n) of itself: of several the largest is not to be chance.
+  // A standard deviation of n pairs is known to 1.2/sqrt(n) of itself: of several the largest is not to be
+  // chance.
   constexpr double kChance = 2.4;
   const auto is_more = [&](const Agreement& a) {
     return a.value > neighbours.value.value_or(0) * (1 + kChance / std::sqrt(double(a.count)));

@@ -8,8 +8,9 @@
 
 namespace brdf::sheet {
 
-// Of pairs of rows whose directions are equal but for the sample's turn, which light along the normal leaves to the viewer's azimuth, the absolute logarithm of the ratio of their values. A
-// logarithm has no largest value: a factor of 20 is not taken for noise of 180 %.
+// Of pairs of rows whose directions are equal but for the sample's turn, which light along the normal leaves
+// to the viewer's azimuth, the absolute logarithm of the ratio of their values. A logarithm has no largest
+// value: a factor of 20 is not taken for noise of 180 %.
 struct Turns {
   std::size_t turns = 0, differences = 0;
   double median = 0, far = 0;     // far: all but one of fifty lie below it

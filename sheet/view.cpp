@@ -56,8 +56,8 @@ std::vector<std::vector<Row>> rows_of_lights(const io::SampleTable& t, std::size
   return out;
 }
 
-// Of each of these rows, how many rows of the same direction stand before it. Along the normal every azimuth is one direction, which
-// some grids repeat: that is no second pass.
+// Of each of these rows, how many rows of the same direction stand before it. Along the normal every azimuth
+// is one direction, which some grids repeat: that is no second pass.
 std::vector<std::size_t> passes_of(const io::SampleTable& t, const std::vector<Row>& rows) {
   std::vector<std::tuple<std::int64_t, std::int64_t, std::size_t>> order;
   for (std::size_t j = 0; j < rows.size(); ++j) {

@@ -20,7 +20,8 @@ struct Scan {
   std::vector<Row> rows;  // in the file's order
 };
 
-// A table without the rows that are not judged, and what several checks need of it. The table that was read must outlive the view.
+// A table without the rows that are not judged, and what several checks need of it. The table that was read
+// must outlive the view.
 class View {
  public:
   // The rows of `read` for which `keep` holds; every row where it is empty.
@@ -38,16 +39,17 @@ class View {
 
   // The azimuth of the viewer from the light's, -180 to 180 degrees.
   double turn(std::size_t row) const { return turns_[row]; }
-  // The logarithm of the geometric mean of all usable channels; NaN where one of them is not above 0. A channel is usable
-  // where nine of ten values are above 0; without any, the one with most such values stands for all.
+  // The logarithm of the geometric mean of all usable channels; NaN where one of them is not above 0. A
+  // channel is usable where nine of ten values are above 0; without any, the one with most such values stands
+  // for all.
   double level(std::size_t row) const { return levels_[row]; }
   // The channel whose median is least: a highlight stands out most in it.
   std::size_t darkest() const { return darkest_; }
 
   // Empty where the directions are scattered: no instrument has more lights than kMostLights.
   const std::vector<Scan>& scans() const { return scans_; }
-  // Up to kNeighbours rows of the same scan that are nearest to a row, nearest first; none in scans of fewer than
-  // kFewestRows. Found at the first call for a row; not for several threads at once.
+  // Up to kNeighbours rows of the same scan that are nearest to a row, nearest first; none in scans of fewer
+  // than kFewestRows. Found at the first call for a row; not for several threads at once.
   static constexpr std::size_t kNeighbours = 8, kFewestRows = 12, kMostLights = 2000;
   std::span<const Row> near(std::size_t row) const;
 
@@ -75,7 +77,8 @@ class View {
   mutable std::vector<Found> near_;
 };
 
-// A row of a scan in the plane of incidence: the viewer's angle from the normal, positive on the side of the mirror direction.
+// A row of a scan in the plane of incidence: the viewer's angle from the normal, positive on the side of the
+// mirror direction.
 struct InPlane {
   double angle;  // degrees
   Row row;

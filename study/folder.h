@@ -32,17 +32,18 @@ struct File {
   std::string name, bytes;
 };
 
-// A folder for each sample: the file's name without its suffix, with it where that is taken, and numbered where that is
-// taken too. None is called like what the overview writes beside the folders.
+// A folder for each sample: the file's name without its suffix, with it where that is taken, and numbered
+// where that is taken too. None is called like what the overview writes beside the folders.
 std::vector<std::string> folder_names(const std::vector<std::string>& samples);
 
-// Writes a sample's files, each at once or not at all, and last of all study.json: `results` with the key of what they
-// were made of and a fingerprint of every file. What an earlier study.json lists and is not written again is removed.
-// Throws as io::write_file_atomically().
+// Writes a sample's files, each at once or not at all, and last of all study.json: `results` with the key of
+// what they were made of and a fingerprint of every file. What an earlier study.json lists and is not written
+// again is removed. Throws as io::write_file_atomically().
 void publish(const std::filesystem::path& folder, const std::vector<File>& files, io::Json results,
              const std::string& key);
 
-// The folder's study.json, where it was made of the same and every file that it lists is there as it was written.
+// The folder's study.json, where it was made of the same and every file that it lists is there as it was
+// written.
 std::optional<io::Json> kept(const std::filesystem::path& folder, const std::string& key);
 
 }  // namespace brdf::study

@@ -1,4 +1,5 @@
-// The fitted lobe as a body with the measured rows as dots: drawn by render, none where this build is without it.
+// The fitted lobe as a body with the measured rows as dots: drawn by render, none where this build is without
+// it.
 #pragma once
 
 #include <string>
@@ -17,8 +18,8 @@ struct Lobe {
 // Whether this build draws lobes.
 bool has_lobes();
 
-// Under two of the lights that were measured: one at which a lobe is compact, and one at which it is drawn out.
-// Precondition: the material's channels are colours.
+// Under two of the lights that were measured: one at which a lobe is compact, and one at which it is drawn
+// out. Precondition: the material's channels are colours.
 std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitted);
 
 }  // namespace brdf::study

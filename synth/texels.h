@@ -14,7 +14,8 @@
 
 namespace brdf::synth {
 
-// A parameter of the material that goes smoothly from low to high and back over the stack; in every channel by itself.
+// A parameter of the material that goes smoothly from low to high and back over the stack; in every channel
+// by itself.
 struct Variation {
   std::string name;
   double low, high;
@@ -62,8 +63,8 @@ class Surface {
 // Lights (and viewers) spread evenly over the hemisphere to 75 degrees. One row per image.
 io::SampleTable stack_directions(const TexelOptions& options);
 
-// Writes a stack into the folder (texel/stack.h), and what is true to truth.exr in its folder `truth`. The same arguments
-// give the same files on every machine. Throws InputError on settings out of range.
+// Writes a stack into the folder (texel/stack.h), and what is true to truth.exr in its folder `truth`. The
+// same arguments give the same files on every machine. Throws InputError on settings out of range.
 void write_stack(const std::filesystem::path& folder, const Material& material, const TexelOptions& options,
                  const io::Progress& progress = {});
 

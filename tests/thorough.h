@@ -1,5 +1,8 @@
-// Tests over every form, scene or table take a few of them in ./test and all in ./test --full, which sets BRDF_THOROUGH.
+// Tests over every form, scene or table take a few of them in ./test and all in ./test --full, which sets
+// BRDF_THOROUGH.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <cstdlib>
 
@@ -9,4 +12,15 @@ inline bool thorough() {
   return std::getenv("BRDF_THOROUGH") != nullptr;
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 }  // namespace brdf
+
+// At the head of a test that integrates or searches for many seconds once it is sanitized: ./test --full has
+// it.
+#define BRDF_LONG_UNDER_SANITIZERS() \
+  if (brdf::kSanitized && !brdf::thorough()) GTEST_SKIP() << "sanitized by ./test --full alone"

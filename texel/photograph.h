@@ -20,8 +20,8 @@ class Photograph {
   std::size_t height() const { return exr_ ? exr_->height() : height_; }
   const std::vector<std::string>& channels() const { return exr_ ? exr_->channels() : channels_; }
 
-  // Of each channel that is named these rows, whole lines. A number that is the largest of a PNG is saturated: NaN. Throws
-  // InputError where the file is damaged.
+  // Of each channel that is named these rows, whole lines. A number that is the largest of a PNG is
+  // saturated: NaN. Throws InputError where the file is damaged.
   void read_rows(const std::vector<std::string>& channels, std::size_t first, std::size_t rows,
                  std::vector<std::vector<float>>& out);
 

@@ -32,8 +32,8 @@ struct Planes {
 // What a parameter's plane is called: its name, or with a channel the layer of that name.
 std::string plane_name(const std::string& parameter, const std::string& channel);
 
-// A tiled image (64 x 64) of 32-bit floats, lossless, one channel per plane, written as a whole or not at all; the
-// attributes as strings. The same planes give the same bytes.
+// A tiled image (64 x 64) of 32-bit floats, lossless, one channel per plane, written as a whole or not at
+// all; the attributes as strings. The same planes give the same bytes.
 void write_planes(const std::filesystem::path& path, const Planes& planes);
 // Every channel of an image, as float. Throws InputError where it is none.
 Planes read_planes(const std::filesystem::path& path);

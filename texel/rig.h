@@ -9,8 +9,8 @@
 
 namespace brdf::texel {
 
-// Distances from the middle of the sample, all lights at one and all viewers at one, and the length of a texel's side in the
-// same unit.
+// Distances from the middle of the sample, all lights at one and all viewers at one, and the length of a
+// texel's side in the same unit.
 struct Rig {
   double light_distance = std::numeric_limits<double>::infinity();
   double viewer_distance = std::numeric_limits<double>::infinity();
@@ -25,14 +25,16 @@ inline constexpr double kShortest = 1e-9, kLongest = 1e9;
 // Whether every length lies between these; distances may be infinite, a texel's side 0.
 bool is_in_range(const Rig& rig);
 
-// A texel's middle in the sample's plane: x to the right, y upwards, from the middle of width x height texels.
+// A texel's middle in the sample's plane: x to the right, y upwards, from the middle of width x height
+// texels.
 Vec3<double> place_of(const Rig& rig, std::size_t width, std::size_t height, double column, double row);
 
-// From a place in the plane towards what stands at this distance in this unit direction from the sample's middle.
+// From a place in the plane towards what stands at this distance in this unit direction from the sample's
+// middle.
 Vec3<double> direction_from(const Vec3<double>& place, const Vec3<double>& from_middle, double distance);
 
-// What a point light gives there to a plane that faces it, over what it gives in the sample's middle: the square of the ratio
-// of the distances.
+// What a point light gives there to a plane that faces it, over what it gives in the sample's middle: the
+// square of the ratio of the distances.
 double irradiance_at(const Vec3<double>& place, const Vec3<double>& from_middle, double distance);
 
 }  // namespace brdf::texel

@@ -6,8 +6,8 @@
 
 namespace brdf::texel {
 
-// What the numbers of a PNG mean, whose largest is 1: by sRGB's curve (IEC 61966-2-1) or to this power, then times `white`.
-// OpenEXR holds the values themselves.
+// What the numbers of a PNG mean, whose largest is 1: by sRGB's curve (IEC 61966-2-1) or to this power, then
+// times `white`. OpenEXR holds the values themselves.
 struct Transfer {
   bool srgb = false;
   double gamma = 1;  // 1: linear

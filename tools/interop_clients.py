@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.clients label=interop after=clients needs=plain @tests@/interop @source@/docs/interop.md
 """The table of docs/interop.md of programs that were run: how far what they show is from what their files say.
 
     ctest --test-dir build/release -L interop

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.losses label=interop timeout=900 needs=plain @brdf@ @source@/docs/interop.md
 """The tables of docs/interop.md: what each program loses of twenty materials, and what becomes of every form at its defaults.
 
     tools/interop_table.py [--update] BRDF docs/interop.md

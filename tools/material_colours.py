@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: data.material_colours label=cli --check @source@/data/materials
 """Writes the materials of data/materials that come from published tables; the tables are below, with their sources.
 
 A metal's f0 in a colour is what a white reflector's share becomes at normal incidence: R = ((n-1)^2 + k^2)/((n+1)^2 + k^2)

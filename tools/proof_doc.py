@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: prove.document label=prove @brdf@ --check
 """proof_doc.py BRDF [--check]: writes docs/proofs.md from docs/proofs.in.md and `BRDF prove --all`; --check fails where it is not
 current. A form that the page does not know yet is named, and is no failure."""
 import json

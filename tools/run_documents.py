@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tutorials.md --quick
+# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tutorials.md
 """Runs the commands of documents and compares what they print with what the document shows.
 
     tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tutorials.md

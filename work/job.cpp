@@ -90,8 +90,8 @@ Plan plan_in(const JsonPlace& root) {
   return plan;
 }
 
-// A unit's file: a line that says whose it is and what all that follows must be, then each file that it holds: a line
-// with the lengths of name and content, and these.
+// A unit's file: a line that says whose it is and what all that follows must be, then each file that it
+// holds: a line with the lengths of name and content, and these.
 std::string head_of(const Plan& plan, std::size_t unit, std::string_view rest) {
   return std::string(kUnitFormat) + " " + plan.key + " " + std::to_string(unit) + " " + io::sha256(rest) +
          "\n";

@@ -1,8 +1,9 @@
-// Long work in units that any number of processes do: in any order, more than once, on any machine that sees the folder.
+// Long work in units that any number of processes do: in any order, more than once, on any machine that sees
+// the folder.
 //
-// JOB/plan.json says what is to be done, JOB/units/NNN/NNNNN.unit what came of unit NNNNN, as one file that is there as a
-// whole or not at all. Whoever has all of them has the result: no clock, no lock and no scheduler is asked. What a unit
-// does, and what its files hold, is the business of who works on it.
+// JOB/plan.json says what is to be done, JOB/units/NNN/NNNNN.unit what came of unit NNNNN, as one file that
+// is there as a whole or not at all. Whoever has all of them has the result: no clock, no lock and no
+// scheduler is asked. What a unit does, and what its files hold, is the business of who works on it.
 #pragma once
 
 #include <cstdint>
@@ -41,13 +42,14 @@ struct Plan {
 // Reads every input once; fills in version and key.
 Plan completed(Plan plan, const std::vector<std::string>& inputs);
 
-// Writes JOB/plan.json. The same plan again changes nothing. Throws InputError where the folder holds another one.
+// Writes JOB/plan.json. The same plan again changes nothing. Throws InputError where the folder holds another
+// one.
 void write_plan(const std::filesystem::path& job, const Plan& plan);
 // Throws InputError where there is none, it was changed, or another version of the program made it.
 Plan read_plan(const std::filesystem::path& job);
 
-// Throws InputError where an input is not as long as it was when the work was planned, or, where the content is asked
-// for, not the same.
+// Throws InputError where an input is not as long as it was when the work was planned, or, where the content
+// is asked for, not the same.
 void check_input(const Input& input, bool content);
 
 struct UnitFile {

@@ -28,8 +28,9 @@ struct TaskOptions {
 // The words, as a command line has them.
 std::vector<std::string> arguments_of(const TaskOptions& options);
 
-// What the choice means. Where no more than one of `jobs` files is fitted at a time, its models are fitted side by side.
-// A fit ends with the best so far once `interrupted` (none: nobody interrupts) is true. Throws InputError.
+// What the choice means. Where no more than one of `jobs` files is fitted at a time, its models are fitted
+// side by side. A fit ends with the best so far once `interrupted` (none: nobody interrupts) is true. Throws
+// InputError.
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs,
                             const std::atomic<bool>* interrupted);
 
@@ -39,8 +40,8 @@ maps::Settings settings_of(const StackOptions& stack_options, const fit::FitChoi
 // The file that the normals are given in; empty where they are flat or fitted.
 std::string normals_file(const StackOptions& options);
 
-// Sample files as they are named; in place of a folder those in it, in the order of their names, hidden ones left out.
-// Throws InputError for a folder without any, and for one of images, which is a stack or should be.
+// Sample files as they are named; in place of a folder those in it, in the order of their names, hidden ones
+// left out. Throws InputError for a folder without any, and for one of images, which is a stack or should be.
 std::vector<std::string> sample_files(const std::vector<std::string>& named);
 
 // Whether one of them is a folder: the results are those of several files then, whatever their number.

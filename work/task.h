@@ -1,5 +1,5 @@
-// What a plan plans: `fit` of a stack or of the refits of one table, `fit` or `study` of tables, with the same options as at
-// once.
+// What a plan plans: `fit` of a stack or of the refits of one table, `fit` or `study` of tables, with the
+// same options as at once.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace brdf::work {
 
-// What `brdf plan VERB NAMED...` is to do. The metric of a stack is chosen here, once for all units. Every input is read for
-// its fingerprint. Throws InputError.
+// What `brdf plan VERB NAMED...` is to do. The metric of a stack is chosen here, once for all units. Every
+// input is read for its fingerprint. Throws InputError.
 Plan plan_of(const std::string& verb, const std::vector<std::string>& named, const std::string& unit_size,
              TaskOptions options);
 
@@ -27,8 +27,8 @@ struct StackTask {
 // A job's plan and its options. Its names are looked up in the plan's folder, to which the caller changes.
 class Task {
  public:
-  // `read` understands the plan's words. The job's folder is looked up from where the program was started, as is every path
-  // that goes through absolute().
+  // `read` understands the plan's words. The job's folder is looked up from where the program was started, as
+  // is every path that goes through absolute().
   Task(const std::string& job, const std::function<TaskOptions(const std::vector<std::string>&)>& read);
 
   const std::string& job() const { return job_; }

@@ -9,8 +9,9 @@
 
 namespace brdf::work {
 
-// Does the unit and writes its result; returns at once where that is there. `check` reads the inputs again and compares
-// them with the plan. Throws where it could not be done; where the caller stops it, nothing is written.
+// Does the unit and writes its result; returns at once where that is there. `check` reads the inputs again
+// and compares them with the plan. Throws where it could not be done; where the caller stops it, nothing is
+// written.
 void do_unit(const Task& task, std::size_t unit, std::uint64_t memory, bool check, const Caller& caller);
 
 // What the units hold, of each kind of task. Precondition: all are done.

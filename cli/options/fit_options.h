@@ -31,7 +31,8 @@ work::TaskOptions task_options_of(const std::vector<std::string>& words);
 // This program to the rooms that work for it: the user interrupts, and sentences go to stderr.
 work::Caller this_program();
 
-// From now on Ctrl-C asks for the best so far; a second one ends the program. Where it is ignored it stays so.
+// From now on Ctrl-C asks for the best so far; a second one ends the program. Where it is ignored it stays
+// so.
 void watch_for_interrupt();
 bool was_interrupted();
 

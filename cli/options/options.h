@@ -55,8 +55,8 @@ void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& 
 // --memory-limit.
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of = "device memory");
 
-// Every option of the verbs that takes numbers takes them as files do: whole words, decimal, finite, and within
-// their type's range.
+// Every option of the verbs that takes numbers takes them as files do: whole words, decimal, finite, and
+// within their type's range.
 void require_plain_numbers(CLI::App& app);
 
 // Adds an option that may be repeated and takes one word

@@ -8,8 +8,8 @@ namespace brdf::cli {
 // Whether somebody watches stderr: progress is for a terminal only.
 bool shows_progress();
 
-// What a line of progress says after so many seconds: from two on with a bar and the time that is left, as if the rest went as the
-// part before. At most `columns` characters.
+// What a line of progress says after so many seconds: from two on with a bar and the time that is left, as if
+// the rest went as the part before. At most `columns` characters.
 std::string progress_text(const std::string& what, double fraction, double seconds, int columns);
 
 // A line on a terminal that counts finished parts ("brdf synth: 3 of 16"), rewritten in place and removed

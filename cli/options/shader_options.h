@@ -66,7 +66,8 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
 
 // The same of a material of one term whose form is a shader; nothing of others. `words` are empty.
 std::optional<LoadedShader> shader_in(const Material& material);
-// From now on materials name shaders, and those that do are read; where this build has no shader compiler they are refused.
+// From now on materials name shaders, and those that do are read; where this build has no shader compiler
+// they are refused.
 void use_shaders_in_materials();
 
 // --form, --material and --set, or a shader and --set.

@@ -7,15 +7,17 @@
 
 namespace brdf::cli {
 
-// Characters in a line of the terminal, 60 to 200, also where COLUMNS says so; 0: no terminal, lines are as long as they are.
+// Characters in a line of the terminal, 60 to 200, also where COLUMNS says so; 0: no terminal, lines are as
+// long as they are.
 int columns_of(int descriptor);
 
 // A terminal whose user has not set NO_COLOR (no-color.org), and that is not "dumb".
 bool colours_on(int descriptor);
 
-// Lines longer than `columns` (0: none is) broken at blanks. What follows stands under the last cell of the line that begins in
-// its first half (cells are parted by two blanks or more), else two further in than the line. Escapes of colours have no width.
-// A word longer than the line is broken after a comma, else left whole.
+// Lines longer than `columns` (0: none is) broken at blanks. What follows stands under the last cell of the
+// line that begins in its first half (cells are parted by two blanks or more), else two further in than the
+// line. Escapes of colours have no width. A word longer than the line is broken after a comma, else left
+// whole.
 std::string folded(std::string_view text, int columns);
 
 // A line for people: to stderr when this goes. Names of files and texts of libraries that are in it cannot

@@ -51,8 +51,8 @@ Exit write_results(const StackFiles& files, const texel::Stack& stack, const map
   return summary.usable() > 0 ? Exit::good : Exit::failed;
 }
 
-Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options, const fit::FitChoice& choice,
-               const fit::FitOptions& options) {
+Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options,
+                 const fit::FitChoice& choice, const fit::FitOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   maps::Settings settings = work::settings_of(stack_options, choice, options);
   if (files.output.empty()) throw InputError("a stack needs -o FOLDER");

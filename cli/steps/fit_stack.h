@@ -28,7 +28,7 @@ std::vector<std::string> result_names();
 Exit write_results(const StackFiles& files, const texel::Stack& stack, const maps::Making& making,
                    const texel::Planes& maps, std::optional<double> seconds);
 
-Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options, const fit::FitChoice& choice,
-               const fit::FitOptions& options);
+Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options,
+                 const fit::FitChoice& choice, const fit::FitOptions& options);
 
 }  // namespace brdf::cli

@@ -20,7 +20,8 @@ struct ShaderCost {
   double driver_ns = 0;  // per evaluation in float, of 4096 at a time, the best of some runs
 };
 
-// The shader first, then every form by its exported GLSL, cheapest operations first. `shader` has room for the renderer's arguments.
+// The shader first, then every form by its exported GLSL, cheapest operations first. `shader` has room for
+// the renderer's arguments.
 std::vector<ShaderCost> shader_costs(render::Device& device, const Reflectance& shader,
                                      const std::string& name, std::size_t operations);
 

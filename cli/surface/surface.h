@@ -1,5 +1,5 @@
-// What the command line offers, read from the parser's own tables: of it man pages, completions and a list for programs
-// are made, so that none of them can lack an option.
+// What the command line offers, read from the parser's own tables: of it man pages, completions and a list
+// for programs are made, so that none of them can lack an option.
 #pragma once
 
 #include <string>
@@ -30,7 +30,8 @@ struct VerbSurface {
 // The verbs of this build, in the order of `brdf --help`.
 std::vector<VerbSurface> surface_of(const CLI::App& app);
 
-// The program as text: a page in man(7) for every verb and one for the program, scripts for two shells, and JSON.
+// The program as text: a page in man(7) for every verb and one for the program, scripts for two shells, and
+// JSON.
 struct Page {
   std::string name, text;  // "brdf-fit.1"
 };

@@ -14,7 +14,8 @@ std::map<const CLI::Option*, std::vector<std::string>>& offers() {
   return all;
 }
 
-// Options mean the same in every verb. One that takes text is named here or offers its words; else it is unnamed.
+// Options mean the same in every verb. One that takes text is named here or offers its words; else it is
+// unnamed.
 const std::map<std::string, Value, std::less<>> kByName{
     {"FORM", Value::form},
     {"--form", Value::form},

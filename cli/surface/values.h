@@ -14,8 +14,8 @@ class Option;
 
 namespace brdf::cli {
 
-// unnamed: text of which nothing is said, which the test of the surface refuses; text: nothing that could be offered;
-// word: one of a list.
+// unnamed: text of which nothing is said, which the test of the surface refuses; text: nothing that could be
+// offered; word: one of a list.
 enum class Value {
   unnamed,
   text,

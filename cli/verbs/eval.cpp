@@ -53,7 +53,8 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   }
 }
 
-// How many of the values from column `first` on are no finite numbers, said on stderr with the first row that has one.
+// How many of the values from column `first` on are no finite numbers, said on stderr with the first row that
+// has one.
 std::size_t report_not_finite(const io::SampleTable& table, std::size_t first) {
   std::size_t count = 0, row = 0, column = 0;
   for (std::size_t k = 0; k < table.rows(); ++k)

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/options/fit_options.h"
+#include "cli/options/products.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
 #include "cli/options/terminal.h"
@@ -19,6 +20,23 @@
 namespace brdf::cli {
 namespace {
 
+enum Fitted : unsigned { kOneTable = 1, kManyFiles = 2, kOneStack = 4 };
+constexpr unsigned kSamples = kOneTable | kManyFiles, kAnyFit = kSamples | kOneStack;
+constexpr OptionOf kFitOptions[] = {
+    {"SAMPLES --form --metric --anisotropic --per-channel --shape --free-scale --max-theta "
+     "--fix --start --bounds --tie --physical --robust --weights --starts --aperture "
+     "--bootstrap --output --jobs --json",
+     kAnyFit},
+    {"--keep-fill --polarisation --repeats --quantity --mirror-side", kSamples},
+    {"--seed", kAnyFit, "--starts --bootstrap"},
+    {"--shader", kOneTable},
+    {"--param --entry --returns --define --include-folder --embed", kOneTable, "--shader"},
+    {"--report", kOneTable | kOneStack},
+    {"--no-pictures", kManyFiles},
+    {"--normals --share --memory-limit", kOneStack},
+    {"--regions", kOneStack, "--share"},
+};
+
 struct FitCall {
   std::vector<std::string> samples;
   std::string output, report;
@@ -29,8 +47,6 @@ struct FitCall {
   ShaderOptions shader;
   bool form_given = false;
 };
-
-constexpr const char* kOneTable = "--shader: is fitted to one table of samples at a time";
 
 // The forms asked for; a shader alone, unless forms are named beside it.
 std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
@@ -49,8 +65,8 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
 }
 
 Exit run_one(const FitCall& o, const fit::FitOptions& options) {
-  if (o.shader.embed && (o.shader.file.empty() || o.output.empty()))
-    throw InputError("--embed: goes with --shader FILE and -o: it is the material that holds the text");
+  if (o.shader.embed && o.output.empty())
+    throw InputError("--embed: goes with -o: it is the material that holds the text");
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
   const fit::Samples samples = work::samples_to_fit(o.samples[0], options, this_program());
   const auto models = models_of(o);
@@ -63,7 +79,6 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
 
 Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
-  if (!o.report.empty()) throw InputError("--report is for one sample file: a batch writes one for each");
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { Note() << message; };
   const std::vector<fit::BatchRow> rows =
@@ -73,22 +88,20 @@ Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit
   return summarise(rows, o.output, o.json);
 }
 
-Exit run_fit(FitCall& o) {
+Exit run_fit(const CLI::App& verb, FitCall& o) {
   const fit::FitOptions options = fit_options(o.choice, o.jobs);
-  const bool stack = o.samples.size() == 1 && texel::is_stack(o.samples[0]);
-  if (stack && !o.shader.file.empty()) throw InputError(kOneTable);
-  if (stack) return fit_a_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
-  if (o.stack.normals != work::StackOptions().normals || o.stack.memory != work::StackOptions().memory)
-    throw InputError("--normals and --memory-limit are for a stack of photographs");
-  if (!o.stack.share.empty() || !o.stack.regions.empty())
-    throw InputError("--share and --regions are for a stack of photographs");
+  const auto refuse = [&](Fitted made, const char* what) {
+    refuse_without_effect(verb, kFitOptions, made, what);
+  };
+  if (o.samples.size() == 1 && texel::is_stack(o.samples[0])) {
+    refuse(kOneStack, "a stack of photographs");
+    return fit_a_stack({o.samples[0], o.output, o.report, o.jobs, o.json}, o.stack, o.choice, options);
+  }
   const std::vector<std::string> files = work::sample_files(o.samples);
   const bool folder = files.size() > 1 || work::names_folder(o.samples) || o.output.ends_with('/') ||
                       std::filesystem::is_directory(o.output);
-  if (folder && !o.shader.file.empty()) throw InputError(kOneTable);
-  if (folder) return run_many(o, files, options);
-  if (o.no_pictures) throw InputError("--no-pictures is for several sample files: one file's fit draws none");
-  return run_one(o, options);
+  refuse(folder ? kManyFiles : kOneTable, folder ? "several sample files" : "one table of samples");
+  return folder ? run_many(o, files, options) : run_one(o, options);
 }
 
 }  // namespace
@@ -140,9 +153,10 @@ void add_fit(CLI::App& app) {
       "          brdf fit stack --form cook_torrance --normals fit --memory-limit 1G --jobs 2 --report "
       "maps.html -o maps/\n"
       "          brdf fit stack --form cook_torrance --share alpha --regions parts.exr -o maps/");
+  require_every_option(*verb, kFitOptions);
   on_run(*verb, [options, verb] {
     options->form_given = verb->get_option("--form")->count() > 0;
-    return run_fit(*options);
+    return run_fit(*verb, *options);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/options/fit_options.h"
 #include "cli/options/options.h"
+#include "cli/options/products.h"
 #include "cli/verb.h"
 #include "work/task.h"
 
@@ -16,7 +17,18 @@ struct PlanCall {
   work::TaskOptions task;
 };
 
-Exit run_plan(const PlanCall& o) {
+enum Planned : unsigned { kPlannedFit = 1, kPlannedStudy = 2, kAnyPlan = 3 };
+constexpr OptionOf kPlanOptions[] = {{"VERB SAMPLES --form --metric --anisotropic --per-channel --shape "
+                                      "--free-scale --keep-fill --polarisation --repeats "
+                                      "--quantity --mirror-side --max-theta --fix --start --bounds --tie "
+                                      "--physical --robust --weights --starts --aperture "
+                                      "--no-pictures --unit-size --output",
+                                      kAnyPlan},
+                                     {"--bootstrap --normals", kPlannedFit},
+                                     {"--seed", kAnyPlan, "--starts --bootstrap"}};
+
+Exit run_plan(const CLI::App& verb, const PlanCall& o) {
+  refuse_without_effect(verb, kPlanOptions, o.verb == "fit" ? kPlannedFit : kPlannedStudy, o.verb);
   const work::Plan plan = work::plan_of(o.verb, o.inputs, o.unit_size, o.task);
   work::write_plan(o.output, plan);
   const std::size_t last = plan.units().size() - 1;
@@ -49,7 +61,8 @@ void add_plan(CLI::App& app) {
       "Examples: brdf plan fit stack --form cook_torrance --normals fit --unit-size 64x64 -o job\n"
       "          brdf plan fit paint.csv --form ward --bootstrap 1000 --unit-size 100 -o job\n"
       "          brdf plan study measurements/ --no-pictures --unit-size 10 -o job");
-  on_run(*verb, [options] { return run_plan(*options); });
+  require_every_option(*verb, kPlanOptions);
+  on_run(*verb, [options, verb] { return run_plan(*verb, *options); });
 }
 
 }  // namespace brdf::cli

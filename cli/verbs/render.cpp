@@ -6,9 +6,9 @@
 #include "cli/options/environment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/parameter_row.h"
+#include "cli/options/products.h"
 #include "cli/options/progress.h"
 #include "cli/options/terminal.h"
-#include "cli/steps/render_parity.h"
 #include "cli/steps/shown_shader.h"
 #include "cli/verb.h"
 #include "io/files/error.h"
@@ -105,16 +105,34 @@ void print_json(const render::JobReport& report, const render::Job& job) {
 
 struct RenderCall {
   render::Job job;
-  std::string maps;
-  std::vector<std::string> forms;
   ShownShader shader;
   std::vector<int> probe;
   bool json = false, times = false, split = false, no_labels = false;
-  bool parity = false, all = false, lookup_pictures = false, lobes = false, lobe_body = false;
-  int map_size = 256;
   std::string over;
   int balls = 6;
-  std::uint64_t seed = 1;
+};
+
+// A picture of one thing, of two beside each other, and an animation; as displayed or as linear layers; or
+// measures without a file.
+enum Product : unsigned { kPng = 1, kPngOfTwo = 2, kExr = 4, kExrOfTwo = 8, kAnimation = 16, kMeasures = 32 };
+constexpr unsigned kOfTwo = kPngOfTwo | kExrOfTwo, kShown = kPng | kPngOfTwo | kAnimation, kAll = 63;
+constexpr OptionOf kRenderOptions[] = {
+    {"MATERIAL --scene --state --output --width --height --shading "
+     "--per-vertex --as-coded --exposure --environment --rotate --samples "
+     "--forward --memory-limit --validation --shape --over --shader --probe "
+     "--times --json",
+     kAll},
+    {"--tone-map", kShown | kMeasures},
+    {"--no-dither --show --no-labels", kShown},
+    {"--hard-light", kAll & ~kOfTwo},
+    {"--gbuffer-bits", kAll},
+    {"--supersample", kAll & ~kMeasures},
+    {"--balls", kAll, "--over"},
+    {"--turntable --fps --quality", kAnimation},
+    {"--param --entry --returns --define --include-folder --set", kAll, "--shader"},
+    {"--compare --measured", kOfTwo | kMeasures},
+    {"--split --split-at", kPngOfTwo},
+    {"--gbuffer", kPng | kPngOfTwo | kExr | kExrOfTwo},
 };
 
 void read_exposure(const std::string& text, render::Job& job) {
@@ -214,34 +232,6 @@ void add_comparison_options(CLI::App& verb, RenderCall& o) {
       ->delimiter(',')
       ->expected(2);
   verb.add_flag("--times", o.times, "Print the time of each pass");
-  CLI::Option* lobes = verb.add_flag(
-      "--lobes", o.lobes,
-      "PNG: the polar plot of the material's lobe instead (with --compare FILE: of both, with --measured: "
-      "with its points)");
-  verb.add_flag("--lobe3d", o.lobe_body, "PNG: the lobe as a body, with --measured with its points");
-  verb.add_option(
-          "--theta", job.plot_theta,
-          "With --lobes and --lobe3d: angle of the light in degrees (default 45; with --measured the nearest "
-          "to it that was measured)")
-      ->check(CLI::Range(0.0, 90.0));
-  verb.add_option("--solo", job.solo, "With --lobes: one curve alone, for instance \"A r\"")->needs(lobes);
-}
-
-void add_other_modes(CLI::App& verb, RenderCall& o) {
-  CLI::Option* parity =
-      verb.add_flag("--parity", o.parity, "Measure deferred against Embree, form by form; no picture");
-  verb.add_flag("--all", o.all, "With --parity: every form")->needs(parity);
-  verb.add_option("--form", o.forms, "With --parity: these forms")->needs(parity);
-  CLI::Option* maps =
-      verb.add_option("--maps", o.maps, "Write seeded texture maps into the folder -o: rusty_metal or tiles")
-          ->check(CLI::IsMember({"rusty_metal", "tiles"}));
-  verb.add_option("--size", o.map_size, "With --maps: pixels")
-      ->needs(maps)
-      ->check(CLI::Range(8, 4096))
-      ->capture_default_str();
-  verb.add_option("--seed", o.seed, "With --maps: of the random numbers")->needs(maps)->capture_default_str();
-  verb.add_flag("--lookup-pictures", o.lookup_pictures,
-                "Write the lookup article's tables and their factors as PNG into the folder -o");
   verb.add_flag("--json", o.json, "Measures as JSON on stdout");
 }
 
@@ -255,16 +245,38 @@ void make_row(RenderCall& o) {
   job.row = parameter_row(io::read_material(job.row_source), o.over, o.balls);
 }
 
-Exit run_render(RenderCall& o) {
-  render::Job& job = o.job;
-  if (o.parity) {
-    std::vector<Reflectance> others;
-    if (const auto material = shown_material(o.shader, "render"))
-      others.push_back(material->terms.front().form);
-    return run_parity(o.forms, o.all, others, o.json);
+unsigned product_of(const RenderCall& o) {
+  const render::Job& job = o.job;
+  if (job.turntable) return kAnimation;
+  if (job.output.empty()) return kMeasures;
+  const bool two = !job.compare.empty() || !job.measured.empty() || !job.state.empty() ||
+                   !render::with_samples_told(job).measured.empty();
+  if (job.output.extension() == ".exr") return two ? kExrOfTwo : kExr;
+  return two ? kPngOfTwo : kPng;
+}
+
+std::string words_for(unsigned product) {
+  switch (product) {
+    case kAnimation:
+      return "an animation";
+    case kMeasures:
+      return "measures without a file";
+    case kPng:
+    case kExr:
+      return "a picture without --compare, --measured and --state";
+    default:
+      return "this kind of picture";
   }
-  if (job.plot_theta && !o.lobes && !o.lobe_body)
-    throw InputError("--theta is where the light of a lobe's plot stands: give --lobes or --lobe3d");
+}
+
+Exit run_render(const CLI::App& verb, RenderCall& o) {
+  render::Job& job = o.job;
+  refuse_without_effect(verb, kRenderOptions, product_of(o), words_for(product_of(o)));
+  if (verb.count("--samples") > 0 && !job.environment && (product_of(o) & kOfTwo) && job.scene.empty() &&
+      job.state.empty())
+    throw InputError("--samples: has no effect on what is compared without --environment: leave it out");
+  if (job.forward && verb.count("--gbuffer-bits") > 0)
+    throw InputError("--gbuffer-bits: has no effect on --forward, which has no targets: leave it out");
   show_shader(o.shader, "render", job);
   if (o.split && !job.show) job.show = "split";
   job.labels = !o.no_labels;
@@ -272,21 +284,12 @@ Exit run_render(RenderCall& o) {
   // Measures alone need no file.
   if (job.output.empty() && o.probe.empty() && !o.times)
     throw InputError("-o is required (see brdf render --help)");
-  if (!o.maps.empty()) {
-    render::write_maps(o.maps, o.map_size, o.seed, job.output);
-  } else if (o.lookup_pictures) {
-    render::write_lookup_pictures(job.output);
-  } else if (o.lobes || o.lobe_body) {
-    render::write_lobes(job, o.lobe_body ? render::LobeView::body : render::LobeView::plane);
-  } else {
-    if (!o.over.empty()) make_row(o);
-    if (job.turntable) job.progress = progress_line("brdf render");
-    const render::JobReport report = render::run(job);
-    for (const std::string& note : report.notes) Note() << "brdf render: " << note;
-    o.json ? print_json(report, job) : print_text(report, job, o.times);
-    if (report.validation_messages > 0) return Exit::failed;
-  }
-  return Exit::good;
+  if (!o.over.empty()) make_row(o);
+  if (job.turntable) job.progress = progress_line("brdf render");
+  const render::JobReport report = render::run(job);
+  for (const std::string& note : report.notes) Note() << "brdf render: " << note;
+  o.json ? print_json(report, job) : print_text(report, job, o.times);
+  return report.validation_messages > 0 ? Exit::failed : Exit::good;
 }
 
 }  // namespace
@@ -299,37 +302,30 @@ void add_render(CLI::App& app) {
   add_show_options(*verb, *options);
   add_shown_shader(*verb, options->shader);
   add_comparison_options(*verb, *options);
-  add_other_modes(*verb, *options);
   verb->footer(
-      "Example: brdf render fitted.json --compare embree -o fitted.png\n"
-      "         brdf render a.json --compare b.json --split -o a_and_b.png\n"
-      "         brdf render a.json --compare b.json --lobes --theta 60 -o lobes.png\n"
-      "         brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
-      "         brdf render fitted.json --measured samples.csv --lobe3d --theta 30 -o lobe.png\n"
-      "         brdf render samples.csv -o samples.png\n"
-      "         brdf render --scene scene.json --forward --exposure -1 --tone-map reinhard --no-labels -o "
+      "Examples: brdf render fitted.json --compare embree -o fitted.png\n"
+      "          brdf render a.json --compare b.json --split -o a_and_b.png\n"
+      "          brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
+      "          brdf render samples.csv -o samples.png\n"
+      "          brdf render --scene scene.json --forward --exposure -1 --tone-map reinhard --no-labels -o "
       "s.png\n"
-      "         brdf render --scene scene.json --shading lookup --as-coded --gbuffer-bits 8 -o "
+      "          brdf render --scene scene.json --shading lookup --as-coded --gbuffer-bits 8 -o "
       "looked_up.exr\n"
-      "         brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
-      "         brdf render a.json --compare b.json --lobes --solo \"A r\" -o curve.png\n"
-      "         brdf render --shader ggx.glsl --set roughness=0.3 -o ggx.png\n"
-      "         brdf render --parity --shader ggx.glsl --param roughness=0.05:1\n"
-      "         brdf render --parity --form ward --validation\n"
-      "         brdf render --parity --all --json\n"
-      "         brdf render --scene scene.json --shading phong --per-vertex --width 640 --height 480 -o "
+      "          brdf render a.json --compare b.json --show difference --memory-limit 1G -o difference.png\n"
+      "          brdf render --shader ggx.glsl --set roughness=0.3 -o ggx.png\n"
+      "          brdf render --scene scene.json --shading phong --per-vertex --width 640 --height 480 -o "
       "vertices.png\n"
-      "         brdf render --scene scene.json --gbuffer -o targets.png\n"
-      "         brdf render --maps tiles --size 512 --seed 2 -o tiles\n"
-      "         brdf render --lookup-pictures -o tables\n"
-      "         brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
-      "         brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
-      "         brdf render gold.json --shape shader_ball --turntable 60 --fps 30 --quality 80 -o gold.webp\n"
-      "         brdf render gold.json --hard-light -o hard.png\n"
-      "         brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
-      "         brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
-      "         brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
-  on_run(*verb, [options] { return run_render(*options); });
+      "          brdf render --scene scene.json --gbuffer -o targets.png\n"
+      "          brdf render fitted.json --exposure auto --supersample 8 --tone-map neutral -o bright.png\n"
+      "          brdf render fitted.json --supersample 1 --no-dither -o bytes.png\n"
+      "          brdf render gold.json --shape shader_ball --turntable 60 --fps 30 --quality 80 -o "
+      "gold.webp\n"
+      "          brdf render gold.json --hard-light -o hard.png\n"
+      "          brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
+      "          brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
+      "          brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
+  require_every_option(*verb, kRenderOptions);
+  on_run(*verb, [options, verb] { return run_render(*verb, *options); });
 }
 
 }  // namespace brdf::cli

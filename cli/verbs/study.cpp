@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/options/fit_options.h"
+#include "cli/options/products.h"
 #include "cli/options/progress.h"
 #include "cli/steps/study_files.h"
 #include "cli/verb.h"
@@ -18,7 +19,16 @@ struct StudyCall {
   fit::FitChoice choice;
 };
 
-Exit run_study(const StudyCall& o) {
+constexpr OptionOf kStudyOptions[] = {{"SAMPLES --form --metric --anisotropic --per-channel --shape "
+                                       "--free-scale --keep-fill --polarisation --repeats "
+                                       "--quantity --mirror-side --max-theta --fix --start --bounds --tie "
+                                       "--physical --robust --weights --starts --aperture "
+                                       "--output --jobs --no-pictures --json",
+                                       1},
+                                      {"--seed", 1, "--starts"}};
+
+Exit run_study(const CLI::App& verb, const StudyCall& o) {
+  refuse_without_effect(verb, kStudyOptions, 1, "a study");
   watch_for_interrupt();
   study::StudyOptions options =
       work::study_options(o.choice, !o.no_pictures, o.output, o.jobs, this_program());
@@ -47,7 +57,8 @@ void add_study(CLI::App& app) {
       "          brdf study samples/*.csv --jobs 4 -o studied\n"
       "          brdf study plane.csv --quantity BRF --mirror-side negative -o plane\n"
       "          brdf study samples/*.csv --form cook_torrance --no-pictures --json -o numbers");
-  on_run(*verb, [options] { return run_study(*options); });
+  require_every_option(*verb, kStudyOptions);
+  on_run(*verb, [options, verb] { return run_study(*verb, *options); });
 }
 
 }  // namespace brdf::cli

@@ -1,11 +1,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <initializer_list>
 #include <iostream>
 #include <memory>
 
 #include "cli/options/options.h"
+#include "cli/options/products.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
 #include "cli/options/terminal.h"
@@ -28,6 +28,36 @@
 
 namespace brdf::cli {
 namespace {
+
+// What is judged: functions over their domain, materials, tables; or the library itself.
+enum Judged : unsigned {
+  kDomain = 1,
+  kMaterial = 2,
+  kTable = 4,
+  kIntegrators = 8,
+  kTraced = 16,
+  kNumerics = 32,
+  kOnDevice = 64
+};
+constexpr unsigned kFunctions = kDomain | kMaterial, kFindings = kFunctions | kTable, kEverything = 127;
+constexpr OptionOf kValidateOptions[] = {
+    {"FILES", kMaterial | kTable},
+    {"--form --all", kDomain | kNumerics | kOnDevice},
+    {"--shader", kDomain | kOnDevice},
+    {"--param --entry --returns --define --include-folder", kDomain | kOnDevice, "--shader"},
+    {"--such-that --against", kDomain},
+    {"--map", kDomain, "--against"},
+    {"--effort", kFunctions | kIntegrators | kTraced | kNumerics},
+    {"--seconds", kFunctions},
+    {"--require --max-theta --picture --output", kFindings},
+    {"--keep-fill --quantity --mirror-side", kTable},
+    {"--seed", kFunctions | kIntegrators | kTraced | kNumerics | kOnDevice},
+    {"--json", kEverything},
+    {"--integrators", kIntegrators},
+    {"--microsurface", kTraced},
+    {"--numerics", kNumerics},
+    {"--gpu", kOnDevice},
+};
 
 struct ValidateCall {
   std::vector<std::string> files, forms, pictures, require;
@@ -68,17 +98,14 @@ validate::Subject subject_of(const LoadedShader& shader, const std::string& file
 
 // --such-that, of whatever is judged over a domain.
 void restrict_all(const ValidateCall& o, std::vector<validate::Subject>& subjects) {
-  const bool domain = o.all || !o.forms.empty() || !o.shader.file.empty();
-  if (!domain && !(o.such_that.empty() && o.against.empty()))
-    throw InputError("--such-that and --against go with --form, --all or --shader");
-  if (!o.maps.empty() && o.against.empty()) throw InputError("--map: goes with --against FORM");
   if (o.such_that.empty()) return;
   const io::Condition condition(o.such_that, "--such-that");
   for (validate::Subject& subject : subjects) subject.restrict_to(condition);
 }
 
 // Forms, materials and tables with their findings.
-validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptions& options) {
+validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
+                               const validate::CheckOptions& options) {
   validate::ReportContent content;
   content.max_theta = o.max_theta;
   content.keep_fill = o.keep_fill;
@@ -100,10 +127,16 @@ validate::ReportContent judged(const ValidateCall& o, const validate::CheckOptio
       for (const std::string& sentence : content.tables.back().table.assumptions)
         Note() << "brdf validate: " << file << ": " << sentence;
   }
-  if (content.tables.empty() && o.supplied != io::Supplied())
-    throw InputError("--quantity, --mirror-side: go with tables of samples");
   if (content.subjects.empty() && content.tables.empty())
     throw InputError("nothing to validate: give materials, samples, --form, --all or --shader");
+  unsigned made = 0;
+  if (whole_domain > 0) made |= kDomain;
+  if (content.subjects.size() > whole_domain) made |= kMaterial;
+  if (!content.tables.empty()) made |= kTable;
+  refuse_without_effect(verb, kValidateOptions, made,
+                        made == kTable      ? "tables of samples"
+                        : made == kMaterial ? "materials"
+                                            : "what is judged here");
   std::vector<validate::Against> against;  // refused before the work begins
   for (std::size_t k = 0; !o.against.empty() && k < whole_domain; ++k)
     against.push_back(validate::parse_against(content.subjects[k], o.against, o.maps));
@@ -191,15 +224,14 @@ Exit run_integrators(const ValidateCall& o) {
   return honest ? Exit::good : Exit::failed;
 }
 
-// The modes that judge the library itself take no files, and one mode is asked for at a time.
-void require_one_mode(const ValidateCall& o) {
-  const int modes = o.integrators + o.microsurface + o.numerics + o.gpu;
-  if (modes > 1) throw InputError("--integrators, --microsurface, --numerics, --gpu: give one of them");
-  if (modes == 1 && !o.files.empty())
-    throw InputError(o.files.front() + ": --integrators, --microsurface, --numerics and --gpu take no files");
-  if (modes == 1 && !o.output.empty())
-    throw InputError("-o " + o.output +
-                     ": --integrators, --microsurface, --numerics and --gpu write to stdout");
+// One mode that judges the library itself is asked for at a time.
+void require_one_mode(const CLI::App& verb, const ValidateCall& o) {
+  const std::pair<bool, Judged> modes[] = {
+      {o.integrators, kIntegrators}, {o.microsurface, kTraced}, {o.numerics, kNumerics}, {o.gpu, kOnDevice}};
+  if (o.integrators + o.microsurface + o.numerics + o.gpu > 1)
+    throw InputError("--integrators, --microsurface, --numerics, --gpu: give one of them");
+  for (const auto& [is, mode] : modes)
+    if (is) refuse_without_effect(verb, kValidateOptions, mode, "a judgement of the library itself");
 }
 
 void print(const std::vector<validate::Finding>& findings) {
@@ -207,8 +239,8 @@ void print(const std::vector<validate::Finding>& findings) {
   validate::print_findings(out, findings, colours_on(STDOUT_FILENO));
 }
 
-Exit run_validate(const ValidateCall& o) {
-  require_one_mode(o);
+Exit run_validate(const CLI::App& verb, const ValidateCall& o) {
+  require_one_mode(verb, o);
   if (o.microsurface)
     return validate_microsurface({.seed = o.seed, .effort = o.effort == "full" ? 8 : 1}, o.json);
   if (o.integrators) return run_integrators(o);
@@ -234,7 +266,7 @@ Exit run_validate(const ValidateCall& o) {
   options.max_theta = o.max_theta;
   options.seed = o.seed;
   options.seconds = o.seconds;
-  validate::ReportContent content = judged(o, options);
+  validate::ReportContent content = judged(verb, o, options);
   add_proofs(content);
   content.pictures = std::move(pictures);
   write_report(o, content);
@@ -243,21 +275,6 @@ Exit run_validate(const ValidateCall& o) {
   else
     print(content.findings);
   return validate::holds(content.findings, o.require) ? Exit::good : Exit::failed;
-}
-
-// What a mode that judges the library itself passes over may not stand beside it: --require would seem to hold.
-void refuse_what_is_passed_over(const CLI::App& verb) {
-  const auto refuse = [&](const char* mode, std::initializer_list<const char*> others) {
-    if (verb.count(mode) == 0) return;
-    for (const char* other : others)
-      if (verb.count(other) > 0)
-        throw InputError(std::string(other) + ": has no effect beside " + mode + ": leave it out");
-  };
-  for (const char* mode : {"--integrators", "--microsurface", "--numerics", "--gpu"})
-    refuse(mode, {"--require", "--seconds", "--max-theta", "--keep-fill", "--picture", "--such-that",
-                  "--against", "--map", "--quantity", "--mirror-side"});
-  for (const char* mode : {"--integrators", "--microsurface"}) refuse(mode, {"--form", "--all", "--shader"});
-  refuse("--numerics", {"--shader"});
 }
 
 }  // namespace
@@ -321,10 +338,8 @@ void add_validate(CLI::App& app) {
       "          brdf validate --microsurface\n"
       "          brdf validate --form ward --gpu\n"
       "          brdf validate --shader ggx.glsl --gpu");
-  on_run(*verb, [o, verb] {
-    refuse_what_is_passed_over(*verb);
-    return run_validate(*o);
-  });
+  require_every_option(*verb, kValidateOptions);
+  on_run(*verb, [o, verb] { return run_validate(*verb, *o); });
 }
 
 }  // namespace brdf::cli

@@ -1,5 +1,5 @@
-// forms: every form of the catalogue at its default parameters, lit from 45 degrees and seen from 30 across. Of brdf::core
-// alone: no file is read, and nothing but the standard library is linked.
+// forms: every form of the catalogue at its default parameters, lit from 45 degrees and seen from 30 across.
+// Of brdf::core alone: no file is read, and nothing but the standard library is linked.
 #include <cstdio>
 #include <string>
 

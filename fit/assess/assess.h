@@ -31,8 +31,8 @@ struct Uncertainty {
   bool sum_at_bound = false;  // what --physical bounds together
   bool split_only = false;    // weights alone are not identified: what they give together may still be
   std::optional<ParameterCovariance> covariance;
-  // Relative standard error that 95 % of the model's values, and of the light, keep to; of more rows than are looked at
-  // one by one only where it decides the verdict. Not in estimates alone.
+  // Relative standard error that 95 % of the model's values, and of the light, keep to; of more rows than are
+  // looked at one by one only where it decides the verdict. Not in estimates alone.
   std::optional<double> prediction_error;
   bool predictable = false;           // it is known, and at most kDetermined
   std::vector<std::string> findings;  // about bounds and identifiability
@@ -45,8 +45,9 @@ struct Uncertainty {
   bool determined() const { return split_only && predictable; }
 };
 
-// `estimates`: what a verdict and standard errors need, without correlations, the parameters' covariance, and sentences.
-// `profiles`: intervals are those of the cost's profile within the bounds (fit/assess/profile_search.h), not of its curvature.
+// `estimates`: what a verdict and standard errors need, without correlations, the parameters' covariance, and
+// sentences. `profiles`: intervals are those of the cost's profile within the bounds
+// (fit/assess/profile_search.h), not of its curvature.
 enum class Detail { everything, estimates, profiles };
 
 // What profiles need besides the minimum.
@@ -61,15 +62,16 @@ struct KnownMatrices {
   const Matrix &bread, &expected_meat;
 };
 
-// What the curvature at a solution says (fit/assess/curvature.h). The variance of a parameter is the larger of the
-// heteroscedasticity-consistent one and of the working noise's; estimates alone have the former. `low` and `high` are those of
-// the curvature, within the range: fit/assess/profiles.h has better ones.
+// What the curvature at a solution says (fit/assess/curvature.h). The variance of a parameter is the larger
+// of the heteroscedasticity-consistent one and of the working noise's; estimates alone have the former. `low`
+// and `high` are those of the curvature, within the range: fit/assess/profiles.h has better ones.
 Uncertainty uncertainty(const SampleStream& stream, const Minimum& solution,
                         Detail detail = Detail::everything, const KnownMatrices* known = nullptr,
                         const ProfileOptions& profiles = {});
 
-// Whether some configuration (both polar angles and the azimuth between them) was measured at two azimuths of the
-// sample: only that tells two widths from an error of the form that depends on the azimuth between light and viewer.
+// Whether some configuration (both polar angles and the azimuth between them) was measured at two azimuths of
+// the sample: only that tells two widths from an error of the form that depends on the azimuth between light
+// and viewer.
 bool sample_was_turned(const FitData& data);
 
 // Polar angles of the light, degrees.
@@ -80,8 +82,8 @@ AngleRange measured_lights(const FitData& data);
 
 // The largest of the channels' at one angle of the light, degrees, to a relative error of 1e-3.
 LargestAlbedo albedo_at(const Material& material, double theta);
-// The largest over the light's polar angles, ten from 0 to 85 degrees and the ends of the measured ones; and over those that
-// were measured.
+// The largest over the light's polar angles, ten from 0 to 85 degrees and the ends of the measured ones; and
+// over those that were measured.
 struct LargestAlbedos {
   LargestAlbedo anywhere, measured;
 };

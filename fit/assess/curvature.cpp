@@ -15,7 +15,8 @@ constexpr double kSingular = 1e-12;
 constexpr double kInNullSpace = 1e-3;
 // Floors that are tried, as shares of the median value; then none.
 constexpr double kFloors[] = {0.03, 0.1, 0.3, 1, 3, 10, 30};
-// By so much a floor must raise twice the logarithm of the likelihood: one that is not needed makes bright values too sure.
+// By so much a floor must raise twice the logarithm of the likelihood: one that is not needed makes bright
+// values too sure.
 constexpr double kLikelier = 6;
 // Share of a value's variance that its own influence leaves at least.
 constexpr double kLeastLeft = 1e-4;
@@ -148,7 +149,8 @@ struct Standardised {
   double variance = 0, correlation = 0;
 };
 
-// Of residuals over their noise, each freed of what the fit took of it. `left`: the share that the fit leaves of each.
+// Of residuals over their noise, each freed of what the fit took of it. `left`: the share that the fit leaves
+// of each.
 Standardised standardised(const Values& residuals, const Values& noise, const Values& left) {
   double squares = 0, expected = 0, products = 0, pairs = 0;
   for (std::size_t k = 0; k < noise.front().size(); ++k) {

@@ -1,4 +1,5 @@
-// The curvature of the cost at a minimum, and the covariance that the samples' noise gives the solver's parameters there.
+// The curvature of the cost at a minimum, and the covariance that the samples' noise gives the solver's
+// parameters there.
 #pragma once
 
 #include <Eigen/Dense>
@@ -11,8 +12,8 @@ namespace brdf::fit {
 
 struct KnownMatrices;  // fit/assess/assess.h
 
-// Every parameter that has an effect on the samples is in these matrices, whether a bound holds it or not: a partner of
-// one at its bound is not better known because the minimum happens to stand there.
+// Every parameter that has an effect on the samples is in these matrices, whether a bound holds it or not: a
+// partner of one at its bound is not better known because the minimum happens to stand there.
 struct Curvature {
   RowMatrix bread;        // the normal matrix, with the curvature of the loss
   RowMatrix inverse;      // of the normal matrix, of all slots; 0 for those without effect
@@ -22,16 +23,18 @@ struct Curvature {
   Eigen::VectorXd scale;  // of the axes: 1/sqrt(diagonal); 0 for slots without effect
   double condition = 1;
 
-  // Whether a function of the parameters with this gradient moves along a direction that changes nothing in the samples.
+  // Whether a function of the parameters with this gradient moves along a direction that changes nothing in
+  // the samples.
   bool without_effect(const Eigen::VectorXd& gradient) const;
 };
 
 Curvature curvature(const SampleStream& stream, const Minimum& m, const KnownMatrices* known = nullptr);
 
-// The covariance of the parameters where the noise of a value is in proportion to the root of its square and the square of
-// a floor, the same share for all values, estimated from all of them (generalised least squares' working model; Carroll and
-// Ruppert 1988, chapter 3). Few values with small residuals cannot make it small. The floor is the one of a few that
-// makes the residuals the likeliest. Residuals in units of a stated sigma are taken as equally noisy.
+// The covariance of the parameters where the noise of a value is in proportion to the root of its square and
+// the square of a floor, the same share for all values, estimated from all of them (generalised least
+// squares' working model; Carroll and Ruppert 1988, chapter 3). Few values with small residuals cannot make
+// it small. The floor is the one of a few that makes the residuals the likeliest. Residuals in units of a
+// stated sigma are taken as equally noisy.
 struct WorkingNoise {
   RowMatrix covariance;
   double relative = 0;     // standard deviation over that root

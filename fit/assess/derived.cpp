@@ -44,8 +44,8 @@ std::vector<DerivedPlace> places_of(Material& m, const std::string& name) {
   return out;
 }
 
-// Moves a parameter by a step, or as far as its range goes; tangent_phi, which turns every term, in degrees. Returns by how
-// much; nothing for a parameter that the material does not have.
+// Moves a parameter by a step, or as far as its range goes; tangent_phi, which turns every term, in degrees.
+// Returns by how much; nothing for a parameter that the material does not have.
 std::optional<double> move(Material& m, const std::string& name, double step) {
   if (name == kTangentInfo.name) {
     for (Term& term : m.terms) term.tangent_phi = term.tangent_phi + degrees(step);

@@ -14,9 +14,10 @@ namespace brdf::fit {
 // Values computed from a material, always as many.
 using Derived = std::function<std::vector<double>(const Material&)>;
 
-// 95 % intervals of f(material) = values by the covariance alone: the standard error is that of the first order in the
-// parameters (differences, central within the parameters' ranges). Its degrees of freedom are those of the components together, whose variances, coming from the same
-// residuals, are taken to err alike. None where a name is no parameter of the material's.
+// 95 % intervals of f(material) = values by the covariance alone: the standard error is that of the first
+// order in the parameters (differences, central within the parameters' ranges). Its degrees of freedom are
+// those of the components together, whose variances, coming from the same residuals, are taken to err alike.
+// None where a name is no parameter of the material's.
 std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& covariance,
                                              std::span<const double> values, const Derived& f);
 
@@ -31,9 +32,10 @@ Knowledge knowledge_of(const FormFit& fit);
 // As a material's `fit` block keeps it; empty where it keeps nothing that can be one.
 Knowledge knowledge_of(const io::Json& fit);
 
-// 95 % intervals of f(material) = values: the least and the largest value over the materials at the ends of the
-// parameters' intervals, and the interval of the covariance, which knows directions between the parameters. An end is
-// infinite where a parameter's open end decides it. Nothing is returned where nothing is known.
+// 95 % intervals of f(material) = values: the least and the largest value over the materials at the ends of
+// the parameters' intervals, and the interval of the covariance, which knows directions between the
+// parameters. An end is infinite where a parameter's open end decides it. Nothing is returned where nothing
+// is known.
 std::optional<std::vector<Extent>> intervals(const Material& material, const Knowledge& known,
                                              std::span<const double> values, const Derived& f);
 

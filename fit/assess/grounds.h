@@ -17,16 +17,16 @@ struct Grounds {
   bool few;                  // rows: fewer than three for each parameter of a channel
   bool unturned;             // the sample was never turned, and a second width is asked of it
 
-  // The standard error of a parameter with this gradient, which so many values decide. Where these are few, their own
-  // residuals say too little of their noise, and all values' say it.
+  // The standard error of a parameter with this gradient, which so many values decide. Where these are few,
+  // their own residuals say too little of their noise, and all values' say it.
   double error_of(const Eigen::VectorXd& gradient, double deciding) const;
 };
 
 // How far the residuals of so many values that decide a parameter tell their noise: 0 to 1.
 double trust_in(double deciding);
 
-// Status, standard error and interval by the curvature. Whether the samples tell the parameter is asked before whether it
-// stands at a bound.
+// Status, standard error and interval by the curvature. Whether the samples tell the parameter is asked
+// before whether it stands at a bound.
 void judge_parameter(Reported& r, const Grounds& on, Uncertainty& out);
 
 // A standard error on the solver's scale; that of the value where it has none.

@@ -35,8 +35,8 @@ struct Row {
   bool counts;
 };
 
-// At most the probability that, of all rows drawn without regard, so many of the `count` are among the `first`:
-// the hypergeometric tail's bound by relative entropy (Chvatal 1979), from either side.
+// At most the probability that, of all rows drawn without regard, so many of the `count` are among the
+// `first`: the hypergeometric tail's bound by relative entropy (Chvatal 1979), from either side.
 double chance_of(double found, double first, double count, double all) {
   const auto bound = [found](double draws, double share) {
     const double a = found / draws;
@@ -69,8 +69,8 @@ std::vector<Row> gathered(std::vector<Row> rows) {
   return rows;
 }
 
-// Whether enough values are so far above the model (side 1) or below it (-1) that they might count; saves the logarithms
-// and quantiles where the model fits.
+// Whether enough values are so far above the model (side 1) or below it (-1) that they might count; saves the
+// logarithms and quantiles where the model fits.
 bool some_excess(const std::vector<double>& measured, const std::vector<double>& model, double excess,
                  int side) {
   const double ratio = std::exp(excess) * (1 - 1e-9);  // no value is lost by rounding
@@ -82,8 +82,8 @@ bool some_excess(const std::vector<double>& measured, const std::vector<double>&
   return found >= kFewestSeen;
 }
 
-// `side` 1: values above the model towards the mirror direction; -1: below it away from there, where the fit took the
-// highlight's level for that of the surface.
+// `side` 1: values above the model towards the mirror direction; -1: below it away from there, where the fit
+// took the highlight's level for that of the surface.
 std::vector<Row> missing_highlight(const std::vector<double>& measured, const std::vector<double>& model,
                                    const std::vector<double>& mirror, double noise, int side) {
   const double contrast = std::max(std::log(kContrast), 5 * noise),

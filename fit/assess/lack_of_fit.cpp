@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kThetaH[] = {0, 2, 5, 10, 20, 30, 45, 60, 90}, kThetaD[] = {0, 15, 30, 45, 60, 75, 90};
 constexpr std::size_t kFewestRows = 8;
-// Degrees that are added before a cell is looked for: instruments measure at the edges, and rounding must not decide.
+// Degrees that are added before a cell is looked for: instruments measure at the edges, and rounding must not
+// decide.
 constexpr double kInside = 1e-6;
 constexpr double kRoundingOfRatios = 1e-9;  // of ln(measured/model)
 constexpr double kNormal = 1.4826;  // standard deviation over median deviation of the normal distribution
@@ -34,8 +35,8 @@ struct Cell {
   std::vector<double> excess;  // ln(measured/model)
 };
 
-// Whether the middle of a cell is away from 1 by more than five of its standard errors, and by a fifth of its scatter. What
-// is not known to scatter by so much, or differs by rounding alone, is not off.
+// Whether the middle of a cell is away from 1 by more than five of its standard errors, and by a fifth of its
+// scatter. What is not known to scatter by so much, or differs by rounding alone, is not off.
 bool is_off(const std::vector<double>& excess, double noise) {
   const double middle = io::median(excess);
   if (!(noise > 0) || std::abs(middle) < kRoundingOfRatios) return false;
@@ -106,8 +107,9 @@ struct Jackknife {
   double error = 0, freedom = 0;
 };
 
-// Of a value, from what it is without each fold: the root of its variance and its squared bias. The degrees of freedom
-// are those of a variance of values with this kurtosis (Satterthwaite's), where a few folds decide.
+// Of a value, from what it is without each fold: the root of its variance and its squared bias. The degrees
+// of freedom are those of a variance of values with this kurtosis (Satterthwaite's), where a few folds
+// decide.
 Jackknife jackknife(double value, const std::vector<double>& without) {
   const double n = double(without.size());
   double mean = 0, square = 0, fourth = 0;

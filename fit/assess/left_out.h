@@ -8,9 +8,9 @@
 
 namespace brdf::fit {
 
-// Every group of rows (data.groups) is predicted by a fit of the other folds' rows: `solutions`, one for each fold
-// (fit/assess/refits.h). `loss_scale`: what the loss is judged with, the same for all forms. A fold without a finite cost
-// makes the value infinite.
+// Every group of rows (data.groups) is predicted by a fit of the other folds' rows: `solutions`, one for each
+// fold (fit/assess/refits.h). `loss_scale`: what the loss is judged with, the same for all forms. A fold
+// without a finite cost makes the value infinite.
 LeftOut leave_out(const SampleStream& stream, std::vector<std::vector<double>> solutions, double loss_scale,
                   const FitOptions& options);
 

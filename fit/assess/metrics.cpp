@@ -72,8 +72,8 @@ std::optional<double> retro_excess(const FitData& data, const std::vector<std::v
   return io::median(std::move(excess));
 }
 
-// Whether no value is off by `factor` and fewer than half by `far`, whatever rounding does. Saves divisions where the model
-// fits.
+// Whether no value is off by `factor` and fewer than half by `far`, whatever rounding does. Saves divisions
+// where the model fits.
 bool all_near(const FitData& data, const std::vector<std::vector<double>>& model, double factor, double far) {
   constexpr double margin = 1 - 1e-9;
   std::size_t off = 0, far_off = 0, count = 0;

@@ -11,7 +11,8 @@
 
 namespace brdf::fit {
 
-// A point of the profile: the parameter on the scale of its interval, and by which the cost is above its minimum there.
+// A point of the profile: the parameter on the scale of its interval, and by which the cost is above its
+// minimum there.
 struct ProfilePoint {
   double x = 0, rise = 0;
   std::vector<double> p;  // the solver's parameters
@@ -47,8 +48,9 @@ class ProfileSolver {
   ProfileSolver(const SampleStream& stream, const Minimum& minimum, const ProfileCoordinate& coordinate,
                 double level, const std::atomic<bool>* interrupted);
 
-  // The least cost near x from one start; the shapes may be held as the start has them. What is returned is a point that was
-  // evaluated: where the minimisation stops early its rise is that of its own parameters, not less.
+  // The least cost near x from one start; the shapes may be held as the start has them. What is returned is a
+  // point that was evaluated: where the minimisation stops early its rise is that of its own parameters, not
+  // less.
   ProfilePoint least_at(double x, std::vector<double> start, bool hold_shapes = false) const;
 
  private:

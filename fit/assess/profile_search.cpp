@@ -90,8 +90,8 @@ class ProfileSearch {
 
   ProfilePoint at(double x) { return solve_at(x, way_to(x)); }
 
-  // To the level from what is inside it; open at the limit, and where no crossing is found. Where the profile jumps over the
-  // level the end is the point beyond.
+  // To the level from what is inside it; open at the limit, and where no crossing is found. Where the profile
+  // jumps over the level the end is the point beyond.
   ProfileEnd cross(double guess) {
     for (int k = 0; k < kPoints && !stopped(); ++k) {
       const double x = is_beyond(guess, limit_) ? limit_ : guess;
@@ -141,9 +141,10 @@ class ProfileSearch {
     return *inside_;
   }
 
-  // Whether the profile goes on rising beyond an end that it crosses. A profile that bends moves its end out so far that no
-  // point is further from the minimum, in units of the end's distance, than the root of its rise says; one that stops
-  // rising, to where the plateau ends. Where it falls below the level again, that point is inside.
+  // Whether the profile goes on rising beyond an end that it crosses. A profile that bends moves its end out
+  // so far that no point is further from the minimum, in units of the end's distance, than the root of its
+  // rise says; one that stops rising, to where the plateau ends. Where it falls below the level again, that
+  // point is inside.
   void look_beyond(ProfileEnd& end, bool& fell) {
     const double reach = distance(end.at.x);
     double farthest = reach;
@@ -236,7 +237,8 @@ class ProfileSearch {
     return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, true, false};
   }
 
-  // To points that other profiles have met beyond the end, by the rules of look_beyond(), and from other shapes.
+  // To points that other profiles have met beyond the end, by the rules of look_beyond(), and from other
+  // shapes.
   void extend(int side, std::span<const CostedPoint> known, ProfileEnd& end) {
     for (int round = 0; round < kRounds && !end.open && !stopped(); ++round) {
       begin(side);

@@ -1,4 +1,5 @@
-// The profile of one reported parameter: the least cost at each of its values, all others free within their bounds.
+// The profile of one reported parameter: the least cost at each of its values, all others free within their
+// bounds.
 #pragma once
 
 #include <atomic>
@@ -13,10 +14,11 @@ namespace brdf::fit {
 
 // Where the profile crosses its level on one side.
 struct ProfileEnd {
-  ProfilePoint
-      at;  // on the level to 2 % of its root; at the limit of the range where the profile stays below the level
-  // The profile stays below the level up to the limit of the range, or beyond the crossing it does not go on rising: to
-  // five times the level (some five standard errors), or at half the pace of a parabola up to the limit.
+  // On the level to 2 % of its root; at the limit of the range where the profile stays below the level.
+  ProfilePoint at;
+  // The profile stays below the level up to the limit of the range, or beyond the crossing it does not go on
+  // rising: to five times the level (some five standard errors), or at half the pace of a parabola up to the
+  // limit.
   bool open = false;
   // The profile reaches the limit of the range before it reaches five times the level.
   bool limit_is_near = false;
@@ -35,15 +37,16 @@ struct ProfileSides {
   std::vector<CostedPoint> near;  // every point below five times the level that the search met
 };
 
-// The level, and how far from the minimum the curvature expects it: t standard errors on the scale of the interval.
-// `of_lobes`: the highest level of the parameters of lobes, of a parameter that is one: a valley is as long for a weight as
-// it is for the width that goes along it.
+// The level, and how far from the minimum the curvature expects it: t standard errors on the scale of the
+// interval. `of_lobes`: the highest level of the parameters of lobes, of a parameter that is one: a valley is
+// as long for a weight as it is for the width that goes along it.
 struct ProfileLevel {
   double rise = 0, error = 0, of_lobes = 0;
 };
 
-// Points besides the minimum whose cost may be within reach of it: the other minima, and the shapes of the grid with the best
-// weights for them. The latter are found when they are first asked for; several threads may ask.
+// Points besides the minimum whose cost may be within reach of it: the other minima, and the shapes of the
+// grid with the best weights for them. The latter are found when they are first asked for; several threads
+// may ask.
 class ProfileSeeds {
  public:
   ProfileSeeds(const SampleStream& stream, std::vector<std::vector<double>> minima)
@@ -67,12 +70,13 @@ struct ProfileStart {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
-// Where the profile of `r`, number `index` of the reported parameters, crosses the level on the way out from the minimum.
-// The points are exact whatever stops the search: their costs are costs, and their values the parameter's.
+// Where the profile of `r`, number `index` of the reported parameters, crosses the level on the way out from
+// the minimum. The points are exact whatever stops the search: their costs are costs, and their values the
+// parameter's.
 ProfileSides find_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level);
 
-// Moves the ends out to points that the way there did not see: `known` ones below five times the level, and other shapes, over
-// their grids, for a valley that bends away.
+// Moves the ends out to points that the way there did not see: `known` ones below five times the level, and
+// other shapes, over their grids, for a valley that bends away.
 void extend_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level,
                  std::span<const CostedPoint> known, ProfileSides& sides);
 

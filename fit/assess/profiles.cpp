@@ -39,7 +39,8 @@ void take_profile(const ProfileSides& sides, std::size_t index, const Grounds& o
   if (e.status != Status::free) e.standard_error = e.freedom = 0;
 }
 
-// Which parameters have a profile: not those that are held, and not those that nothing is known of for another reason.
+// Which parameters have a profile: not those that are held, and not those that nothing is known of for
+// another reason.
 bool has_profile(const Reported& r, const Grounds& on) {
   if (r.gradient.empty() || r.without_lobe || on.few || (on.unturned && asks_for_turn(r, on.model)))
     return false;
@@ -47,8 +48,8 @@ bool has_profile(const Reported& r, const Grounds& on) {
                              [&](const auto& g) { return on.curvature.scale(Eigen::Index(g.first)) > 0; });
 }
 
-// By how much the noise raises the cost in the direction of a parameter, against noise of variance 1: the larger, the
-// further up its profile the interval ends.
+// By how much the noise raises the cost in the direction of a parameter, against noise of variance 1: the
+// larger, the further up its profile the interval ends.
 double noise_ratio(const Reported& r, const Grounds& on) {
   const Eigen::VectorXd g = gradient_vector(r, on.curvature.inverse.rows());
   const double own = g.dot(on.curvature.inverse * g);
@@ -82,7 +83,8 @@ ProfileLevel level_of(const Reported& r, const Grounds& on, const Ratios& larges
   return {0.5 * t * t * noise_ratio(r, on), own_unit ? error / r.gradient[0].second : error, of_lobes};
 }
 
-// Whether a shape moves along a profile by so much that another value of it goes with another one of the parameter.
+// Whether a shape moves along a profile by so much that another value of it goes with another one of the
+// parameter.
 bool shapes_move(const ProfileSides& sides, const Grounds& on) {
   for (const ProfileEnd* end : {&sides.low, &sides.high})
     for (std::size_t k = 0; k < on.model.shape_slots(); ++k) {

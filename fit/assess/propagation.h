@@ -22,8 +22,8 @@ struct SlotCovariance {
 // The gradient of a reported parameter by all of the solver's.
 Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n);
 
-// Of what is neither held nor at a bound; parameters that are set together are one. The components are the principal
-// ones of the correlations; each one's degrees of freedom are counted as a parameter's are.
+// Of what is neither held nor at a bound; parameters that are set together are one. The components are the
+// principal ones of the correlations; each one's degrees of freedom are counted as a parameter's are.
 ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
                                          const std::vector<Reported>& all, const SlotCovariance& c,
                                          double freedom);

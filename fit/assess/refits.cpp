@@ -11,8 +11,8 @@
 namespace brdf::fit {
 namespace {
 
-// Without a fold. Against a hundred iterations to 1e-10 the left-out values differ by less than 2e-3 of themselves
-// where a fifth of the rows is left out, by less than 2e-4 for an eleventh.
+// Without a fold. Against a hundred iterations to 1e-10 the left-out values differ by less than 2e-3 of
+// themselves where a fifth of the rows is left out, by less than 2e-4 for an eleventh.
 constexpr int kFoldIterations = 6;
 constexpr double kFoldTolerance = 1e-6;
 // Of a replicate, a standard error away.

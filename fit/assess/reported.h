@@ -34,13 +34,13 @@ Reported product_of(const std::vector<Reported>& all, std::size_t a, std::size_t
 // weight of every channel, at the solver's parameters p.
 std::vector<Reported> reported_parameters(const Model& model, std::span<const double> p);
 
-// The values so far to either side of the one at p: on the solver's scale for a shape parameter (log alpha), within its
-// range for the others.
+// The values so far to either side of the one at p: on the solver's scale for a shape parameter (log alpha),
+// within its range for the others.
 Extent extent_of(const Reported& r, const Model& model, std::span<const double> p, double half_width);
 
-// Whether a standard error is no information: a factor of e on a logarithmic scale, half of the range on others, a quarter
-// for f0, half of the channel's weights for a weight, an eighth of a half turn for the tangent. On the solver's scale for
-// a shape parameter.
+// Whether a standard error is no information: a factor of e on a logarithmic scale, half of the range on
+// others, a quarter for f0, half of the channel's weights for a weight, an eighth of a half turn for the
+// tangent. On the solver's scale for a shape parameter.
 bool says_nothing(const Reported& r, const Model& model, double error);
 
 // The interval of an estimate, and the one with lack of fit: infinite where an end is open.

@@ -27,8 +27,8 @@ enum class Verdict {
   diverged,
   interrupted
 };
-// Where intervals come from: the curvature of the cost at its minimum, clipped to the ranges, which is approximate, or the
-// cost's profile within the bounds.
+// Where intervals come from: the curvature of the cost at its minimum, clipped to the ranges, which is
+// approximate, or the cost's profile within the bounds.
 enum class IntervalsBy { curvature, profile };
 enum class Status { free, fixed, at_bound, unidentified };  // of one parameter
 
@@ -50,8 +50,8 @@ inline constexpr std::array<std::string_view, 4> kNames<fit::Status>{"free", "fi
 
 namespace brdf::fit {
 
-// Whether the material may be used (exit code 0): converged, at_bound with its warning, or determined, where weights
-// share what the samples do not divide between them, and every prediction is known.
+// Whether the material may be used (exit code 0): converged, at_bound with its warning, or determined, where
+// weights share what the samples do not divide between them, and every prediction is known.
 inline bool usable(Verdict verdict) {
   return verdict == Verdict::converged || verdict == Verdict::at_bound || verdict == Verdict::determined;
 }
@@ -73,11 +73,11 @@ struct Estimate {
   double deciding =
       kUnknown;  // how many values decide it: 1 over the sum of their squared shares of its variance
   double low = kUnknown, high = kUnknown;  // 95 %: of the values' scatter, the model taken as right
-  // An end where only the range of the parameter stops the interval, or where the samples never speak against what lies
-  // beyond: low and high are the range's limits then.
+  // An end where only the range of the parameter stops the interval, or where the samples never speak against
+  // what lies beyond: low and high are the range's limits then.
   bool low_open = true, high_open = true;
-  // The others are of free parameters. 95 %, whatever the model's lack of fit: from how far the parameter moves
-  // as folds of incidences are left out; never inside the first.
+  // The others are of free parameters. 95 %, whatever the model's lack of fit: from how far the parameter
+  // moves as folds of incidences are left out; never inside the first.
   Extent with_lack_of_fit;
   Extent left_out, other_metrics;  // where it is without each fold, and under each of the other metrics
   // Of bootstrap replicates, where there are any: their 95 %, and their standard deviation.
@@ -145,8 +145,8 @@ struct Correlations {
   Matrix matrix;
 };
 
-// Of what a fit determines of a material's parameters, identified or not, as a sum over components that vary independently
-// of each other; what is held, at a bound and without effect is not in it.
+// Of what a fit determines of a material's parameters, identified or not, as a sum over components that vary
+// independently of each other; what is held, at a bound and without effect is not in it.
 struct ParameterCovariance {
   std::vector<std::string> names;  // as options name them: alpha, kd[r], terms[1].f0; tangent_phi in degrees
   Matrix components;               // [component][parameter]: the covariance is their transpose times them
@@ -163,8 +163,8 @@ struct LargestAlbedo {
   bool breaks_energy() const { return value > kMost; }
 };
 
-// The material at an end of a parameter's interval: as good a description of the samples as the interval says. Where the
-// end is open, so are materials beyond.
+// The material at an end of a parameter's interval: as good a description of the samples as the interval
+// says. Where the end is open, so are materials beyond.
 struct MaterialAtEnd {
   Material material;
   bool open = false;
@@ -177,8 +177,8 @@ struct Context {
   HeldOut held_out = HeldOut::many;
   std::size_t lights = 0;  // or viewers, or cells of directions: what was left out one by one
   std::string side;        // "incidences"
-  // Width of the narrowest highlight (Ward's alpha) that a sample would show: a narrower one may lie between them; none:
-  // no highlight may.
+  // Width of the narrowest highlight (Ward's alpha) that a sample would show: a narrower one may lie between
+  // them; none: no highlight may.
   std::optional<double> hidden_width;
 };
 

@@ -11,8 +11,8 @@ namespace {
 constexpr double kPerfect = 1e-9;  // median errors below this are rounding
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What forms are ranked by. Without a solution nothing is known: such a form ranks last, and so does one that was
-// interrupted before its rows were left out.
+// What forms are ranked by. Without a solution nothing is known: such a form ranks last, and so does one that
+// was interrupted before its rows were left out.
 class Value {
  public:
   explicit Value(const FitResult& result)

@@ -25,8 +25,8 @@ std::int64_t cell(double angle, double size) {
   return std::int64_t(std::floor((angle + kOffset) / size));
 }
 
-// A configuration's azimuths: of the light (where it stands upright, of the viewer), and of the half vector, which
-// tables of isotropic materials hold still while the light goes round it.
+// A configuration's azimuths: of the light (where it stands upright, of the viewer), and of the half vector,
+// which tables of isotropic materials hold still while the light goes round it.
 struct Turn {
   double light, half;
   bool differs(const Turn& t) const {

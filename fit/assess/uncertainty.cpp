@@ -54,8 +54,8 @@ Correlations correlations_of(const std::vector<Reported>& all, const std::vector
   return out;
 }
 
-// The covariance of what is made of the parameters: the working noise's, raised in the directions in which the
-// consistent covariance is larger, by the share `trust` of the excess.
+// The covariance of what is made of the parameters: the working noise's, raised in the directions in which
+// the consistent covariance is larger, by the share `trust` of the excess.
 RowMatrix larger_of(const RowMatrix& working, const RowMatrix& consistent, double trust) {
   const Eigen::SelfAdjointEigenSolver<RowMatrix> own(working);
   const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();

@@ -95,7 +95,8 @@ class Resolver {
       }
   }
 
-  // Two diffuse terms of a sum would be collinear: that of a form which is nothing else stays, else the first.
+  // Two diffuse terms of a sum would be collinear: that of a form which is nothing else stays, else the
+  // first.
   void keep_one_diffuse_part() {
     for (std::size_t t = 0; t < forms_.size(); ++t) {
       const ReflectanceInfo& info = forms_[t].info();
@@ -150,8 +151,8 @@ class Resolver {
     if (!effective) given.refuse(reason.empty() ? name_of_sum(forms_) + " has no such parameter" : reason);
   }
 
-  // What a table of refractive indices says of a parameter: one value per channel, or where a shape has one value for all
-  // the mean.
+  // What a table of refractive indices says of a parameter: one value per channel, or where a shape has one
+  // value for all the mean.
   NamedValues from_constants(const Given& given, const Target& target, const NamedValues& said) const {
     const Role role = target.info->role;
     if (role != Role::f0 && role != Role::index && role != Role::extinction)

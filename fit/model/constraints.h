@@ -1,5 +1,5 @@
-// What the user holds, bounds and starts: names are resolved to parameters once, and what would have no effect
-// is refused with the reason.
+// What the user holds, bounds and starts: names are resolved to parameters once, and what would have no
+// effect is refused with the reason.
 #pragma once
 
 #include <array>
@@ -47,9 +47,10 @@ struct Constraints {
   Constraint tangent;  // degrees
 };
 
-// Of a sum of forms. A name may stand for several parameters: "kd" for every term's, "terms[1].kd" for one's, and
-// what the two widths of a form are called together ("alpha") for both. Tables of refractive indices are asked for the channels. Throws InputError on names that none has,
-// values out of range or in the wrong number, and on what has no effect.
+// Of a sum of forms. A name may stand for several parameters: "kd" for every term's, "terms[1].kd" for one's,
+// and what the two widths of a form are called together ("alpha") for both. Tables of refractive indices are
+// asked for the channels. Throws InputError on names that none has, values out of range or in the wrong
+// number, and on what has no effect.
 Constraints resolve(std::span<const Reflectance> forms, std::span<const std::string> channels,
                     const FitOptions& options);
 

@@ -1,6 +1,7 @@
-// Weights whose channels share some, or whose sum is bounded: the solver's unknowns are then the weights themselves,
-// each within its own bounds. A sum that is at most 1 is a stick that is broken: the first weight is a share of 1, the
-// next a share of what that leaves. So every weight, and every lobe's, is a product of unknowns u or 1 - u.
+// Weights whose channels share some, or whose sum is bounded: the solver's unknowns are then the weights
+// themselves, each within its own bounds. A sum that is at most 1 is a stick that is broken: the first weight
+// is a share of 1, the next a share of what that leaves. So every weight, and every lobe's, is a product of
+// unknowns u or 1 - u.
 #pragma once
 
 #include <span>
@@ -35,8 +36,8 @@ class NaturalWeights {
  public:
   static bool asked_for(const Constraints& constraints, Physical physical);
 
-  // The slots are to be appended to those that there are, `first` in number. Throws InputError on constraints that do
-  // not go together.
+  // The slots are to be appended to those that there are, `first` in number. Throws InputError on constraints
+  // that do not go together.
   NaturalWeights(std::span<const Reflectance> forms, const Constraints& constraints,
                  const std::vector<std::string>& channels, Physical physical, std::size_t first);
 
@@ -48,8 +49,8 @@ class NaturalWeights {
     return lobes_[term][channel][lobe];
   }
   bool shared(std::size_t term, std::size_t k) const;
-  // What --physical bounds together: "kd + ks", and the channels where that is at its bound. Empty where there is no
-  // more than one such weight.
+  // What --physical bounds together: "kd + ks", and the channels where that is at its bound. Empty where
+  // there is no more than one such weight.
   struct Sum {
     std::string name;
     std::vector<std::size_t> at_bound;
@@ -91,8 +92,8 @@ class NaturalWeights {
   std::vector<std::vector<std::vector<Product>>> lobes_;    // [term][channel][lobe]
 };
 
-// Whether the weights can be those of a dielectric under these constraints: there is one specular weight, f0 divides
-// it, and what is held and tied allows it to be 1 and the rest to follow from f0.
+// Whether the weights can be those of a dielectric under these constraints: there is one specular weight, f0
+// divides it, and what is held and tied allows it to be 1 and the rest to follow from f0.
 bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& constraints);
 // Whether they can only be that: the specular weight is held at 1.
 bool must_be_dielectric(std::span<const Reflectance> forms, const Constraints& constraints);

@@ -57,8 +57,8 @@ inline constexpr std::array<std::string_view, 4> kNames<fit::Weighting>{"auto", 
 
 namespace brdf::fit {
 
-// One parameter's value for all channels or one per channel; or what a table of refractive indices says of it in every
-// channel: the reflectance along the normal of f0, else n or k (by the parameter's role).
+// One parameter's value for all channels or one per channel; or what a table of refractive indices says of it
+// in every channel: the reflectance along the normal of f0, else n or k (by the parameter's role).
 struct NamedValues {
   std::string name;
   std::vector<double> values;
@@ -97,8 +97,8 @@ struct FitOptions {
   std::uint64_t seed = 1;
   int bootstrap = 0;    // replicates of groups of rows, drawn by the seed
   double aperture = 0;  // full width of the detector's field, degrees; 0: none
-  // The surface's normal is fitted, too, from these components along the directions' x and y. The values are then
-  // taken as f_r cos_i of the surface over the cos_i of the directions' own frame.
+  // The surface's normal is fitted, too, from these components along the directions' x and y. The values are
+  // then taken as f_r cos_i of the surface over the cos_i of the directions' own frame.
   std::optional<std::array<double, 2>> normal;
   bool cross_validation = true;
   bool profiles = true;  // intervals by profiles, which take longer than the fit
@@ -109,7 +109,8 @@ struct FitOptions {
   bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }
 };
 
-// What the tables of refractive indices hold that the options name, for fingerprints; empty where there are none.
+// What the tables of refractive indices hold that the options name, for fingerprints; empty where there are
+// none.
 std::string constants_text(const FitOptions& options);
 
 }  // namespace brdf::fit

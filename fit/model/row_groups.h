@@ -1,4 +1,5 @@
-// Rows that belong together because one direction stood still while they were taken: what is left out together.
+// Rows that belong together because one direction stood still while they were taken: what is left out
+// together.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 
 namespace brdf::fit {
 
-// At most so many groups are left out one by one; more are dealt out to as many folds by a hash of their directions:
-// at random, as the error of a parameter by folds supposes, but always the same.
+// At most so many groups are left out one by one; more are dealt out to as many folds by a hash of their
+// directions: at random, as the error of a parameter by folds supposes, but always the same.
 inline constexpr std::size_t kMostFolds = 11;
 
 struct RowRange {
@@ -45,11 +46,11 @@ struct RowGroups {
 // All rows of a fold, which lie together.
 RowRange rows_of_fold(const RowGroups& groups, std::size_t fold);
 
-// The stepped side is the one with fewer distinct directions (to a thousandth of a degree), as long as it has two. Above
-// 1,000 directions on either side the light's cells of 1 degree by 30 are the groups; below two on both, the pairs. Where
-// one side has a single direction, so that those of the other are all that can be left out, what is left out lies between
-// what is fitted. Folds depend on the directions alone, not on the order of rows, and not on a turn of all of them
-// about the normal.
+// The stepped side is the one with fewer distinct directions (to a thousandth of a degree), as long as it has
+// two. Above 1,000 directions on either side the light's cells of 1 degree by 30 are the groups; below two on
+// both, the pairs. Where one side has a single direction, so that those of the other are all that can be left
+// out, what is left out lies between what is fitted. Folds depend on the directions alone, not on the order
+// of rows, and not on a turn of all of them about the normal.
 RowGroups group_rows(const Directions<double>& directions, std::size_t rows);
 
 }  // namespace brdf::fit

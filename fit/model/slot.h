@@ -22,9 +22,9 @@ inline constexpr double kSquareFloor = 1e-6;
 enum class Scale { identity, log, log1p, square };
 
 struct Slot {
-  // linear: an unknown in which the lobes' weights are linear; weight: a weight or f0 itself, or its share of what
-  // the weights before it leave
-  // normal: a component of the surface's normal, in the frame of the directions
+  // linear: an unknown in which the lobes' weights are linear; weight: a weight or f0 itself, or its share of
+  // what the weights before it leave normal: a component of the surface's normal, in the frame of the
+  // directions
   enum class Kind { shape, tangent, normal, linear, weight } kind;
   std::size_t term = 0;
   std::vector<std::size_t> members;  // shape parameters it sets (two where the widths are tied)
@@ -34,7 +34,8 @@ struct Slot {
   double min = 0, max = 0;   // natural
   double low = 0, high = 0;  // on the solver's scale
   double grid_max = 0;       // natural: what a grid of starts covers
-  // Of a shape that is smooth over wavelength (smooth.h): which of its values this is, and its share in each channel.
+  // Of a shape that is smooth over wavelength (smooth.h): which of its values this is, and its share in each
+  // channel.
   std::size_t node = 0, nodes = 1;
   std::vector<double> share;
   std::string name;  // as reported: alpha, alpha_x, terms[1].sigma

@@ -1,5 +1,5 @@
-// The parts of a page about a fit, in the order in which a reader asks. Each adds its heading, and nothing where it has
-// nothing to show.
+// The parts of a page about a fit, in the order in which a reader asks. Each adds its heading, and nothing
+// where it has nothing to show.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,19 @@
 
 namespace brdf::fit {
 
-// The best form in one sentence, and what must be known at once; the mark is amber where anything is in doubt.
+// The best form in one sentence, and what must be known at once; the mark is amber where anything is in
+// doubt.
 void add_verdict(io::HtmlReport& report, const FitResult& result);
 
-// The fitted material, the samples and the difference on a sphere that turns (io/page/sphere/page.h); nothing where the
-// channels are no colours.
+// The fitted material, the samples and the difference on a sphere that turns (io/page/sphere/page.h); nothing
+// where the channels are no colours.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table);
 // Of samples that were prepared, whose material has no io::sphere::obstacle().
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,
                 const std::shared_ptr<const measured::MeasuredReflectance>& seen);
 
-// Samples and the fitted curve in the plane of incidence, up to three channels and four angles of the light. The curve
-// is evaluated every half degree and where a sample is; `aperture` is the detector's, in degrees.
+// Samples and the fitted curve in the plane of incidence, up to three channels and four angles of the light.
+// The curve is evaluated every half degree and where a sample is; `aperture` is the detector's, in degrees.
 void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture);
 
 // Mean of ln(fitted/measured) over the half angles.

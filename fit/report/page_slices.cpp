@@ -1,4 +1,5 @@
-// Measured against fitted: slices through the plane of incidence, and where the fit deviates over the half angles.
+// Measured against fitted: slices through the plane of incidence, and where the fit deviates over the half
+// angles.
 #include <algorithm>
 #include <cmath>
 #include <map>

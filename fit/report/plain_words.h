@@ -1,4 +1,5 @@
-// What a fit found, in words for people: how it stands, what must be known at once, what its parameters are called.
+// What a fit found, in words for people: how it stands, what must be known at once, what its parameters are
+// called.
 #pragma once
 
 #include <optional>
@@ -12,10 +13,10 @@
 
 namespace brdf::fit {
 
-// "ks (r, g, b)", "f0 (r)": free parameters that the samples leave wide open. Of a weight or an angle half of the
-// 95 % interval is beyond half of the value (and a twentieth of the parameter's usual range, or of the channel's
-// weights); a parameter on a logarithmic scale varies by more than a factor of 4. Where the form lacks something, the
-// interval is the one with lack of fit.
+// "ks (r, g, b)", "f0 (r)": free parameters that the samples leave wide open. Of a weight or an angle half of
+// the 95 % interval is beyond half of the value (and a twentieth of the parameter's usual range, or of the
+// channel's weights); a parameter on a logarithmic scale varies by more than a factor of 4. Where the form
+// lacks something, the interval is the one with lack of fit.
 std::vector<std::string> weakly_determined(const FormFit& fit);
 // The same as a clause; empty where there is none.
 std::string weakness_text(const FormFit& fit);

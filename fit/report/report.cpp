@@ -68,7 +68,8 @@ struct Column {
 
 // Forms by what they are worth. Of a terminal too narrow for all columns some stay out, and it says so.
 void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& style) {
-  // The widths are least ones; `dropped`: of a terminal too narrow, in this order, for what says least goes first.
+  // The widths are least ones; `dropped`: of a terminal too narrow, in this order, for what says least goes
+  // first.
   std::vector<Column> table{{0, "form", {}},       {17, "verdict", {}},     {10, "held out", {}, 3},
                             {9, "median", {}},     {8, "90 %", {}, 2},      {10, "off by 2", {}, 1},
                             {11, "x scatter", {}}, {0, "parameters", {}, 4}};

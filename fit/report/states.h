@@ -1,4 +1,5 @@
-// How a fit stands: one table from what was found to the mark, the exit code and the sentence that every face shows.
+// How a fit stands: one table from what was found to the mark, the exit code and the sentence that every face
+// shows.
 #pragma once
 
 #include <string>

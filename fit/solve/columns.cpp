@@ -8,8 +8,8 @@
 namespace brdf::fit {
 namespace {
 
-// Eight lanes in vectors as wide as registers are: g++ keeps wider ones in memory, copied word by word, which costs a factor of
-// seven.
+// Eight lanes in vectors as wide as registers are: g++ keeps wider ones in memory, copied word by word, which
+// costs a factor of seven.
 struct __attribute__((may_alias)) Quads {
   typedef double Vector __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
   static constexpr std::size_t width = 4;
@@ -22,8 +22,8 @@ struct __attribute__((may_alias)) Octet {
 };
 static_assert(kLanes == 8);
 
-// A value explains at most so much of its own residual: one that fixes a parameter alone counts as very uncertain, not as
-// infinitely so.
+// A value explains at most so much of its own residual: one that fixes a parameter alone counts as very
+// uncertain, not as infinitely so.
 constexpr double kMostLeverage = 0.99;
 
 inline double clamped(double x, double low, double high) {

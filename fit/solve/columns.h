@@ -1,5 +1,5 @@
-// Vectorised loops over columns: arrays of kBlockRows values, one for each row of a block. Those over `rows` entries take
-// padded(rows).
+// Vectorised loops over columns: arrays of kBlockRows values, one for each row of a block. Those over `rows`
+// entries take padded(rows).
 #pragma once
 
 #include <cstddef>
@@ -42,10 +42,10 @@ void multiply_squares(const double* a, const double* b, std::size_t entries, dou
 // out[j] = sum_ik c_i[j] m[i * n + k] c_k[j] of n columns c
 void quadratic_forms(std::size_t n, const double* const* column, const double* m, std::size_t entries,
                      double* out);
-// r[j] over the root of what its own influence leaves of its expected square. Of a value's variance that is 1 less its
-// leverage times the loss's curvature, where all values are as noisy; with `predicted`, the variance that all values'
-// noise gives the fit there, and the value's own noise, a share between that and its square, which is where no other
-// value is noisy. `predicted` and `noise` may be null.
+// r[j] over the root of what its own influence leaves of its expected square. Of a value's variance that is 1
+// less its leverage times the loss's curvature, where all values are as noisy; with `predicted`, the variance
+// that all values' noise gives the fit there, and the value's own noise, a share between that and its square,
+// which is where no other value is noisy. `predicted` and `noise` may be null.
 void free_of_influence(const double* leverage, const double* curvature, const double* predicted,
                        const double* noise, std::size_t entries, double* r);
 

@@ -17,8 +17,8 @@ void swap_slots(Minimum& m, std::size_t a, std::size_t b) {
   std::swap(m.at_bound[a], m.at_bound[b]);
 }
 
-// Pairs of slots that change places where the frame turns by a right angle: the widths along and across of every
-// term. None where some are held, tied or bounded apart.
+// Pairs of slots that change places where the frame turns by a right angle: the widths along and across of
+// every term. None where some are held, tied or bounded apart.
 std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& model) {
   const auto shape_slot = [&](std::size_t term, int member, std::size_t group) {
     for (std::size_t s = 0; s < model.shape_slots(); ++s) {

@@ -31,7 +31,8 @@ class NoiseShares {
   bool any() const { return squares_ > 0; }
   // Degrees of freedom of the variance that is estimated from these values (Satterthwaite 1946).
   double freedom() const { return sum_ * sum_ / squares_; }
-  // The largest parts as shares of the whole; then what the others have together, and their degrees of freedom.
+  // The largest parts as shares of the whole; then what the others have together, and their degrees of
+  // freedom.
   std::array<double, kLargest> largest() const {
     std::array<double, kLargest> out = largest_;
     for (double& share : out) share /= sum_;

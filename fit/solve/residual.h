@@ -21,7 +21,8 @@ struct Residual {
   bool linearised = false;
 };
 
-// One channel of a block of rows: model, measurement, cosines, square root of the weight (null: 1), sigma (null: none).
+// One channel of a block of rows: model, measurement, cosines, square root of the weight (null: 1), sigma
+// (null: none).
 struct ResidualInputs {
   const double *f, *g, *cos_i, *cos_o, *weight, *sigma;
   std::size_t rows;

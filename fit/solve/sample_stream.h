@@ -44,7 +44,8 @@ struct LobeGram {
   std::vector<double> square;              // [channel]: of the measurement
 };
 
-// A cost that is quadratic in the weights of the lobes: its second and first derivatives where they are 0, and its value.
+// A cost that is quadratic in the weights of the lobes: its second and first derivatives where they are 0,
+// and its value.
 struct LobeQuadratic {
   std::vector<Matrix> hessian;  // [channel]
   Matrix gradient;              // [channel][lobe]
@@ -88,8 +89,8 @@ class SampleStream {
     std::atomic<Workspace*> kept_{nullptr};
   };
 
-  // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows. `spare`: of the
-  // streams of many small problems, one after another; its own unless it is given.
+  // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows.
+  // `spare`: of the streams of many small problems, one after another; its own unless it is given.
   SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture,
                std::shared_ptr<Spare> spare = nullptr);
   // Over some rows only; `scores` and `freedom` are of all rows still.
@@ -107,18 +108,19 @@ class SampleStream {
   LobeQuadratic linearised_lobes(std::span<const double> p) const;
   ScoreMatrices scores(std::span<const double> p) const;
   Matrix bread(std::span<const double> p) const;
-  // The meat where, with the inverse of the bread, every residual is divided by the root of 1 less its leverage, which
-  // makes its square unbiased where all values are as noisy (MacKinnon and White 1985, HC2). With `expected`, the sandwich
-  // of the expected meat, it is unbiased where the noise is proportional to the value (Bell and McCaffrey 2002, of that
-  // working model; never below HC2, nor above HC3).
+  // The meat where, with the inverse of the bread, every residual is divided by the root of 1 less its
+  // leverage, which makes its square unbiased where all values are as noisy (MacKinnon and White 1985, HC2).
+  // With `expected`, the sandwich of the expected meat, it is unbiased where the noise is proportional to the
+  // value (Bell and McCaffrey 2002, of that working model; never below HC2, nor above HC3).
   Matrix meat(std::span<const double> p, const Matrix& inverse, const Matrix* expected = nullptr) const;
   // The meat of noise that is the value itself.
   Matrix expected_meat(std::span<const double> p) const;
-  // The meat of these scores in the residuals' place, [channel][row], independent of each other or shared within a row.
+  // The meat of these scores in the residuals' place, [channel][row], independent of each other or shared
+  // within a row.
   Matrix meat_of(std::span<const double> p, const std::vector<std::vector<double>>& scores,
                  Clusters clusters) const;
-  // What the values have of the variance of v'g for each v, g the gradient of one value; noise taken as proportional to
-  // the value.
+  // What the values have of the variance of v'g for each v, g the gradient of one value; noise taken as
+  // proportional to the value.
   std::vector<NoiseShares> noise_shares(std::span<const double> p,
                                         const std::vector<std::vector<double>>& v) const;
   // The model's values and their standard errors, from the covariance of the solver's parameters.

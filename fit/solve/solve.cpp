@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kManyUnknowns = 32;
 
-// Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost, in the unknowns `free`. A pivot below the rounding of its
-// diagonal is a direction that the samples do not see: its row is 0.
+// Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost, in the unknowns `free`. A pivot below the
+// rounding of its diagonal is a direction that the samples do not see: its row is 0.
 void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref<RowMatrix> jacobian,
               Eigen::Ref<Eigen::VectorXd> r) {
   const Eigen::Index size = Eigen::Index(free.size()), all = Eigen::Index(n.gradient.size());
@@ -40,13 +40,14 @@ void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref
   r(size) = std::sqrt(std::max(rest, 0.0));
 }
 
-// The cost in the parameters that are free. Ceres asks for cost and Jacobian separately: the last pass is remembered.
+// The cost in the parameters that are free. Ceres asks for cost and Jacobian separately: the last pass is
+// remembered.
 class CompressedCost : public ceres::CostFunction {
  public:
   explicit CompressedCost(const Objective& objective) : objective_(objective) {}
 
-  // The parameters that are not held become the unknowns, the others stay what they are in p. (A manifold of Ceres's would
-  // multiply the Jacobian by a matrix of its own at every step.)
+  // The parameters that are not held become the unknowns, the others stay what they are in p. (A manifold of
+  // Ceres's would multiply the Jacobian by a matrix of its own at every step.)
   void hold(const std::vector<int>& held, const std::vector<double>& p) {
     p_ = p;
     free_.clear();
@@ -102,7 +103,8 @@ class CompressedCost : public ceres::CostFunction {
   mutable int passes_ = 0;
 };
 
-// Ends a run that is interrupted, and one that fails: Ceres writes to the terminal when it gives up by itself.
+// Ends a run that is interrupted, and one that fails: Ceres writes to the terminal when it gives up by
+// itself.
 class Watch : public ceres::IterationCallback {
  public:
   explicit Watch(const std::atomic<bool>* interrupted) : interrupted_(interrupted) {}
@@ -164,7 +166,8 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   o.function_tolerance = options.tolerance;
   o.parameter_tolerance = options.tolerance;
   o.gradient_tolerance = 0;  // its scale is the samples', which are not known here
-  // The Jacobian is a Cholesky factor already: nothing is lost by another one, which is quicker where unknowns are many.
+  // The Jacobian is a Cholesky factor already: nothing is lost by another one, which is quicker where
+  // unknowns are many.
   o.linear_solver_type = free.size() > kManyUnknowns ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   o.logging_type = ceres::SILENT;
   o.num_threads = 1;

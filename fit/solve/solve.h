@@ -45,8 +45,8 @@ struct Solution {
   int passes = 0, iterations = 0;
 };
 
-// Which parameters are held at a bound (-1 below, 1 above), and sets them to it: those at one where the cost pushes outward,
-// or does not care.
+// Which parameters are held at a bound (-1 below, 1 above), and sets them to it: those at one where the cost
+// pushes outward, or does not care.
 std::vector<int> hold_at_bounds(const NormalEquations& n, std::vector<double>& p, std::span<const double> low,
                                 std::span<const double> high);
 

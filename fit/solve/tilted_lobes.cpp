@@ -1,4 +1,5 @@
-// Lobes of a surface whose normal is fitted: rows hold f_r cos_i of the surface over cos_i of their own frame.
+// Lobes of a surface whose normal is fitted: rows hold f_r cos_i of the surface over cos_i of their own
+// frame.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +8,8 @@
 namespace brdf::fit {
 namespace {
 
-// Central differences: for a lobe of width w the error is step^2/w^3 of its height, and 1e-16/step from rounding.
+// Central differences: for a lobe of width w the error is step^2/w^3 of its height, and 1e-16/step from
+// rounding.
 constexpr double kTiltStep = 1e-5;
 
 Vec3<double> moved(const Vec3<double>& normal, int component, double step) {

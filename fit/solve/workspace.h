@@ -55,8 +55,8 @@ struct SampleStream::Workspace {
   double *f, *r, *slope, *rho, *root, *curvature, *mixed;
   std::vector<double*> scores;  // [slot]
 
-  // Of a fitted normal: the directions in its frame, cos_i there over that of the rows, and the derivatives by its
-  // components.
+  // Of a fitted normal: the directions in its frame, cos_i there over that of the rows, and the derivatives
+  // by its components.
   DirectionArrays<double> tilted{0};
   std::vector<double> cosine_ratio, by_normal;
   std::vector<LobeColumns> moved_terms;

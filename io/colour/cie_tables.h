@@ -1,4 +1,5 @@
-// The CIE's tables, embedded by the build: comments, a header row, then a wavelength in nm and three numbers per row.
+// The CIE's tables, embedded by the build: comments, a header row, then a wavelength in nm and three numbers
+// per row.
 #pragma once
 
 namespace brdf::io {

@@ -48,7 +48,8 @@ const Functions& observer() {
   return table;
 }
 
-// What to multiply S1 and S2 by: chromaticity by the temperature, then to three decimals, as the CIE rounds them.
+// What to multiply S1 and S2 by: chromaticity by the temperature, then to three decimals, as the CIE rounds
+// them.
 std::array<double, 2> daylight_multipliers(double kelvin) {
   const double t = 1e3 / kelvin;
   const double x = kelvin <= 7000 ? 0.244063 + t * (0.09911 + t * (2.9678 - t * 4.6070))

@@ -15,8 +15,8 @@ using AngleKind = AngleName::Quantity;
 using AngleNames = std::map<std::string, AngleName>;
 
 constexpr std::array kLightWords{"i",      "in",    "inc",          "incident", "incidence", "incoming",
-                            "l",      "light", "illumination", "illum",    "sun",       "solar",
-                            "source", "src",   "lamp",         "laser",    "beam"};
+                                 "l",      "light", "illumination", "illum",    "sun",       "solar",
+                                 "source", "src",   "lamp",         "laser",    "beam"};
 constexpr std::array kViewer{"o",          "out",        "outgoing", "r",           "refl",     "reflected",
                              "reflection", "v",          "view",     "viewer",      "viewing",  "det",
                              "detector",   "receiver",   "observer", "observation", "e",        "exit",

@@ -220,8 +220,8 @@ class HeaderReading {
   std::string read_as_;
 };
 
-// The number of degrees with the fewest digits that is this angle to its last bit: instruments write 30 degrees as
-// 0.5235987755982988.
+// The number of degrees with the fewest digits that is this angle to its last bit: instruments write 30
+// degrees as 0.5235987755982988.
 double shortest_degrees(double radian) {
   const double plain = radians(radian).degrees();
   for (double scale = 1; scale <= 1e12; scale *= 10) {

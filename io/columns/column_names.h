@@ -57,7 +57,8 @@ struct HeaderFacts {
   bool keeps_names = false;
 };
 
-// Whether a field is a unit that a column's name may have, in brackets or not: deg, [rad], 1/sr, nm. So is nothing at all.
+// Whether a field is a unit that a column's name may have, in brackets or not: deg, [rad], 1/sr, nm. So is
+// nothing at all.
 bool is_unit(std::string_view field);
 
 // Whether a row of names is a header row: at least two of them are angles'.

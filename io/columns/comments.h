@@ -14,8 +14,8 @@ inline constexpr std::string_view kQuantityKey = "quantity";  // reserved: says 
 // What follows the `#`: a key ends at the first colon. Control characters become blanks.
 Comment parse_comment(std::string_view text);
 
-// The line without its `#` that reads back to this comment: free text with a colon keeps a leading one, and so
-// does a key that is reserved.
+// The line without its `#` that reads back to this comment: free text with a colon keeps a leading one, and
+// so does a key that is reserved.
 std::string comment_text(const Comment& comment);
 
 }  // namespace brdf::io

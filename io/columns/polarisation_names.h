@@ -11,13 +11,13 @@
 namespace brdf::io {
 
 // What is made of them: all channels stay, the surface's f_r in unpolarised light, in light that is polarised
-// perpendicular (s) or parallel (p) to the plane of incidence, or of one pair of polarisers, the light's before the
-// viewer's.
+// perpendicular (s) or parallel (p) to the plane of incidence, or of one pair of polarisers, the light's
+// before the viewer's.
 enum class Polarisation { keep, average, s, p, ss, sp, ps, pp };
 
-// A channel's name without the words of its polarisation, and what they say: fr_s, 465nm (p), pp, "TE 650nm". Words stand
-// between blanks, underscores, hyphens or brackets, in any case; te is s, tm is p, and `pol`, `polarised`, `polarized`
-// beside one are left out. A name of nothing else is `fr`'s.
+// A channel's name without the words of its polarisation, and what they say: fr_s, 465nm (p), pp, "TE 650nm".
+// Words stand between blanks, underscores, hyphens or brackets, in any case; te is s, tm is p, and `pol`,
+// `polarised`, `polarized` beside one are left out. A name of nothing else is `fr`'s.
 struct PolarisedName {
   std::string name;
   std::optional<Polarisation> of;  // s, p, ss, sp, ps or pp

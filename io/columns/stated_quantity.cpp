@@ -43,6 +43,14 @@ void StatedQuantities::add(StatedQuantity stated, const std::string& where) {
   if (!found_ || found_->by == StatedQuantity::By::title) found_ = std::move(stated);
 }
 
+void require_f_r(const std::string& name, const Supplied& supplied) {
+  const std::optional<StatedQuantity> stated = stated_by_option(supplied.quantity);
+  if (stated && !stated->quantity.is_f_r())
+    throw InputError(name + ": --quantity " + stated->words + ": the format states f_r");
+  if (supplied.mirror_side != MirrorSide::automatic)
+    throw InputError(name + ": --mirror-side is for tables of two angles; this format states azimuths");
+}
+
 void StatedQuantities::add_comment(std::string_view words, std::size_t line, const std::string& where) {
   add({StatedQuantity::By::comment, known(words, where + ": quantity"), std::string(words),
        "line " + std::to_string(line)},

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/columns/quantities.h"
+#include "io/columns/supplied.h"
 
 namespace brdf::io {
 
@@ -23,6 +24,10 @@ std::optional<std::string_view> quantity_in_comment(std::string_view text);
 // The quantity of an option; throws InputError for unknown words and for what is no f_r. std::nullopt of
 // empty words.
 std::optional<StatedQuantity> stated_by_option(const std::string& words);
+
+// A format that states f_r and its directions itself: throws InputError where the caller states anything else. `name`
+// opens the message.
+void require_f_r(const std::string& name, const Supplied& supplied);
 
 // Collects what a file states. Throws InputError, which `where` opens ("FILE, line 3"), if two statements
 // contradict, and for quantities that are unknown or no f_r.

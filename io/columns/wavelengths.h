@@ -31,8 +31,8 @@ double without_noise(double nm);
 // In nm, of a name that ends in a wavelength: 465nm, fr_465.5 nm, 0.55um, 5500 Å.
 std::optional<double> wavelength_of(std::string_view channel);
 
-// A name that is nothing but a wavelength's number, from 100 to 100,000 nm, with its unit: 400 is 400nm. Any other name as
-// it is.
+// A name that is nothing but a wavelength's number, from 100 to 100,000 nm, with its unit: 400 is 400nm. Any
+// other name as it is.
 std::string with_band_unit(std::string_view name);
 
 }  // namespace brdf::io

@@ -34,7 +34,8 @@ bool Dialect::is_separator_line(std::string_view line) {
   return true;
 }
 
-// Blanks separate a name from its unit, too: "theta_i (deg)" is one. Names in quotes stand in memory of their own.
+// Blanks separate a name from its unit, too: "theta_i (deg)" is one. Names in quotes stand in memory of their
+// own.
 void Dialect::join_units(std::vector<std::string_view>& names) {
   std::vector<std::string_view> joined;
   std::string* text = nullptr;  // of the last one, where it has been joined

@@ -12,9 +12,9 @@ namespace brdf::io {
 inline constexpr std::string_view kBadQuotation =
     "a quotation mark is not closed in its line, or text follows it";
 
-// Comma, semicolon, tab or blanks between fields, as the header row or a line `sep=;` says; fields may stand in
-// double quotes (RFC 4180); numbers have a decimal point, or a decimal comma throughout where that cannot be a
-// separator.
+// Comma, semicolon, tab or blanks between fields, as the header row or a line `sep=;` says; fields may stand
+// in double quotes (RFC 4180); numbers have a decimal point, or a decimal comma throughout where that cannot
+// be a separator.
 class Dialect {
  public:
   // Whether the line is spreadsheets' `sep=;`, which is then obeyed.
@@ -24,7 +24,8 @@ class Dialect {
   // brackets at least twice, or once where blanks part fewer than three names; else blanks. Empty names at
   // its end are left out, as fields under them are. False as in split_row.
   bool split_header(std::string_view line, std::vector<std::string_view>& names);
-  // Splits a row; false where a quotation mark is not closed, or text follows a closed one. The fields stay valid until the next line is split.
+  // Splits a row; false where a quotation mark is not closed, or text follows a closed one. The fields stay
+  // valid until the next line is split.
   bool split_row(std::string_view line, std::vector<std::string_view>& fields);
   // A field as a number. False where it is none, or has the other decimal mark than those before.
   bool parse(std::string_view field, double& value);

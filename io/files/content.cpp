@@ -95,7 +95,8 @@ bool is_utf16(const std::string& bytes) {
          begins_as_utf16(bytes, true);
 }
 
-// UTF-16 as spreadsheets write it ("Unicode text"), with its byte order mark or without. Lone surrogates are no text.
+// UTF-16 as spreadsheets write it ("Unicode text"), with its byte order mark or without. Lone surrogates are
+// no text.
 std::string from_utf16(Content& text) {
   const bool is_big = text.bytes.starts_with(kBigEndian) || begins_as_utf16(text.bytes, true);
   const bool is_marked = text.bytes.starts_with(kLittleEndian) || text.bytes.starts_with(kBigEndian);

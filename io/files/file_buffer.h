@@ -6,8 +6,8 @@
 
 namespace brdf::io {
 
-// Remembers why the first failed write failed; after it nothing more is written. `by_line`: what ends a line is
-// written at once. Does not close the descriptor.
+// Remembers why the first failed write failed; after it nothing more is written. `by_line`: what ends a line
+// is written at once. Does not close the descriptor.
 class FileBuffer : public std::streambuf {
  public:
   explicit FileBuffer(int descriptor, bool by_line = false);

@@ -18,8 +18,8 @@ constexpr std::string_view kCppKeywords =
     "thread_local throw true try typedef typeid typename typeof union unsigned using virtual void "
     "volatile wchar_t while xor xor_eq";
 
-// What <cmath>, <cstdint> and <cstring> declare at global scope, and words of other headers of C and POSIX: from the
-// preprocessed headers of g++ 12 and clang 14. A suffix of the type (sinf, sinl) is not listed.
+// What <cmath>, <cstdint> and <cstring> declare at global scope, and words of other headers of C and POSIX:
+// from the preprocessed headers of g++ 12 and clang 14. A suffix of the type (sinf, sinl) is not listed.
 constexpr std::string_view kCppTaken =
     "BUFSIZ EOF FILE INFINITY MAXFLOAT NAN NFDBITS NULL SNAN SNANF SNANF128 SNANF32 SNANF32X SNANF64 "
     "SNANF64X SNANL WCONTINUED WEXITED WNOHANG WNOWAIT WSTOPPED WUNTRACED a64l abort abs access acct acos "
@@ -77,7 +77,8 @@ constexpr std::string_view kCppTaken =
     "wcswcs wcswidth wcsxfrm wctob wctomb wcwidth wmemchr wmemcmp wmemcpy wmemmove wmempcpy wmemset "
     "wprintf write wscanf y0 y1 yn zndev znroot";
 
-// Reserved in OSL, its types and global variables (the specification's chapters 4 to 6), and what write_osl.cpp writes.
+// Reserved in OSL, its types and global variables (the specification's chapters 4 to 6), and what
+// write_osl.cpp writes.
 constexpr std::string_view kOsl =
     "Ci I M_PI N Ng P Ps T and bool break case catch char class closure color const continue dPdtime dPdu "
     "dPdv default delete diffuse displacement do double dtime else emit enum extern false float for "
@@ -99,7 +100,8 @@ bool is_shout(std::string_view word) {
          std::ranges::none_of(word, [](char c) { return std::islower(static_cast<unsigned char>(c)); });
 }
 
-// Also sinf and sinf32x where sin is listed, types of POSIX (_t), variants of its functions, and what looks like a macro.
+// Also sinf and sinf32x where sin is listed, types of POSIX (_t), variants of its functions, and what looks
+// like a macro.
 bool is_taken_in_cpp(std::string_view word) {
   if (has_word(kCppKeywords, word) || has_word(kCppTaken, word)) return true;
   if (is_shout(word)) return true;

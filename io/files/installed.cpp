@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where this code lies: a shared library, the Python module, or the program itself, of which the loader knows only how it
-// was called.
+// Where this code lies: a shared library, the Python module, or the program itself, of which the loader knows
+// only how it was called.
 fs::path own_object() {
   static const char here = 0;
   Dl_info found;

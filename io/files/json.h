@@ -11,8 +11,8 @@ namespace brdf::io {
 
 using Json = nlohmann::ordered_json;  // keeps the order of keys: files read as they were written
 
-// Parses strictly: syntax errors, keys given twice, numbers out of range and what is nested too deeply are refused
-// with the file and the place. Throws InputError.
+// Parses strictly: syntax errors, keys given twice, numbers out of range and what is nested too deeply are
+// refused with the file and the place. Throws InputError.
 Json read_json(const std::filesystem::path& path);
 Json read_json(const Content& content);
 Json parse_json(const std::string& text, const std::string& file);

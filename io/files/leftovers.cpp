@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array kEnding{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
 
-// Names are held in place, because a handler may not allocate. A child that was forked has its parent's list, too.
+// Names are held in place, because a handler may not allocate. A child that was forked has its parent's list,
+// too.
 constexpr std::size_t kPlaces = 64;
 struct Name {
   std::array<char, 4096> path;  // empty: none
@@ -39,8 +40,8 @@ std::size_t free_place() {
   throw EnvironmentError("more than " + std::to_string(kPlaces) + " files are written at the same time");
 }
 
-// A file, or a folder with everything in it, by nothing that a handler may not call: no memory is asked for. Somebody may
-// still put something there: several rounds.
+// A file, or a folder with everything in it, by nothing that a handler may not call: no memory is asked for.
+// Somebody may still put something there: several rounds.
 void remove_entry(int at, const char* name, int depth = 0) {
   constexpr int kRounds = 3, kDeepest = 8;
   if (::unlinkat(at, name, 0) == 0 || errno != EISDIR || depth == kDeepest) return;

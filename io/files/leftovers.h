@@ -1,5 +1,5 @@
-// What temporaries are called, what a signal removes of them, and what the next run sweeps. For io/files/temporary.h and
-// io/files/temporary_folder.h.
+// What temporaries are called, what a signal removes of them, and what the next run sweeps. For
+// io/files/temporary.h and io/files/temporary_folder.h.
 #pragma once
 
 #include <csignal>
@@ -8,8 +8,8 @@
 
 namespace brdf::io {
 
-// The name of a file or a folder in the list of what a signal removes; none while it is empty. Throws EnvironmentError where
-// the list is full.
+// The name of a file or a folder in the list of what a signal removes; none while it is empty. Throws
+// EnvironmentError where the list is full.
 class Listed {
  public:
   Listed();
@@ -20,15 +20,16 @@ class Listed {
   // False where the name is too long to be held.
   bool set(const std::string& path);
   void clear();
-  // Removes what it names, a folder with everything in it, and forgets it. Not in a child that was forked meanwhile.
+  // Removes what it names, a folder with everything in it, and forgets it. Not in a child that was forked
+  // meanwhile.
   void remove();
 
  private:
   std::size_t place_;
 };
 
-// Keeps a handler from running between what happens to a file and what is said of it in the list: in this thread
-// signals wait, in another one the handler does.
+// Keeps a handler from running between what happens to a file and what is said of it in the list: in this
+// thread signals wait, in another one the handler does.
 class Undisturbed {
  public:
   Undisturbed();
@@ -44,12 +45,12 @@ class Undisturbed {
 std::filesystem::path temporary_name(const std::filesystem::path& target);
 // Removes the temporaries of this target, files and folders, that no process holds any more.
 void sweep(const std::filesystem::path& target);
-// Whether an open temporary is locked now and still there: the lock tells others that we live, and one that swept just before
-// took it away.
+// Whether an open temporary is locked now and still there: the lock tells others that we live, and one that
+// swept just before took it away.
 bool is_held(int descriptor);
-// From now on signals that end the process remove its temporaries first, then end it as they would have. Signals
-// that the process was told to ignore stay ignored; so does the one for files that grow too large, whose error is
-// reported. For programs, not for libraries: main calls it.
+// From now on signals that end the process remove its temporaries first, then end it as they would have.
+// Signals that the process was told to ignore stay ignored; so does the one for files that grow too large,
+// whose error is reported. For programs, not for libraries: main calls it.
 void remove_temporaries_on_signals();
 
 }  // namespace brdf::io

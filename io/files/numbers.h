@@ -16,7 +16,8 @@ std::string percent_to_tenths(double share);
 // "a, b, c".
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
 
-// The value below which this share of the values lies (the upper of two for a share between them); NaN of none.
+// The value below which this share of the values lies (the upper of two for a share between them); NaN of
+// none.
 double quantile(std::vector<double> values, double share);
 double median(std::vector<double> values);
 

@@ -21,7 +21,8 @@ namespace brdf::io {
 
 inline std::atomic<unsigned> most_threads{8};
 
-// Where work is divided among processes or jobs already, each takes one processor: called before the work begins.
+// Where work is divided among processes or jobs already, each takes one processor: called before the work
+// begins.
 inline void limit_threads(unsigned most) {
   most_threads = most;
 }
@@ -40,8 +41,9 @@ inline unsigned all_processors() {
   return std::min(number, most);
 }
 
-// Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to places of
-// their own, so that they do not depend on the order. The first exception ends the work and is thrown here.
+// Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to
+// places of their own, so that they do not depend on the order. The first exception ends the work and is
+// thrown here.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work, unsigned threads = all_processors()) {
   std::atomic<std::size_t> next{0};
@@ -69,8 +71,8 @@ void parallel_for(std::size_t count, Work&& work, unsigned threads = all_process
 // Called one at a time with the number of finished jobs and of all jobs.
 using Progress = std::function<void(int done, int total)>;
 
-// Runs job(0), ..., job(count - 1) and hands every result to `consume`, one at a time and in order, so that sums do not
-// depend on the number of threads.
+// Runs job(0), ..., job(count - 1) and hands every result to `consume`, one at a time and in order, so that
+// sums do not depend on the number of threads.
 template <class Job, class Consume>
 void parallel_in_order(int count, int threads, const Progress& progress, const Job& job,
                        const Consume& consume) {

@@ -13,8 +13,8 @@ std::string png_of_pixels(std::size_t width, std::size_t height, std::span<const
 
 // Whether they begin as a PNG file does.
 bool is_png(std::string_view bytes);
-// Whether they are a PNG file's signature and chunks up to its end, none longer than what follows. Decoders take the
-// memory that a chunk asks for before they see that the file is shorter.
+// Whether they are a PNG file's signature and chunks up to its end, none longer than what follows. Decoders
+// take the memory that a chunk asks for before they see that the file is shorter.
 bool is_whole_png(std::string_view bytes);
 
 }  // namespace brdf::io

@@ -10,10 +10,10 @@
 
 namespace brdf::io {
 
-// Created beside its target, as TARGET.PROCESS.NUMBER.tmp, and locked while it is written; with the permissions and
-// the owner of what it replaces. Removed unless it was renamed, also by a signal; what a killed process left of the
-// same target is removed first. Throws as cannot_write() and broke_off() of io/files/output.h; `shown` is what messages call
-// the target.
+// Created beside its target, as TARGET.PROCESS.NUMBER.tmp, and locked while it is written; with the
+// permissions and the owner of what it replaces. Removed unless it was renamed, also by a signal; what a
+// killed process left of the same target is removed first. Throws as cannot_write() and broke_off() of
+// io/files/output.h; `shown` is what messages call the target.
 class Temporary {
  public:
   Temporary(const std::filesystem::path& target, const struct stat* replaced,

@@ -7,9 +7,10 @@
 
 namespace brdf::io {
 
-// Has a name of its own in `above` (which is made where it is not there; the system's folder for such things unless one is
-// named), brdf.PROCESS.NUMBER.tmp, and is removed with everything in it, also by a signal (io/files/temporary.h); what a killed process left
-// there is removed first. Throws as cannot_write() of io/files/output.h.
+// Has a name of its own in `above` (which is made where it is not there; the system's folder for such things
+// unless one is named), brdf.PROCESS.NUMBER.tmp, and is removed with everything in it, also by a signal
+// (io/files/temporary.h); what a killed process left there is removed first. Throws as cannot_write() of
+// io/files/output.h.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::filesystem::path& above = std::filesystem::temp_directory_path());

@@ -8,7 +8,8 @@
 
 namespace brdf::io {
 
-// The lines of a text, LF or CRLF, a byte order mark left out. Throws InputError for a line beyond kLongestLine.
+// The lines of a text, LF or CRLF, a byte order mark left out. Throws InputError for a line beyond
+// kLongestLine.
 class LineReader {
  public:
   // The content must outlive the reader.

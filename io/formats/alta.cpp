@@ -6,6 +6,7 @@
 
 #include "brdf/angle.h"
 #include "brdf/vec3.h"
+#include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
@@ -210,7 +211,8 @@ bool recognises(const Content& text) {
   return has_dimensions && has_parametrisation;
 }
 
-SampleTable read(const Content& text) {
+SampleTable read(const Content& text, const Supplied& supplied) {
+  require_f_r(text.name, supplied);
   return Reader(text).read();
 }
 

@@ -15,8 +15,8 @@ bool recognises(const Content& text);
 // names, the missing angle stands in its usual place; where they have as many, it is not in the file, and
 // phi_i = 180 or phi_s = 0 degrees is assumed (the plane of incidence with the mirror direction at phi_s =
 // 0). Either is said in the warnings. A keyword ANGLE_UNIT with `degrees` or `radians` decides where it
-// stands, and is no comment; so does QUANTITY with a name of io/columns/quantities.h. A column sigma_CHANNEL is that
-// channel's standard deviation.
+// stands, and is no comment; so does QUANTITY with a name of io/columns/quantities.h. A column sigma_CHANNEL
+// is that channel's standard deviation.
 SampleTable read(const Content& text, const Supplied& supplied);
 
 // Writes what reads back to the same table: angles in degrees, which ANGLE_UNIT says, comments as keywords;

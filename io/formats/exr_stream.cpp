@@ -25,8 +25,8 @@ std::string word_at(Imf::IStream& stream) {
   return word;
 }
 
-// Whether it ends where its attribute does: names with 16 bytes each, to an empty name. OpenEXR reads it to there, whatever the
-// attribute says of its size.
+// Whether it ends where its attribute does: names with 16 bytes each, to an empty name. OpenEXR reads it to
+// there, whatever the attribute says of its size.
 bool is_list_of_channels(const std::string& bytes) {
   std::size_t at = 0;
   while (at < bytes.size() && bytes[at] != '\0') {

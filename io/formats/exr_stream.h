@@ -1,5 +1,5 @@
-// OpenEXR reads through these: what the machine fails to read is told apart from what is no picture, and a header that says to
-// be longer than the file is refused before OpenEXR takes that much memory.
+// OpenEXR reads through these: what the machine fails to read is told apart from what is no picture, and a
+// header that says to be longer than the file is refused before OpenEXR takes that much memory.
 #pragma once
 
 #include <ImfIO.h>
@@ -26,8 +26,8 @@ class ExrBytes : public Imf::IStream {
   std::uint64_t at_ = 0;
 };
 
-// A file that is read piece by piece. Throws InputError where it is no file that can be opened or the header is damaged, then
-// and when it is read EnvironmentError where the machine fails.
+// A file that is read piece by piece. Throws InputError where it is no file that can be opened or the header
+// is damaged, then and when it is read EnvironmentError where the machine fails.
 class ExrFile : public Imf::IStream {
  public:
   explicit ExrFile(const std::filesystem::path& path);

@@ -20,9 +20,9 @@
 namespace brdf::io {
 namespace {
 
-// Attributes by which OpenEXR tells kinds of files apart, and its standard attributes of other types than string: a comment
-// of that name would be taken for one, and other programs pass it over or complain. From IMF_STD_ATTRIBUTE_DEF of OpenEXR
-// 3.1.5, and what later versions have besides.
+// Attributes by which OpenEXR tells kinds of files apart, and its standard attributes of other types than
+// string: a comment of that name would be taken for one, and other programs pass it over or complain. From
+// IMF_STD_ATTRIBUTE_DEF of OpenEXR 3.1.5, and what later versions have besides.
 constexpr std::array kReserved{
     "type", "name", "version", "chunkCount", "tiles", "view", "multiView", "preview", "envmap",
     "chromaticities", "deepImageState", "idManifest", "maxSamplesPerPixel",

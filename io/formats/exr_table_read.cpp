@@ -40,7 +40,8 @@ struct Shape {
   Imath::Box2i window;
 };
 
-// A header may say any size: what no compression makes of the bytes that there are is refused before it takes memory.
+// A header may say any size: what no compression makes of the bytes that there are is refused before it takes
+// memory.
 constexpr std::size_t kMostDeflated = 4096;
 
 Shape shape_of(const Imf::Header& header, std::size_t columns, const Content& content) {
@@ -152,7 +153,8 @@ void place_columns(const std::vector<std::string>& names, std::vector<std::vecto
   make_f_r(table, header.quantities);
 }
 
-// Leaves out pixels that are no rows: those that fill the last line, and any other whose numbers are not all finite.
+// Leaves out pixels that are no rows: those that fill the last line, and any other whose numbers are not all
+// finite.
 std::vector<std::size_t> rows_of(const std::vector<std::vector<float>>& planes, SampleTable& table) {
   const auto finite = [&](std::size_t pixel) {
     return std::ranges::all_of(planes, [&](const auto& plane) { return std::isfinite(plane[pixel]); });
@@ -209,8 +211,15 @@ SampleTable read_table(const Content& content, const Supplied& supplied) {
 }
 
 }  // namespace
+}  // namespace brdf::io
 
-SampleTable read_exr_table(const Content& content, const Supplied& supplied) try {
+namespace brdf::io::exr {
+
+bool recognises(const Content& content) {
+  return is_exr(content);
+}
+
+SampleTable read(const Content& content, const Supplied& supplied) try {
   return read_table(content, supplied);
 } catch (const InputError&) {
   throw;
@@ -218,4 +227,4 @@ SampleTable read_exr_table(const Content& content, const Supplied& supplied) try
   throw InputError(content.name + ": is no OpenEXR table that can be read: " + error.what());
 }
 
-}  // namespace brdf::io
+}  // namespace brdf::io::exr

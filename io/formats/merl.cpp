@@ -9,6 +9,7 @@
 #include "brdf/vec3.h"
 #include "io/colour/channel_colours.h"
 #include "io/colour/in_colour.h"
+#include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
@@ -93,7 +94,8 @@ void add_cell_directions(SampleTable& table) {
   }
 }
 
-SampleTable read(const Content& content) {
+SampleTable read(const Content& content, const Supplied& supplied) {
+  require_f_r(content.name, supplied);
   const auto [theta_half, theta_difference, phi_difference] = header_of(content);
   const auto refuse = [&](const std::string& what) {
     throw InputError(content.name + ": the MERL file " + what);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "io/columns/supplied.h"
 #include "io/files/content.h"
 #include "io/samples/samples.h"
 
@@ -30,12 +31,13 @@ std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o
 // Appends the directions of all cells above the horizon, in file order, without values.
 void add_cell_directions(SampleTable& table);
 
-// True where the file begins with three small integers, as no text does: whether they are the right ones, and the
-// size, read() judges.
+// True where the file begins with three small integers, as no text does: whether they are the right ones, and
+// the size, read() judges.
 bool recognises(const Content& content);
 
 // Reads the whole file; cells marked invalid (negative) or below the horizon are left out and counted.
-SampleTable read(const Content& content);
+// `supplied` may say nothing else of values and azimuths than the format does.
+SampleTable read(const Content& content, const Supplied& supplied = {});
 
 // Writes the mean of the rows in each cell, -1 where there are none; which channels are red, green and blue
 // their names say (io/colour/channel_colours.h). Returns what is lost, one phrase each.

@@ -1,35 +1,33 @@
 #include "io/formats/read.h"
 
+#include <span>
+
 #include "io/columns/foreign_json.h"
 #include "io/columns/stated_quantity.h"
 #include "io/csv/csv.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
-#include "io/formats/alta.h"
-#include "io/formats/astm.h"
-#include "io/formats/exr_stream.h"
-#include "io/formats/exr_table.h"
-#include "io/formats/merl.h"
 #include "io/formats/other_formats.h"
-#include "io/formats/rgl.h"
-#include "io/formats/zemax.h"
 #include "io/material/material_file.h"
 #include "io/samples/repetition.h"
 #include "io/samples/table_rules.h"
 
+// The formats, in the order in which they are asked. A new one is a file with these two functions in a namespace of its
+// name, and its name here: among those of bytes, or of text, which is UTF-8 by then.
+#define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
+#define BRDF_FORMATS_OF_TEXT(FORMAT) FORMAT(zemax) FORMAT(astm) FORMAT(alta)
+
+#define BRDF_FUNCTIONS(name)                                          \
+  namespace brdf::io::name {                                          \
+  bool recognises(const Content& content);                            \
+  SampleTable read(const Content& content, const Supplied& supplied); \
+  }
+BRDF_FORMATS_OF_BYTES(BRDF_FUNCTIONS)
+BRDF_FORMATS_OF_TEXT(BRDF_FUNCTIONS)
+#undef BRDF_FUNCTIONS
+
 namespace brdf::io {
 namespace {
-
-// A table of a format that states f_r and its directions itself.
-SampleTable of_f_r(SampleTable table, const Supplied& supplied) {
-  const std::optional<StatedQuantity> stated = stated_by_option(supplied.quantity);
-  if (stated && !stated->quantity.is_f_r())
-    throw InputError(table.name() + ": --quantity " + stated->words + ": the format states f_r");
-  if (supplied.mirror_side != MirrorSide::automatic)
-    throw InputError(table.name() +
-                     ": --mirror-side is for tables of two angles; this format states azimuths");
-  return table;
-}
 
 // A saved state of the window: what it is, and of which forms the material is that it shows.
 [[noreturn]] void refuse_view(const Content& text) {
@@ -58,13 +56,26 @@ bool is_json_array(const Content& content) {
   throw InputError(text.name + ": " + (foreign.empty() ? "is JSON, not a table of samples" : foreign));
 }
 
+struct Format {
+  bool (*recognises)(const Content&);
+  SampleTable (*read)(const Content&, const Supplied&);
+};
+#define BRDF_ROW(name) {name::recognises, name::read},
+constexpr Format kOfBytes[] = {BRDF_FORMATS_OF_BYTES(BRDF_ROW)};
+constexpr Format kOfText[] = {BRDF_FORMATS_OF_TEXT(BRDF_ROW)};
+#undef BRDF_ROW
+
+const Format* format_of(std::span<const Format> formats, const Content& content) {
+  for (const Format& format : formats)
+    if (format.recognises(content)) return &format;
+  return nullptr;
+}
+
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
   if (is_json(text) || is_json_array(text)) refuse_json(text);
   const std::string transcoded = make_utf8(text);
-  SampleTable table = need_values && zemax::recognises(text)  ? of_f_r(zemax::read(text), supplied)
-                      : need_values && astm::recognises(text) ? astm::read(text, supplied)
-                      : need_values && alta::recognises(text) ? of_f_r(alta::read(text), supplied)
-                                                              : read_csv(text, need_values, supplied);
+  const Format* const format = need_values ? format_of(kOfText, text) : nullptr;
+  SampleTable table = format ? format->read(text, supplied) : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
 }
@@ -73,10 +84,9 @@ SampleTable read_text(Content text, bool need_values, const Supplied& supplied) 
 
 SampleTable read_samples(Content content, const Supplied& supplied) {
   refuse_other_formats(content);
-  SampleTable table = rgl::recognises(content)    ? of_f_r(rgl::read(content), supplied)
-                      : merl::recognises(content) ? of_f_r(merl::read(content), supplied)
-                      : is_exr(content)           ? read_exr_table(content, supplied)
-                                                  : read_text(std::move(content), true, supplied);
+  const Format* const format = format_of(kOfBytes, content);
+  SampleTable table =
+      format ? format->read(content, supplied) : read_text(std::move(content), true, supplied);
   leave_out_repetitions(table);
   check_table(table);
   return table;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "brdf/scalar.h"
+#include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/formats/rgl_stack.h"
@@ -23,8 +24,8 @@ double phi_to_unit(double phi) {
   return (phi + kPi) / (2 * kPi);
 }
 
-// The direction in the part of the circle of azimuths that the file holds, for its symmetry: half a turn (2), or two
-// planes of symmetry (4). `of` is the light's.
+// The direction in the part of the circle of azimuths that the file holds, for its symmetry: half a turn (2),
+// or two planes of symmetry (4). `of` is the light's.
 Vec3<double> folded(const Vec3<double>& w, const Vec3<double>& of, int symmetry) {
   const double across = of.y, along = symmetry == 4 ? of.x : across;
   return {std::signbit(along) ? w.x : -w.x, std::signbit(across) ? w.y : -w.y, w.z};
@@ -154,7 +155,8 @@ std::vector<double> azimuths_of(const Measurement& measurement) {
 
 }  // namespace
 
-SampleTable read(const Content& content) {
+SampleTable read(const Content& content, const Supplied& supplied) {
+  require_f_r(content.name, supplied);
   const Measurement measurement(content);
   SampleTable table;
   table.source = content.name;

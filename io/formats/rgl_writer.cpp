@@ -148,7 +148,8 @@ class Tables {
   std::vector<float> theta_i_, ndf_, sigma_, spectra_, luminance_;
 };
 
-// Wavelengths of a spectrum's channels in nm, which must ascend; none for colours. Throws InputError for others.
+// Wavelengths of a spectrum's channels in nm, which must ascend; none for colours. Throws InputError for
+// others.
 std::vector<double> wavelengths_of(const std::vector<std::string>& channels) {
   std::vector<double> nm;
   for (const std::string& channel : channels)

@@ -11,7 +11,8 @@
 namespace brdf::io {
 namespace {
 
-// Bytes of an element by the type's number: integers of 8 to 64 bits, each without and with sign, then floats.
+// Bytes of an element by the type's number: integers of 8 to 64 bits, each without and with sign, then
+// floats.
 constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
 }  // namespace

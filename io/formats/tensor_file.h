@@ -9,7 +9,8 @@
 
 namespace brdf::io {
 
-// What both sides of the container know: its first bytes (name and version 1.0), and the numbers of element types.
+// What both sides of the container know: its first bytes (name and version 1.0), and the numbers of element
+// types.
 inline constexpr std::string_view kTensorMagic("tensor_file\0\1\0", 14);
 enum TensorType : std::uint8_t { kUint8 = 1, kFloat32 = 10 };
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "brdf/vec3.h"
+#include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
@@ -155,7 +156,8 @@ bool recognises(const Content& text) {
   return false;
 }
 
-SampleTable read(const Content& text) {
+SampleTable read(const Content& text, const Supplied& supplied) {
+  require_f_r(text.name, supplied);
   Lines lines(text);
   const Header header = read_header(lines);
   std::vector<std::vector<double>> raw(header.channels.size());

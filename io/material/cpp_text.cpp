@@ -7,9 +7,10 @@
 namespace brdf::io {
 namespace {
 
-// (x + 12582912) - 12582912 and compensated products are what fast mathematics takes apart. clang has no macro for its parts
-// (-funsafe-math-optimizations), g++ 12 has them; with options of its own a function is not inlined there, which costs half the
-// speed, so they are for older versions alone. Contraction rounds otherwise and does no harm.
+// (x + 12582912) - 12582912 and compensated products are what fast mathematics takes apart. clang has no
+// macro for its parts (-funsafe-math-optimizations), g++ 12 has them; with options of its own a function is
+// not inlined there, which costs half the speed, so they are for older versions alone. Contraction rounds
+// otherwise and does no harm.
 constexpr const char* kBegin = R"text(#pragma once
 #include <cmath>
 #include <cstdint>
@@ -48,7 +49,8 @@ inline uint floatBitsToUint(float x) { uint bits; std::memcpy(&bits, &x, 4); ret
 inline float uintBitsToFloat(uint bits) { float x; std::memcpy(&x, &bits, 4); return x; }
 )";
 
-// Of the namespace that headers share, by name: a using-directive would let a vec3 of the user's make them ambiguous.
+// Of the namespace that headers share, by name: a using-directive would let a vec3 of the user's make them
+// ambiguous.
 constexpr std::string_view kShared[]{"uint",      "vec3",     "floatBitsToUint", "uintBitsToFloat",
                                      "brdf_exp",  "brdf_log", "brdf_log1p",      "brdf_erfcx",
                                      "brdf_angle"};
@@ -86,7 +88,8 @@ std::string cpp_text(const Material& material, bool with_material, const std::st
     functions += "using " + shared + "::" + std::string(word) + ";\n";
   for (const auto& [form, text] : parts.forms) functions += as_cpp(text);
   functions += as_cpp(parts.material);
-  // Its number in the name: of two files of a program with materials of one name the linker would take either.
+  // Its number in the name: of two files of a program with materials of one name the linker would take
+  // either.
   const std::string own = "text_" + text_number(functions);
   return parts.head + kBegin +
          guarded("BRDF_KERNELS_" + number,

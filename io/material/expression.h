@@ -9,7 +9,8 @@
 
 namespace brdf::io {
 
-// Numbers, names, + - * / ^, brackets, sqrt, exp, log, abs, min and max of two. ^ binds closest, to the right.
+// Numbers, names, + - * / ^, brackets, sqrt, exp, log, abs, min and max of two. ^ binds closest, to the
+// right.
 class Expression {
  public:
   // `option` is named in messages. Throws InputError.

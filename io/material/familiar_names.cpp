@@ -1,5 +1,5 @@
-// The words of other programs and books for our forms and parameters. A word may have several meanings: what is known in its
-// place decides.
+// The words of other programs and books for our forms and parameters. A word may have several meanings: what
+// is known in its place decides.
 #include <array>
 
 #include "io/files/near_name.h"

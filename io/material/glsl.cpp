@@ -70,7 +70,8 @@ std::string material_function(const Material& given, const std::string& function
   return text + "  return f;\n}\n";
 }
 
-// The library's kernels by GLSL's own functions; erfcx, which GLSL has not, stays, and what the forms themselves take.
+// The library's kernels by GLSL's own functions; erfcx, which GLSL has not, stays, and what the forms
+// themselves take.
 std::string builtin_kernels(const GlslOptions& options) {
   const std::string own = glsl_kernels(options);
   const std::size_t begin = own.find("float brdf_erfcx("), end = own.find("float brdf_angle(");

@@ -15,12 +15,13 @@ struct GlslContent {
   // A shader that compiles as it is: #version and an empty main().
   bool whole = true;
   GlslDialect dialect = GlslDialect::vulkan;
-  // exp, log and the rest by GLSL's own functions: to be read, and for scalars other than float; not the library's bits.
+  // exp, log and the rest by GLSL's own functions: to be read, and for scalars other than float; not the
+  // library's bits.
   bool builtin_kernels = false;
   // The function's name is brdf_material_NAME; empty and not guarded: brdf_material.
   std::string name = {};
-  // Of functions only: several texts can stand in one shader. Kernels and forms are taken from the first, each material has its
-  // own function, and while there is one material, brdf_material is it too.
+  // Of functions only: several texts can stand in one shader. Kernels and forms are taken from the first,
+  // each material has its own function, and while there is one material, brdf_material is it too.
   bool guarded = false;
 };
 
@@ -34,14 +35,15 @@ struct GlslParts {
 
 GlslParts glsl_parts(const Material& material, const GlslContent& content = {});
 
-// Throws InputError where a reflectance has no GLSL, and for a material function of channels that are no colours
-// (io/colour/channel_colours.h).
+// Throws InputError where a reflectance has no GLSL, and for a material function of channels that are no
+// colours (io/colour/channel_colours.h).
 std::string glsl_source(const Material& material, const GlslContent& content = {});
 
 // Tells texts apart: of 28 bits, so that every preprocessor takes it for an int.
 std::string text_number(const std::string& text);
-// The text behind an include guard, which holds a number of the text: the same text again is left out, another under the same
-// macro ends the compilation with this sentence. None is needed where the macro itself holds the text's number.
+// The text behind an include guard, which holds a number of the text: the same text again is left out,
+// another under the same macro ends the compilation with this sentence. None is needed where the macro itself
+// holds the text's number.
 std::string guarded(const std::string& macro, const std::string& text, const std::string& clash);
 
 // A finite number rounded to float, as GLSL spells it: "0.5", "2.0".

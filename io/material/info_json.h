@@ -6,7 +6,8 @@
 
 namespace brdf::io {
 
-// `{"form", "family", "fittable", "canonical", "parameters": [{"name", "kind", "role", "min", ...}], "known_violations"}`.
+// `{"form", "family", "fittable", "canonical", "parameters": [{"name", "kind", "role", "min", ...}],
+// "known_violations"}`.
 Json to_json(const ReflectanceInfo& form);
 
 }  // namespace brdf::io

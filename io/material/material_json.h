@@ -6,8 +6,8 @@
 
 namespace brdf::io {
 
-// A material with the provenance and statistics of the fit it came from (null where there are none), what people call
-// it and where its numbers come from (empty where the file does not say).
+// A material with the provenance and statistics of the fit it came from (null where there are none), what
+// people call it and where its numbers come from (empty where the file does not say).
 struct MaterialFile {
   Material material;
   Json fit;

@@ -38,8 +38,8 @@ MaterialFile choose_material_file(const MaterialChoice& choice);
 // ("alpha") sets both, tangent_phi is in degrees.
 void apply_settings(Material& material, const std::vector<Setting>& settings);
 
-// What a setting of that name sets, with its range and scale: a term's parameter, the widths' common name, tangent_phi. Throws
-// InputError that lists the known ones.
+// What a setting of that name sets, with its range and scale: a term's parameter, the widths' common name,
+// tangent_phi. Throws InputError that lists the known ones.
 ParameterInfo parameter_named(const Material& material, const std::string& name, const std::string& option);
 
 // The form of that name. Throws InputError that lists the known ones.

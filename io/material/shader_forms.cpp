@@ -5,7 +5,8 @@ namespace {
 
 const ShaderForms* used_forms = nullptr;
 
-// A material's shaders, by absolute paths and with their texts, and as the material's file names them, without.
+// A material's shaders, by absolute paths and with their texts, and as the material's file names them,
+// without.
 std::vector<std::pair<Json, Json>> named_shaders(const Material& material,
                                                  const std::filesystem::path& file) {
   std::vector<std::pair<Json, Json>> names;

@@ -1,5 +1,5 @@
-// Forms of materials that are users' shaders. The room that reads shaders stands above this one, so it says here, once in a process,
-// how a material names one.
+// Forms of materials that are users' shaders. The room that reads shaders stands above this one, so it says
+// here, once in a process, how a material names one.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,13 @@ namespace brdf::io {
 class ShaderForms {
  public:
   virtual ~ShaderForms() = default;
-  // The shader that the object `shader` of a material names, files relative to this folder. Throws InputError: it is not there, is not
-  // the one that the material is of, or is no reflectance.
+  // The shader that the object `shader` of a material names, files relative to this folder. Throws
+  // InputError: it is not there, is not the one that the material is of, or is no reflectance.
   virtual Reflectance read(const JsonPlace& shader, const std::filesystem::path& folder) const = 0;
   // That object; null: the reflectance is no shader's. Files have absolute paths.
   virtual Json write(const Reflectance& form) const = 0;
-  // The same as a file in this folder names it: relative to the folder, where the user named it by a relative path.
+  // The same as a file in this folder names it: relative to the folder, where the user named it by a relative
+  // path.
   virtual Json write(const Reflectance& form, const std::filesystem::path& folder) const = 0;
 };
 
@@ -40,11 +41,13 @@ inline constexpr const char* kShader = "shader";  // the key of a term
 
 // The form of a term that has that key. Throws InputError.
 Reflectance read_shader(const JsonPlace& term);
-// What that key holds, as a file in this folder names it (null: by absolute paths); null where the form is no shader's.
+// What that key holds, as a file in this folder names it (null: by absolute paths); null where the form is no
+// shader's.
 Json shader_json(const Reflectance& form, const std::filesystem::path* folder);
 
-// A document that was made beside the material, as the `fit` block is, names its shaders by absolute paths and has their texts. In the
-// material's file it names them as the material does, without the texts; once that is read, as before.
+// A document that was made beside the material, as the `fit` block is, names its shaders by absolute paths
+// and has their texts. In the material's file it names them as the material does, without the texts; once
+// that is read, as before.
 void name_shaders_from(const std::filesystem::path& file, Json& document, const Material& material);
 void name_shaders_from_here(Json& document, const Material& material, const std::filesystem::path& file);
 

@@ -13,9 +13,9 @@ enum class ShaderLanguage {
   explorer,  // a .brdf file: parameters as sliders, vec3 BRDF(L, V, N, X, Y)
 };
 
-// The forms' functions, and with `material` the function brdf_material(wi, wo) of these parameters; in the Explorer's file
-// without it the parameters are sliders. `name`: of the namespace in C++. Kernels, conventions and errors as of
-// glsl_source (io/material/glsl.h).
+// The forms' functions, and with `material` the function brdf_material(wi, wo) of these parameters; in the
+// Explorer's file without it the parameters are sliders. `name`: of the namespace in C++. Kernels,
+// conventions and errors as of glsl_source (io/material/glsl.h).
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
                         const std::string& name, bool builtin_kernels = false);
 

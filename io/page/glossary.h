@@ -20,8 +20,8 @@ const std::vector<GlossaryTerm>& glossary();
 // Null where the word is not in it.
 const GlossaryTerm* glossary_term(std::string_view word);
 
-// What a parameter of a form is in plain words, from its role: "surface roughness along". `along_is_all`: both axes
-// have one value.
+// What a parameter of a form is in plain words, from its role: "surface roughness along". `along_is_all`:
+// both axes have one value.
 std::string plain_name(const ReflectanceInfo& form, const ParameterInfo& parameter,
                        bool along_is_all = false);
 

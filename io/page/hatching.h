@@ -5,7 +5,8 @@
 
 namespace brdf::io {
 
-// Pixels from one stripe to the next along a row; half of them dark. Greys as bytes: neither is a colour of a scale.
+// Pixels from one stripe to the next along a row; half of them dark. Greys as bytes: neither is a colour of a
+// scale.
 inline constexpr std::size_t kHatchPeriod = 8;
 inline constexpr unsigned char kHatchDark = 89, kHatchBright = 140;
 

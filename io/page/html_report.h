@@ -1,10 +1,10 @@
-// The template of every report: one HTML file that opens without a network, on a phone, in the dark, by keyboard, and
-// prints on paper. docs/validation.md says by what rules a page is told.
+// The template of every report: one HTML file that opens without a network, on a phone, in the dark, by
+// keyboard, and prints on paper. docs/validation.md says by what rules a page is told.
 //
-// A page is written from top to bottom: verdict(), then what a reader asks next. What few ask for goes into a fold.
-// Words of the glossary (io/page/glossary.h) explain themselves: every header of a table or axis, and in running text where
-// a symbol stands first. Blocks of one's own take their colours from the variables of io/page/html_page.css and draw anew
-// at the document's event "scheme".
+// A page is written from top to bottom: verdict(), then what a reader asks next. What few ask for goes into a
+// fold. Words of the glossary (io/page/glossary.h) explain themselves: every header of a table or axis, and
+// in running text where a symbol stands first. Blocks of one's own take their colours from the variables of
+// io/page/html_page.css and draw anew at the document's event "scheme".
 #pragma once
 
 #include <optional>
@@ -29,15 +29,15 @@ struct Series {
   std::vector<std::string> names = {};  // of the points: in the tooltip, and beside those that are not faint
 };
 
-// Where a logarithmic axis ends below: what is exact, 0 or nothing but rounding. It is drawn at the bottom edge, a decade
-// below all else, with a word in place of a number.
+// Where a logarithmic axis ends below: what is exact, 0 or nothing but rounding. It is drawn at the bottom
+// edge, a decade below all else, with a word in place of a number.
 struct BottomEdge {
   std::string label;     // "exact"
   double below = 1e-15;  // values up to this
 };
 
-// Drawn by Chart.js, which is embedded in the file. The legend has at most 8 entries; where there are more, none is
-// drawn, and names of points or a table must say what is what.
+// Drawn by Chart.js, which is embedded in the file. The legend has at most 8 entries; where there are more,
+// none is drawn, and names of points or a table must say what is what.
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<Series> series;
@@ -48,8 +48,8 @@ struct Plot {
   std::optional<BottomEdge> bottom_edge{};  // of a logarithmic y axis
 };
 
-// unknown: nothing says whether it is good; absent: does not apply. Each but none has a sign beside its colour. In the order of
-// what outweighs what.
+// unknown: nothing says whether it is good; absent: does not apply. Each but none has a sign beside its
+// colour. In the order of what outweighs what.
 enum class Mark { none, good, unknown, warn, bad, absent };
 
 }  // namespace brdf::io
@@ -79,8 +79,8 @@ struct Cell {
 
 using Row = std::vector<Cell>;
 
-// A row for each property, a column for each subject (or channel). Properties that apply to no subject are folded away.
-// More than 8 subjects are written downwards, a column for each property.
+// A row for each property, a column for each subject (or channel). Properties that apply to no subject are
+// folded away. More than 8 subjects are written downwards, a column for each property.
 struct Matrix {
   std::string properties;  // what the rows are: "property"
   std::vector<std::string> subjects;
@@ -112,7 +112,8 @@ struct Figure {
 // a sign, blue over white to red.
 enum class Colours { sequential, diverging };
 
-// A picture whose pixels are values over two axes, colours by map_colour(). Transparent pixels are hatched: no value.
+// A picture whose pixels are values over two axes, colours by map_colour(). Transparent pixels are hatched:
+// no value.
 struct HeatMap {
   std::string png;  // the file's bytes, first row on top
   std::string x_label, y_label;
@@ -152,16 +153,17 @@ class HtmlReport {
   // A page's own explanation of a word, beside the glossary's or in place of it, from here on.
   void explain(std::string term, std::string meaning);
 
-  // A block of one's own: HTML as it stands, style and a script that runs after the whole page is there. Neither may
-  // refer to anything outside the file. Style and script stand once, however often they are given.
+  // A block of one's own: HTML as it stands, style and a script that runs after the whole page is there.
+  // Neither may refer to anything outside the file. Style and script stand once, however often they are
+  // given.
   void raw(std::string_view html);
   void style(std::string_view css);
   void script(std::string_view js);
   // A line at the page's end: where something comes from, with its path.
   void footnote(std::string_view key, std::string_view text);
 
-  // The whole document. Throws EnvironmentError where Chart.js is not installed and a plot needs it, std::logic_error
-  // where a fold is open.
+  // The whole document. Throws EnvironmentError where Chart.js is not installed and a plot needs it,
+  // std::logic_error where a fold is open.
   std::string document(const Provenance& made) const;
 
  private:
@@ -180,7 +182,8 @@ class HtmlReport {
   int count_ = 0, open_folds_ = 0;
 };
 
-// The palette's number for the curve of each channel: reddish, green and blue for those that are these colours.
+// The palette's number for the curve of each channel: reddish, green and blue for those that are these
+// colours.
 std::vector<int> channel_palette(const std::vector<std::string>& channels);
 
 std::string html_escaped(std::string_view text);

@@ -198,7 +198,8 @@ bool Contrasts::place_by_half_vector(std::size_t index, Neighbours neighbours, P
   return true;
 }
 
-// Which of several rows of the same directions is taken: as if by chance, but the same one in any order of rows.
+// Which of several rows of the same directions is taken: as if by chance, but the same one in any order of
+// rows.
 std::uint64_t Contrasts::lot(std::uint32_t row) const {
   std::uint64_t h = 0;
   for (const std::vector<double>& column : table_.values)

@@ -1,6 +1,6 @@
-// Contrasts: sums of the logarithms of a few values, with weights that add to 0 and whose squares add to 1. What
-// varies slowly from row to row leaves them, noise stays: values that scatter by s, relative, give contrasts that
-// scatter by s.
+// Contrasts: sums of the logarithms of a few values, with weights that add to 0 and whose squares add to 1.
+// What varies slowly from row to row leaves them, noise stays: values that scatter by s, relative, give
+// contrasts that scatter by s.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct Contrast {
   std::size_t count = 0;
 };
 
-// How rows are put beside each other: along scans of one angle, the others being equal, and in pairs that a symmetry
-// makes equal.
+// How rows are put beside each other: along scans of one angle, the others being equal, and in pairs that a
+// symmetry makes equal.
 enum class Neighbours {
   repeated,      // rows of the same directions, two by two
   viewer_polar,  // through the normal
@@ -50,9 +50,9 @@ class Contrasts {
 
   using Use = std::function<void(std::size_t order, const Contrast&)>;
   // Calls use(order, contrast) for every order that the scans are long enough for; a pair is of order 1, the
-  // difference of neighbouring pairs of order 2. Rows that repeat directions and values are copies, no pair. At most
-  // about `most` rows are used, whole scans of them. Which ones, and which of several rows of the same directions,
-  // follows from angles and values alone, not from the order of rows.
+  // difference of neighbouring pairs of order 2. Rows that repeat directions and values are copies, no pair.
+  // At most about `most` rows are used, whole scans of them. Which ones, and which of several rows of the
+  // same directions, follows from angles and values alone, not from the order of rows.
   void for_each(Neighbours neighbours, std::size_t most, const Use& use);
 
  private:

@@ -12,8 +12,8 @@ class DistinctAngles {
   // `turn`: the angle that is the same as 0, or 0 where there is none.
   explicit DistinctAngles(double turn = 0) : turn_(turn) {}
 
-  // Adds an angle in degrees unless one within the tolerance is there. What is within 1e-7 degrees of a number of six
-  // decimals is meant to be that.
+  // Adds an angle in degrees unless one within the tolerance is there. What is within 1e-7 degrees of a
+  // number of six decimals is meant to be that.
   void add(double angle, double tolerance);
   // Numbers them, ascending, from 0: index() is asked after this.
   void number();

@@ -20,8 +20,8 @@ struct Spread {
   double count;
 };
 
-// From the squares of the smallest seven tenths, normal distribution taken: outliers and a highlight do not matter,
-// and it is twice as efficient as a median.
+// From the squares of the smallest seven tenths, normal distribution taken: outliers and a highlight do not
+// matter, and it is twice as efficient as a median.
 Spread robust_scale(std::vector<double>& sizes) {
   constexpr double kShare = 0.7, kMeanSquare = 0.3095613;  // of a standard normal, given |x| < 1.0364334
   const auto end = sizes.begin() + std::ptrdiff_t(kShare * double(sizes.size()));
@@ -30,8 +30,8 @@ Spread robust_scale(std::vector<double>& sizes) {
   return {std::sqrt(sum / double(end - sizes.begin()) / kMeanSquare), double(sizes.size())};
 }
 
-// The mean of the lowest scales that agree with one another within what so few contrasts allow, if they are `least`
-// or more and hold this share of all contrasts. Sorts.
+// The mean of the lowest scales that agree with one another within what so few contrasts allow, if they are
+// `least` or more and hold this share of all contrasts. Sorts.
 std::optional<Spread> lowest_agreeing(std::vector<Spread>& scales, std::size_t least, double share) {
   std::sort(scales.begin(), scales.end(), [](const Spread& a, const Spread& b) { return a.value < b.value; });
   double all = 0;
@@ -189,7 +189,8 @@ std::optional<double> over_bands(std::vector<std::vector<Spread>> bands) {
     if (const auto scale = lowest_agreeing(ways, 2, 0)) known.push_back(*scale);
   if (4 * known.size() < bands.size()) return std::nullopt;
   if (const auto scale = lowest_agreeing(known, 1, kShareOfBands)) return scale->value;
-  // Noise that is no share of the value differs from band to band: the middle one, where nearly all are known.
+  // Noise that is no share of the value differs from band to band: the middle one, where nearly all are
+  // known.
   if (4 * known.size() < 3 * bands.size()) return std::nullopt;
   return known[known.size() / 2].value;
 }

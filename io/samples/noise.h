@@ -16,13 +16,14 @@ struct Noise {
   std::vector<std::optional<double>> channels;  // of each
 };
 
-// The relative standard deviation of the values above 0 of these rows about any law that is smooth in the directions,
-// whatever was scanned: from repeated rows, from rows that a symmetry makes equal, and from differences of second to
-// sixth order along scans of light, viewer, sample or half vector (after Gasser, Sroka and Jennen-Steinmetz 1986, with
-// divided differences). What at least two of these agree on is noise; shape that neighbours do not share makes them
-// disagree, and where it is larger than the noise at most half of the half vectors may see it. Within a factor of 1.5
-// of the truth on tables of every family with noise of 1 to 5 % and about 150 rows or more. Does not depend on the
-// order of rows; a million rows take less than half a second.
+// The relative standard deviation of the values above 0 of these rows about any law that is smooth in the
+// directions, whatever was scanned: from repeated rows, from rows that a symmetry makes equal, and from
+// differences of second to sixth order along scans of light, viewer, sample or half vector (after Gasser,
+// Sroka and Jennen-Steinmetz 1986, with divided differences). What at least two of these agree on is noise;
+// shape that neighbours do not share makes them disagree, and where it is larger than the noise at most half
+// of the half vectors may see it. Within a factor of 1.5 of the truth on tables of every family with noise of
+// 1 to 5 % and about 150 rows or more. Does not depend on the order of rows; a million rows take less than
+// half a second.
 Noise relative_noise(const SampleTable& table, std::span<const std::uint32_t> rows);
 Noise relative_noise(const SampleTable& table);
 

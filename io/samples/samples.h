@@ -58,8 +58,9 @@ struct SampleTable {
                       double phi_of_viewer);
 };
 
-// Where a table's values come from: measured ones are finite, which is a rule of the format; computed ones are what a function gave,
-// written as nan, inf and -inf where they are no finite numbers. A table with such values is not read back as samples.
+// Where a table's values come from: measured ones are finite, which is a rule of the format; computed ones
+// are what a function gave, written as nan, inf and -inf where they are no finite numbers. A table with such
+// values is not read back as samples.
 enum class Origin { measured, computed };
 
 // Unit vectors of all rows in the local frame (normal +z, tangent +x).

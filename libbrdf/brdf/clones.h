@@ -6,15 +6,16 @@
 // The macros of the library: an attribute cannot be named otherwise. Without `flatten` what a loop calls
 // would not be inlined into the clones, which costs a factor of 8. clang refuses the two together: correct
 // there, and slow. Under the sanitizers plain code: instrumented clones take minutes to compile, and cannot
-// be resolved before their runtime starts. BRDF_FEW_CLONES leaves out the last generation, a third of the compiler's work:
-// on a machine that has no AVX-512, and in a file whose loops hardly anybody waits for.
+// be resolved before their runtime starts. BRDF_FEW_CLONES leaves out the last generation, a third of the
+// compiler's work: on a machine that has no AVX-512, and in a file whose loops hardly anybody waits for.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #ifdef BRDF_FEW_CLONES
 #define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3"), gnu::flatten]]
 #else
 #define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
-// What a loop of the widest vectors is compiled as, beside one of narrower ones: for has_widest_vectors() only.
+// What a loop of the widest vectors is compiled as, beside one of narrower ones: for has_widest_vectors()
+// only.
 #define BRDF_WIDEST [[gnu::target("arch=x86-64-v4"), gnu::flatten]]
 #endif
 #elif defined(__clang__)

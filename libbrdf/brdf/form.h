@@ -5,9 +5,8 @@
 //   Weights<T>, Shape<T> parameter structs with their tables; weights are per channel (base Takes<...>)
 //   violations           what it is known to violate, with the witness
 //   and one of
-//   lobes(shape, g)               K lobes: f = sum of weights.linear()[k] * lobe[k] (a LinearForm: can be fitted)
-//   value(w, first, shape, g)     f of one channel; `first` are the first channel's weights, for the listings that
-//                                 mix channels
+//   lobes(shape, g)               K lobes: f = sum of weights.linear()[k] * lobe[k] (can be fitted)
+//   value(w, first, shape, g)     f of one channel; `first`: the first channel's, for listings that mix them
 //   value_cos(w, first, shape, g) the same times cos_i
 // Functions are templates over S (shape, weights) and G (geometry); G is plain or equal to S.
 //

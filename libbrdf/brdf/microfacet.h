@@ -137,7 +137,8 @@ Fraction<S> v_schlick_ggx(const S& k, const Geometry<G>& g) {
   return {S(0.25), (g.cos_i * (S(1) - k) + k) * (g.cos_o * (S(1) - k) + k)};
 }
 
-// Schlick 1994: (1 - c)^5, the factor of (1 - f0) at the cosine c = wi.h. The clamp: |h|/2 rounds above 1 where wi = wo.
+// Schlick 1994: (1 - c)^5, the factor of (1 - f0) at the cosine c = wi.h. The clamp: |h|/2 rounds above 1
+// where wi = wo.
 template <class G>
 G schlick_weight(const G& c) {
   const G x = at_least(G(1) - c, G(0));

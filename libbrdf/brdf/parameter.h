@@ -38,6 +38,28 @@ inline constexpr std::array<std::string_view, 12> kNames<Role>{
     "diffuse",         "specular", "f0",    "width",      "width_across", "exponent",
     "exponent_across", "slope",    "index", "extinction", "tint",         "other"};
 
+// Whether it says how much a surface reflects along the normal, by Fresnel's equations or a rule that stands
+// for them.
+constexpr bool is_fresnel(Role role) {
+  switch (role) {
+    case Role::f0:
+    case Role::index:
+    case Role::extinction:
+    case Role::tint:
+      return true;
+    case Role::diffuse:
+    case Role::specular:
+    case Role::width:
+    case Role::width_across:
+    case Role::exponent:
+    case Role::exponent_across:
+    case Role::slope:
+    case Role::other:
+      break;
+  }
+  return false;
+}
+
 // The texture map that holds a parameter as it stands, beside what its role says
 // (render/scene/texture_rule.h).
 enum class Map { none, roughness, metallic };

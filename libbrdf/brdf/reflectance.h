@@ -36,8 +36,8 @@ constexpr int weight_of_f0(std::span<const LobeWeight> lobes) {
   return found;
 }
 
-// Whether the weights can be told from the lobes' weights: each has a lobe, and where there is an f0, it divides
-// the lobes of one weight and of no other.
+// Whether the weights can be told from the lobes' weights: each has a lobe, and where there is an f0, it
+// divides the lobes of one weight and of no other.
 constexpr bool weights_follow_from_lobes(std::span<const LobeWeight> lobes,
                                          std::span<const ParameterInfo> weights) {
   std::size_t f0s = 0;
@@ -121,9 +121,9 @@ struct LobeRows {
   std::size_t stride;
 };
 
-// Vulkan's GLSL 4.50, or GLSL ES 3.00 as WebGL 2 has it. The latter knows no `precise`, and its compilers fold
-// constants that are added and subtracted; the same formula is therefore written with roundEven and exponents as
-// integers, which give the same bits.
+// Vulkan's GLSL 4.50, or GLSL ES 3.00 as WebGL 2 has it. The latter knows no `precise`, and its compilers
+// fold constants that are added and subtracted; the same formula is therefore written with roundEven and
+// exponents as integers, which give the same bits.
 enum class GlslDialect { vulkan, es };
 
 struct GlslOptions {
@@ -177,8 +177,8 @@ class ReflectanceModel {
   //   vec3 brdf_eval_<name>(vec3 wi, vec3 wo, float <shape>..., vec3 <weight>...)      f_r, 1/sr
   //   vec3 brdf_eval_cos_<name>(...)                                                   f_r cos_i
   virtual std::string glsl(const GlslOptions& options = {}) const;
-  // The sampler, of share 0.5, as two functions beside those (u: three numbers in [0, 1)); empty where it is not
-  // written in GLSL:
+  // The sampler, of share 0.5, as two functions beside those (u: three numbers in [0, 1)); empty where it is
+  // not written in GLSL:
   //   vec3 brdf_sample_<name>(vec3 u, vec3 wo, float <shape>...)
   //   float brdf_pdf_<name>(vec3 wi, vec3 wo, float <shape>...)
   virtual std::string glsl_sampler(const GlslOptions& options = {}) const;

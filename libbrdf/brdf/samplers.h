@@ -1,12 +1,12 @@
-// How single lobes are sampled. A form names the one that follows its specular lobe: using Sampler = VisibleGgx,
-// or OfWidths<VisibleGgx> where its shape holds more than widths.
+// How single lobes are sampled. A form names the one that follows its specular lobe: using Sampler =
+// VisibleGgx, or OfWidths<VisibleGgx> where its shape holds more than widths.
 //
 // A sampler has two static templates over the shape parameters S<T> it takes:
 //   Vec3<T> sample(const S<T>&, T u1, T u2, const Vec3<T>& wo)   a direction wi, u in [0, 1)
 //   T pdf(const S<T>&, const Geometry<T>&)                       its density per solid angle of wi, 1/sr
-// Directions in the local frame, wo fixed and above the
-// horizon. A sampled wi may lie below it. T is float, double or the tracing scalar (brdf/trace.h), which writes the
-// sampler as GLSL: hence select() instead of `?:`, and elementary functions named without std::.
+// Directions in the local frame, wo fixed and above the horizon. A sampled wi may lie below it. T is float,
+// double or the tracing scalar (brdf/trace.h), which writes the sampler as GLSL: hence select() instead of
+// `?:`, and elementary functions named without std::.
 #pragma once
 
 #include <cmath>
@@ -115,9 +115,9 @@ T pdf_visible_ggx(const Roughness<T>& a, const Geometry<T>& g) {
 }
 
 namespace detail {
-// The slope x below which a share u of the visible Gaussian slopes lies, seen at this angle:
-// cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. Newton's method inside a bracket; as many steps as
-// it takes, or where it is traced as many as float asks for.
+// The slope x below which a share u of the visible Gaussian slopes lies, seen at this angle: cos (1 + erf
+// x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. Newton's method inside a bracket; as many steps as it takes,
+// or where it is traced as many as float asks for.
 template <class T>
 T visible_gaussian_slope(T cosine, T sine, T u) {
   using std::exp, std::erfc;

@@ -8,9 +8,9 @@
 #include <concepts>
 #include <type_traits>
 
-// (x + magic) - magic and compensated sums are what fast mathematics takes apart. g++ 12 tells of its parts; clang
-// tells of -ffast-math alone, and is told to keep the order instead: to the end of the source, which a user's own sums are
-// not the worse for.
+// (x + magic) - magic and compensated sums are what fast mathematics takes apart. g++ 12 tells of its parts;
+// clang tells of -ffast-math alone, and is told to keep the order instead: to the end of the source, which a
+// user's own sums are not the worse for.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error \
     "libbrdf relies on IEEE arithmetic: -ffast-math, -Ofast, -funsafe-math-optimizations and -fassociative-math make its kernels wrong by up to 41 %"

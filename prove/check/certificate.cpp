@@ -16,7 +16,8 @@ using io::JsonPlace;
 constexpr std::string_view kFormat = "brdf-proof";
 constexpr int kVersion = 2;
 
-// Of the bytes as they stand, without the seal's own digits: a digit that changes no number is one that was changed.
+// Of the bytes as they stand, without the seal's own digits: a digit that changes no number is one that was
+// changed.
 std::string seal_of(std::string_view text, std::string_view seal) {
   const std::size_t at = text.find("\"seal\""), from = at == text.npos ? at : text.find(seal, at);
   if (from == text.npos) return "";

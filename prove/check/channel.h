@@ -23,15 +23,16 @@ Channels channels_of(const Material& material, std::size_t channel);
 // False of other programs' models.
 bool is_of_catalogue(const Channel& c);
 
-// The claim's domain with the channel's parameters in place of their tables' ranges: as double has them and, for claims of float, as
-// float rounds them. Precondition: is_of_catalogue(c), and the claim is shown by boxes.
+// The claim's domain with the channel's parameters in place of their tables' ranges: as double has them and,
+// for claims of float, as float rounds them. Precondition: is_of_catalogue(c), and the claim is shown by
+// boxes.
 Domain domain_at(const Channel& c, const Claim& claim);
 
 // Whether a sum of terms whose values add up to at most `high` may overflow.
 bool may_overflow(double high, Precision precision);
 
-// The largest directional albedo that the integrals of the library are sure of at this light, degrees: below its value by the error
-// bound, ten times that where the integral has not converged.
+// The largest directional albedo that the integrals of the library are sure of at this light, degrees: below
+// its value by the error bound, ten times that where the integral has not converged.
 struct MeasuredAlbedo {
   double value = 0, least = 0;
 };

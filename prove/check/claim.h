@@ -18,8 +18,8 @@ constexpr bool is_of_a_precision(Property p) {
   return p != Property::reciprocity && p != Property::energy;
 }
 
-// proved: over the whole domain. bounded: within [low, high], some boxes are open or the bound does not settle it. refuted: there is
-// a place that violates it. no_method: nothing is claimed.
+// proved: over the whole domain. bounded: within [low, high], some boxes are open or the bound does not
+// settle it. refuted: there is a place that violates it. no_method: nothing is claimed.
 enum class Verdict { proved, bounded, refuted, no_method };
 
 struct Claim {
@@ -28,13 +28,13 @@ struct Claim {
   Precision precision;
 };
 
-// The quantity that the property bounds: f and f cos_i of finite and non_negative; of energy the largest albedo that the
-// box allows, with kd + ks <= 1 or the diffuse weight at most 1; of rounding the largest error of a lobe (rounding.h). None: the
-// property is not shown by boxes.
+// The quantity that the property bounds: f and f cos_i of finite and non_negative; of energy the largest
+// albedo that the box allows, with kd + ks <= 1 or the diffuse weight at most 1; of rounding the largest
+// error of a lobe (rounding.h). None: the property is not shown by boxes.
 std::optional<Domain> domain_of(const Claim& claim);
 Bounds enclose(const Claim& claim, std::span<const Bounds> box);
-// Whether these bounds settle the property: nothing leaves the precision's range, nothing is negative, the albedo is at
-// most `most`.
+// Whether these bounds settle the property: nothing leaves the precision's range, nothing is negative, the
+// albedo is at most `most`.
 bool settles(Property property, Bounds bounds, double most);
 
 // "float", "double", or "any" of what is shown of the formula itself.

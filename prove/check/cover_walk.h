@@ -11,8 +11,8 @@
 
 namespace brdf::prove {
 
-// What is walked: the cover at `cover`, a tree over `domain`. `enclose` gives the bounds on a box, of a leaf whose row is `leaf`; none:
-// the row says of them what cannot be. `settles` says whether bounds suffice.
+// What is walked: the cover at `cover`, a tree over `domain`. `enclose` gives the bounds on a box, of a leaf
+// whose row is `leaf`; none: the row says of them what cannot be. `settles` says whether bounds suffice.
 struct WalkedCover {
   const Domain& domain;
   const io::JsonPlace& cover;

@@ -89,7 +89,8 @@ void check_reciprocity(CheckedResult& r, const Claim& claim, const JsonPlace& ro
                      : "f(wi, wo) and f(wo, wi) are the same sums and products in another order";
 }
 
-// A violation that the form declares, measured again where the witness says. Empty: nothing violates the property there.
+// A violation that the form declares, measured again where the witness says. Empty: nothing violates the
+// property there.
 std::string violation_at(const Claim& claim, const JsonPlace& witness) {
   const Reflectance& form = catalogue()[std::size_t(claim.form)];
   const auto declared = form.info().violations;

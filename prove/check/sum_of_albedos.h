@@ -9,8 +9,8 @@
 
 namespace brdf::prove {
 
-// The directional albedo of all terms, enclosed over views. A view has one turn for every pair of widths by which its tangents
-// are stretched; these are of the narrowest facets.
+// The directional albedo of all terms, enclosed over views. A view has one turn for every pair of widths by
+// which its tangents are stretched; these are of the narrowest facets.
 class SumOfAlbedos {
  public:
   explicit SumOfAlbedos(const Channels& terms);

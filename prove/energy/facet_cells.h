@@ -5,7 +5,8 @@
 
 namespace brdf::prove {
 
-// The masked weight of a cell's normals beside F and the measure, 0 <= it; nothing where it is not smooth there.
+// The masked weight of a cell's normals beside F and the measure, 0 <= it; nothing where it is not smooth
+// there.
 template <class W>
 struct GgxSmithCell : EvenSteps {
   using Slopes = typename W::Slopes;
@@ -93,7 +94,8 @@ struct BeckmannCavityCell : BeckmannDensity {
   }
 };
 
-// H and its slopes by x, -erfc(a)/2, and by y, e^(-a^2)/(2 sqrt(pi)), for x, y >= 0 and a = x/y; all decrease in a.
+// H and its slopes by x, -erfc(a)/2, and by y, e^(-a^2)/(2 sqrt(pi)), for x, y >= 0 and a = x/y; all decrease
+// in a.
 class BeckmannMasking {
  public:
   BeckmannMasking(const Exactly& x, const Exactly& y)

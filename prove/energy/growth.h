@@ -18,7 +18,8 @@ struct GrowthMethod {
   Bounds (*reached)(std::span<const Bounds> box);
 };
 
-// What the second holds at that width for all cosines: the least of the lower ends over parts of their range, and the largest.
+// What the second holds at that width for all cosines: the least of the lower ends over parts of their range,
+// and the largest.
 struct Reached {
   double least, most;
 };

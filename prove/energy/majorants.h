@@ -1,9 +1,10 @@
-// Why no form of these families reflects more than it receives: authored reasons, each with the formula that it is of. A
-// form is one of them if its recorded formula is (energy.cpp), so that no form is taken for another.
+// Why no form of these families reflects more than it receives: authored reasons, each with the formula that
+// it is of. A form is one of them if its recorded formula is (energy.cpp), so that no form is taken for
+// another.
 //
-// Of facets: f_specular cos_o = p(wo | wi) R, where p = D G1(wi)/(4 cos_i) is the density of visible normals, mirrored, whose
-// integral is 1 (Heitz and d'Eon 2014), and R = F G2/G1(wi). If R <= 1 everywhere, the lobe's albedo is at most 1, and with
-// kd + ks <= 1 the whole is. R is written so that no two of its terms cancel.
+// Of facets: f_specular cos_o = p(wo | wi) R, where p = D G1(wi)/(4 cos_i) is the density of visible normals,
+// mirrored, whose integral is 1 (Heitz and d'Eon 2014), and R = F G2/G1(wi). If R <= 1 everywhere, the lobe's
+// albedo is at most 1, and with kd + ks <= 1 the whole is. R is written so that no two of its terms cancel.
 #pragma once
 
 #include "brdf/fresnel.h"
@@ -13,7 +14,8 @@
 
 namespace brdf::prove {
 
-// G2/G1(wi) = (1 + Lambda_i)/(1 + Lambda_i + Lambda_o) = 1 - Lambda_o/(1 + Lambda_i + Lambda_o): of positive numbers.
+// G2/G1(wi) = (1 + Lambda_i)/(1 + Lambda_i + Lambda_o) = 1 - Lambda_o/(1 + Lambda_i + Lambda_o): of positive
+// numbers.
 template <class T>
 T smith_ratio(const T& lambda_o, const T& lambda_i) {
   return at_least(T(1) - lambda_o / (T(1) + lambda_i + lambda_o), T(0));
@@ -74,10 +76,11 @@ struct BeckmannCavities {
   }
 };
 
-// Schlick's masking s = cos/(cos (1 - k) + k), k = (alpha + 1)^2/8, beside the distribution whose own is GGX's G1: R = F
-// s(wo) s(wi)/G1(wi). With u = 1/cos_i, 1/s - 1/G1 = (u - 1)(k - alpha^2 (u + 1)/(2 (1 + sqrt(1 + alpha^2 (u^2 - 1))))), whose
-// last fraction is at most alpha/2 (the root is at least alpha u + alpha - 1), and k - alpha/2 = (1 - alpha)^2/8: so s/G1 is at
-// most 1 - (u - 1)(1 - alpha)^2/8 s. For equal widths; with others k knows too little of the wider.
+// Schlick's masking s = cos/(cos (1 - k) + k), k = (alpha + 1)^2/8, beside the distribution whose own is
+// GGX's G1: R = F s(wo) s(wi)/G1(wi). With u = 1/cos_i, 1/s - 1/G1 = (u - 1)(k - alpha^2 (u + 1)/(2 (1 +
+// sqrt(1 + alpha^2 (u^2 - 1))))), whose last fraction is at most alpha/2 (the root is at least alpha u +
+// alpha - 1), and k - alpha/2 = (1 - alpha)^2/8: so s/G1 is at most 1 - (u - 1)(1 - alpha)^2/8 s. For equal
+// widths; with others k knows too little of the wider.
 struct GgxSchlick {
   static constexpr bool tied = true;
   template <class S, class G>
@@ -99,16 +102,17 @@ template <class T>
 T schlick_fresnel(const T& f0, const Geometry<T>& g) {
   return at_least(T(1) - (T(1) - f0) * at_least(T(1) - schlick(g), T(0)), T(0));
 }
-// F = s^2 (1 + p^2)/2 with g = sqrt(eta^2 - 1 + c^2), s = (g - c)/(g + c) and p = (c (g + c) - 1)/(c (g - c) + 1) is at most 1
-// for eta >= 1 and c <= 1: s = 1 - 2 c/(g + c), and p = 1 - 2 (1 - c^2)/(c (g - c) + 1) = -1 + 2 c g/(c (g - c) + 1).
-// A conductor's, of index N and w = sqrt(N^2 - 1 + c^2), Re w >= 0: |(c - w)/(c + w)|^2 and |(N^2 c - w)/(N^2 c + w)|^2 are at
-// most 1 where c Re w and c Re(N^2 conj w) are not negative, and the latter is c Re w (|w|^2 + 1 - c^2).
+// F = s^2 (1 + p^2)/2 with g = sqrt(eta^2 - 1 + c^2), s = (g - c)/(g + c) and p = (c (g + c) - 1)/(c (g - c)
+// + 1) is at most 1 for eta >= 1 and c <= 1: s = 1 - 2 c/(g + c), and p = 1 - 2 (1 - c^2)/(c (g - c) + 1) =
+// -1 + 2 c g/(c (g - c) + 1). A conductor's, of index N and w = sqrt(N^2 - 1 + c^2), Re w >= 0: |(c - w)/(c +
+// w)|^2 and |(N^2 c - w)/(N^2 c + w)|^2 are at most 1 where c Re w and c Re(N^2 conj w) are not negative, and
+// the latter is c Re w (|w|^2 + 1 - c^2).
 template <class T>
 T most_fresnel() {
   return T(1);
 }
 
-// --- Oren and Nayar's qualitative form: f = (A + B max(0, s)/max(cos_i, cos_o))/pi ------------------------------------------
+// --- Oren and Nayar's qualitative form: f = (A + B max(0, s)/max(cos_i, cos_o))/pi -------------------------
 
 template <class S, class G>
 S oren_nayar_lobe(const S& sigma, const Geometry<G>& g) {
@@ -118,10 +122,10 @@ S oren_nayar_lobe(const S& sigma, const Geometry<G>& g) {
   return S(1 / kPi) * (a + b * oren_nayar_azimuth(g));
 }
 
-// Its albedo at the polar angle with this sine and cosine. Over the azimuth max(0, s) integrates to 2 sin_i sin_o; the ratio
-// cos_o/max(cos_i, cos_o) is 1 below theta_i and cos_o/cos_i beyond, so that the rest is (theta - s c)/2 and (1 - s^3)/(3 c):
-// A + B/pi (s (theta - s c) + 2/3 s c (1 + s + s^2)/(1 + s)), where nothing is divided by the cosine. s^2/(s^2 + c) is written
-// as 1 - c/(s^2 + c), with one s.
+// Its albedo at the polar angle with this sine and cosine. Over the azimuth max(0, s) integrates to 2 sin_i
+// sin_o; the ratio cos_o/max(cos_i, cos_o) is 1 below theta_i and cos_o/cos_i beyond, so that the rest is
+// (theta - s c)/2 and (1 - s^3)/(3 c): A + B/pi (s (theta - s c) + 2/3 s c (1 + s + s^2)/(1 + s)), where
+// nothing is divided by the cosine. s^2/(s^2 + c) is written as 1 - c/(s^2 + c), with one s.
 template <class T>
 T oren_nayar_albedo_of(const T& sigma, const T& sine, const T& cosine) {
   const T s2 = square(sigma);
@@ -133,7 +137,7 @@ T oren_nayar_albedo_of(const T& sigma, const T& sine, const T& cosine) {
   return a + b * T(1 / kPi) * inner;
 }
 
-// --- The energy-preserving diffuse form --------------------------------------------------------------------------------------
+// --- The energy-preserving diffuse form --------------------------------------------------------------------
 
 // A (1 + r s/t), then what it misses given back over both directions: the recorded formula.
 template <class W, class S, class G>
@@ -153,9 +157,11 @@ S given_back_value(const W& weight, const S& r, const Geometry<G>& g) {
   return S(1 / kPi) * a * (weight * first + again * r * both);
 }
 
-// Its albedo. The first term's is rho (1 - m), m = A r M/pi, with M = pi c1 - G(theta) >= 0: from 1 - s = c^2/(1 + s),
+// Its albedo. The first term's is rho (1 - m), m = A r M/pi, with M = pi c1 - G(theta) >= 0: from 1 - s =
+// c^2/(1 + s),
 //   M = kappa + (1 - s)(theta - 2/3 - s c (s + 2)/(3 (1 + s))),  kappa = pi/2 - theta,
-// and the other gives back rho q m, where 1 - q = (1 - rho)/(1 - rho (1 - E_avg)) >= 0: rho (1 - m (1 - q)) is at most rho.
+// and the other gives back rho q m, where 1 - q = (1 - rho)/(1 - rho (1 - E_avg)) >= 0: rho (1 - m (1 - q))
+// is at most rho.
 template <class T>
 T given_back_albedo(const T& rho, const T& r, const T& sine, const T& cosine) {
   const T c1(0.5 - 2 / (3 * kPi)), rest(0.5 - 2 / (3 * kPi) - (2.0 / 3 - 28 / (15 * kPi)));

@@ -1,9 +1,10 @@
-// The cells of Student's facets (facet_albedo.h), stretched by the widths of the GGX lobe that has the same scaled slope.
+// The cells of Student's facets (facet_albedo.h), stretched by the widths of the GGX lobe that has the same
+// scaled slope.
 //
-// T(N_z) = (gamma - 1) N_z^(2 gamma - 4), what the distribution is over GGX's; steps t of N_z = t^(1/(2 gamma - 3)) take it in,
-// T dN_z = (gamma - 1)/(2 gamma - 3) dt. What is seen of the facets from cosine c, over c, is
-// B(m) = m (1 - 1/m^2)^(gamma - 1) P(4/(m + 1) - 1) + 1 of m = 1/c, P the polynomial of StudentMasking; A_v = c B(1/c).
-// P is not negative (student_polynomial), so that B is at least 1.
+// T(N_z) = (gamma - 1) N_z^(2 gamma - 4), what the distribution is over GGX's; steps t of N_z = t^(1/(2 gamma
+// - 3)) take it in, T dN_z = (gamma - 1)/(2 gamma - 3) dt. What is seen of the facets from cosine c, over c,
+// is B(m) = m (1 - 1/m^2)^(gamma - 1) P(4/(m + 1) - 1) + 1 of m = 1/c, P the polynomial of StudentMasking;
+// A_v = c B(1/c). P is not negative (student_polynomial), so that B is at least 1.
 #pragma once
 
 #include "prove/energy/facet_albedo.h"

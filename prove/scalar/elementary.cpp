@@ -88,8 +88,9 @@ Bounds log1p_at(double x) {
   return {log_at(sum.lo).lo, log_at(sum.hi).hi};
 }
 
-// Below 1 by e^(x^2) - 2/sqrt(pi) sum of 2^n x^(2n+1)/(2n+1)!!, whose terms all have one sign; above by the continued
-// fraction of Laplace, whose convergents lie on both sides in turn: the innermost x is put as x and as infinity.
+// Below 1 by e^(x^2) - 2/sqrt(pi) sum of 2^n x^(2n+1)/(2n+1)!!, whose terms all have one sign; above by the
+// continued fraction of Laplace, whose convergents lie on both sides in turn: the innermost x is put as x and
+// as infinity.
 Bounds erfcx_at(double x) {
   const Bounds root_pi = root({kPiBounds.lo, kPiBounds.hi});
   if (x < 1) {

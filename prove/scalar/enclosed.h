@@ -25,18 +25,18 @@ struct Variable {
   bool tied = false;  // stands for two parameters that are held equal
 };
 
-// What a form is asked about: its parameters over their whole tables, the weights of the first channel where a form mixes
-// channels, and both directions anywhere in the hemisphere. A direction is its cosine and its turn, -2 to 2: azimuths in
-// quarter turns, but for how they run between (cos : sin = 1 - |t| : t for |t| <= 1). Stored directions may differ from
-// unit vectors by 2 units in each component.
+// What a form is asked about: its parameters over their whole tables, the weights of the first channel where
+// a form mixes channels, and both directions anywhere in the hemisphere. A direction is its cosine and its
+// turn, -2 to 2: azimuths in quarter turns, but for how they run between (cos : sin = 1 - |t| : t for |t| <=
+// 1). Stored directions may differ from unit vectors by 2 units in each component.
 struct Domain {
   std::vector<Variable> variables;
 };
 
 // The number of forms, their names; `form` is a place in the catalogue.
 Domain domain_of(int form);
-// All values of f and of f cos_i on the box (low and high of each variable), rounded or not. lo = -inf where some
-// intermediate may leave the range of that precision.
+// All values of f and of f cos_i on the box (low and high of each variable), rounded or not. lo = -inf where
+// some intermediate may leave the range of that precision.
 Bounds enclose_value(int form, Precision precision, std::span<const Bounds> box);
 // f alone.
 Bounds enclose_f(int form, Precision precision, std::span<const Bounds> box);

@@ -1,13 +1,13 @@
 // The formula of a form as a graph in which what is surely equal is one node: same node, same bits.
 //
-// What IEEE 754 guarantees in every precision, rounding to nearest, is built in: sums and products commute; a sign passes
-// through products, quotients and sums; what rounding takes from a sum is the same in both orders (two-sum is exact).
-// Larger and smaller are taken in either order: the same bits but for the sign of a zero, which no form divides by.
-// Nothing is reassociated, no constants are folded, and kernels are functions of which nothing is known.
-// Choices are taken case by case: a recording follows one assumption of how each pair of numbers that is compared stands,
-// less, equal or more; all combinations are recorded in turn.
-// In exact arithmetic (Rules::exact) sums and products are also associative.
-// Holds for numbers, not for NaN, and with contraction off.
+// What IEEE 754 guarantees in every precision, rounding to nearest, is built in: sums and products commute; a
+// sign passes through products, quotients and sums; what rounding takes from a sum is the same in both orders
+// (two-sum is exact). Larger and smaller are taken in either order: the same bits but for the sign of a zero,
+// which no form divides by. Nothing is reassociated, no constants are folded, and kernels are functions of
+// which nothing is known. Choices are taken case by case: a recording follows one assumption of how each pair
+// of numbers that is compared stands, less, equal or more; all combinations are recorded in turn. In exact
+// arithmetic (Rules::exact) sums and products are also associative. Holds for numbers, not for NaN, and with
+// contraction off.
 #pragma once
 
 #include <map>

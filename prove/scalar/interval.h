@@ -1,11 +1,11 @@
 // Intervals: every value that a formula can take on a box, in exact arithmetic and as rounded in Base.
 //
-// Each operation is widened by one unit in the last place of Base, so that the interval holds the exact result and the
-// one that a program of that precision computes, whatever it rounds to nearest: no rounding modes, no branches on data
-// that vectorisation would mind. Exact zeros stay exact, and what cannot be negative stays so.
-// An interval that may hold an infinity, no number, or a quotient by a subnormal is `poisoned` and stays so: what is
-// finite at the end was finite all the way.
-// A box's value is right only with contraction off and without -ffast-math.
+// Each operation is widened by one unit in the last place of Base, so that the interval holds the exact
+// result and the one that a program of that precision computes, whatever it rounds to nearest: no rounding
+// modes, no branches on data that vectorisation would mind. Exact zeros stay exact, and what cannot be
+// negative stays so. An interval that may hold an infinity, no number, or a quotient by a subnormal is
+// `poisoned` and stays so: what is finite at the end was finite all the way. A box's value is right only with
+// contraction off and without -ffast-math.
 #pragma once
 
 #include <algorithm>

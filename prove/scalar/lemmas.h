@@ -1,6 +1,6 @@
-// What intervals cannot see by themselves, op by op, said once: enclosures of the library's parts in which the same
-// quantity stands twice. Each is an overload that the unchanged forms find by their argument; its reason stands beside it,
-// and tests hold it against millions of evaluations in both precisions.
+// What intervals cannot see by themselves, op by op, said once: enclosures of the library's parts in which
+// the same quantity stands twice. Each is an overload that the unchanged forms find by their argument; its
+// reason stands beside it, and tests hold it against millions of evaluations in both precisions.
 //
 // u is one unit of Base, Interval::kUnit: two roundings.
 #pragma once
@@ -17,11 +17,12 @@ Interval<B> cut(const Interval<B>& x, double low, double high) {
   return Interval<B>::of(std::min(std::max(x.lo, low), high), std::max(std::min(x.hi, high), low));
 }
 
-// How far the rounded value of an exponent may lie from the exact one, relative, in units: fewer than a dozen roundings
-// stand in it, and the rest that is carried beside it is as small.
+// How far the rounded value of an exponent may lie from the exact one, relative, in units: fewer than a dozen
+// roundings stand in it, and the rest that is carried beside it is as small.
 inline constexpr double kExponentUnits = 32;
 
-// exp(-e) (1 - rest), |rest| <= 32 u e: where e is beyond the kernel's range exp is 0, and 0 times the rest with it.
+// exp(-e) (1 - rest), |rest| <= 32 u e: where e is beyond the kernel's range exp is 0, and 0 times the rest
+// with it.
 template <class B>
 Interval<B> gaussian_of(const Interval<B>& e) {
   using I = Interval<B>;
@@ -46,8 +47,8 @@ struct BoundedFraction : Fraction<Interval<B>> {
   double highest;
 };
 
-// D of GGX: |h|^2 is at most max(1, w^2) times its stretched square q, w the larger width, so that D is at most
-// max(1, w^4)/(pi alpha_x alpha_y).
+// D of GGX: |h|^2 is at most max(1, w^2) times its stretched square q, w the larger width, so that D is at
+// most max(1, w^4)/(pi alpha_x alpha_y).
 template <class B>
 BoundedFraction<B> d_ggx(const Roughness<Interval<B>>& a, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -67,9 +68,9 @@ Interval<B> quotient(const BoundedFraction<B>& d, const Fraction<Interval<B>>& v
                std::min(numerator.hi / denominator.lo * (1 + 4 * I::kUnit) + I::kTiny, highest));
 }
 
-// (1 + tan^2)^2 e^(-tan^2 scaled): the widths of every form are at most 1, so that r^2 e^(-(r - 1)/w^2), r = 1 + tan^2 and
-// w the larger width, bounds the numerator: increasing up to r = 2 w^2, then decreasing. (Scaled widths above 1 keep the
-// product of both factors.)
+// (1 + tan^2)^2 e^(-tan^2 scaled): the widths of every form are at most 1, so that r^2 e^(-(r - 1)/w^2), r =
+// 1 + tan^2 and w the larger width, bounds the numerator: increasing up to r = 2 w^2, then decreasing.
+// (Scaled widths above 1 keep the product of both factors.)
 template <class B>
 Fraction<Interval<B>> d_beckmann(const Roughness<Interval<B>>& a, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -95,8 +96,9 @@ Interval<B> half_cosine_power(const Interval<B>& n, const Geometry<Interval<B>>&
   return exp(n * (I(-0.5) * I::widened(std::max(logarithm.lo, 0.0), logarithm.hi, kExponentUnits)));
 }
 
-// (r.o)^n from t = 1 - r.o < 1. The rest is at most 8 u t beside t, and moves the logarithm by that over 1 - t, which is at
-// least half a unit where t is below 1: by 16 at most. The logarithm is not positive, so the power is at most 1.
+// (r.o)^n from t = 1 - r.o < 1. The rest is at most 8 u t beside t, and moves the logarithm by that over 1 -
+// t, which is at least half a unit where t is below 1: by 16 at most. The logarithm is not positive, so the
+// power is at most 1.
 template <class B>
 Interval<B> mirror_cosine_power(const Interval<B>& n, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -125,16 +127,16 @@ Interval<B> sine(const Vec3<Interval<B>>& w) {
   return cut(by_parts, by_height.lo, std::max(by_height.hi, by_height.lo));
 }
 
-// A form's choice by the sign of s is a case for itself: where both signs are possible the form is enclosed twice, once for
-// each (enclose, on_box.h), so that no formula is taken where it does not apply.
+// A form's choice by the sign of s is a case for itself: where both signs are possible the form is enclosed
+// twice, once for each (enclose, on_box.h), so that no formula is taken where it does not apply.
 struct Side {
   enum { any, negative, other } of = any;
   bool open = false;  // both are possible
 };
 inline thread_local Side sign_of_product;
 
-// s = x_i x_o + y_i y_o, exactly what the library's sum of products is (its side squared is 1), within 16 units of the
-// products that it is summed from: none of their factors is above 2.
+// s = x_i x_o + y_i y_o, exactly what the library's sum of products is (its side squared is 1), within 16
+// units of the products that it is summed from: none of their factors is above 2.
 template <class B>
 Interval<B> tangential_product(const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -151,8 +153,10 @@ Interval<B> tangential_product(const Geometry<Interval<B>>& g) {
   return r;
 }
 
-// cos Lambda = a phi(s), phi(s) = e^(-s^2)/2 (1/sqrt(pi) - s erfcx(s)) for s = cos/a: decreasing (its derivative is
-// -erfc(s)/2 < 0) and, to s = 10, at least .0028 e^(-s^2)/2, of which the roundings take less than 1/100 of that. Beyond,
+// cos Lambda = a phi(s), phi(s) = e^(-s^2)/2 (1/sqrt(pi) - s erfcx(s)) for s = cos/a: decreasing (its
+// derivative is
+// -erfc(s)/2 < 0) and, to s = 10, at least .0028 e^(-s^2)/2, of which the roundings take less than 1/100 of
+//     that. Beyond,
 // s stays 10: at most cos e^(-100)/2 beside 0.
 template <class B>
 Interval<B> cos_lambda_beckmann(const Roughness<Interval<B>>& alpha, const Vec3<Interval<B>>& w) {
@@ -179,9 +183,10 @@ Interval<B> cos_lambda_beckmann(const Roughness<Interval<B>>& alpha, const Vec3<
 // The polynomial R of Student's masking over its whole domain, x and y in [-1, 1] and a little more.
 Bounds student_polynomial();
 
-// A conductor's reflectance lies in [0, 1], as meant and as computed in either precision: s and p are quotients of sums of
-// squares, so not below 0; the two sums of p differ by a sign between terms that are not negative; the end is cut at 1; what is
-// divided by is kept above the floor, or not chosen. Nothing reaches 1e20 where n and k stay below 1e4.
+// A conductor's reflectance lies in [0, 1], as meant and as computed in either precision: s and p are
+// quotients of sums of squares, so not below 0; the two sums of p differ by a sign between terms that are not
+// negative; the end is cut at 1; what is divided by is kept above the floor, or not chosen. Nothing reaches
+// 1e20 where n and k stay below 1e4.
 template <class B>
 Interval<B> fresnel_conductor(const Interval<B>& n, const Interval<B>& k, const Interval<B>& c) {
   const Interval<B> op_by_op = brdf::fresnel_conductor<Interval<B>>(n, k, c);
@@ -196,8 +201,8 @@ Interval<B> fresnel_conductor(const Interval<B>& n, const Interval<B>& k, const 
 
 namespace brdf {
 
-// As the library has it, but that the squared sine of the stretched direction is known to be one, and the polynomial to lie
-// between its bounds.
+// As the library has it, but that the squared sine of the stretched direction is known to be one, and the
+// polynomial to lie between its bounds.
 template <class B>
 class StudentMasking<prove::Interval<B>> {
   using I = prove::Interval<B>;

@@ -16,8 +16,8 @@ Swapped record(F form, Rules rules, long most) {
   const auto shape = recorded_parameters<typename F::template Shape<Recorded>>();
   const auto weights = recorded_parameters<Weights>();
   do {
-    // The first channel's weights of a listing that mixes channels are the channel's own: for others it is not reciprocal
-    // in any sense.
+    // The first channel's weights of a listing that mixes channels are the channel's own: for others it is
+    // not reciprocal in any sense.
     const Recorded there = eval(form, weights, weights, shape, geometry(wi, wo));
     const Recorded back = eval(form, weights, weights, shape, geometry(wo, wi));
     ++result.cases;

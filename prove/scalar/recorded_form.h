@@ -33,8 +33,8 @@ bool is_written_as(F, const Author& author) {
   });
 }
 
-// What `method_of` says of the form at that place of the catalogue: null where that is nothing. All forms are recorded at the
-// first call.
+// What `method_of` says of the form at that place of the catalogue: null where that is nothing. All forms are
+// recorded at the first call.
 template <class Method, class MethodOf>
 const Method* recorded_method(int place, MethodOf method_of) {
   static const auto methods = [&] {

@@ -1,12 +1,16 @@
-// How far rounding takes a formula: the range of its exact value on a box, and bounds of the error of what Base computes.
+// How far rounding takes a formula: the range of its exact value on a box, and bounds of the error of what
+// Base computes.
 //
-// Exact is the formula in real numbers at the stored inputs, its constants as double has them. For the computed x^:
+// Exact is the formula in real numbers at the stored inputs, its constants as double has them. For the
+// computed x^:
 //   |x^ - x| <= relative.error |x| + relative.underflow,
-//   |x^ - x| <= peak.error E + peak.underflow,  E >= |x|: x with what is not proved relative at its largest (Fresnel's weight
+//   |x^ - x| <= peak.error E + peak.underflow,  E >= |x|: x with what is not proved relative at its largest
+//       (Fresnel's weight
 //               and Gaussians at 1), all other factors where they are,
 //   |x^ - x| <= absolute.
-// Any of them may be infinite: nothing is claimed. The model of a rounding is IEEE's: (1 + d), |d| <= u, and half a subnormal
-// where a product may leave the normal range. That no number overflows is `finite`'s to show. Bounds are themselves rounded up.
+// Any of them may be infinite: nothing is claimed. The model of a rounding is IEEE's: (1 + d), |d| <= u, and
+// half a subnormal where a product may leave the normal range. That no number overflows is `finite`'s to
+// show. Bounds are themselves rounded up.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +22,8 @@
 
 namespace brdf::prove {
 
-// A comparison: either, where the computed numbers stand as the exact ones do but how is open; unknown, where they may not.
+// A comparison: either, where the computed numbers stand as the exact ones do but how is open; unknown, where
+// they may not.
 enum class Choice { no, yes, either, unknown };
 
 template <class Base>
@@ -196,7 +201,8 @@ class Rounded {
       r.relative = then_rounded({up(x.relative.error / 2 / (1 - x.relative.error)), 0}, 0);
     return r.finished();
   }
-  // Of x <= 0 with a relative error e beside 1: at most sup_y e^-y (e^(e y) - 1) <= e/((1 - e) e), and what is flushed to 0.
+  // Of x <= 0 with a relative error e beside 1: at most sup_y e^-y (e^(e y) - 1) <= e/((1 - e) e), and what
+  // is flushed to 0.
   friend Rounded exp(const Rounded& x) {
     constexpr double lowest = I::kSingle ? -80 : -690, highest = I::kSingle ? 88 : 709;
     if (!(x.range.hi + x.absolute <= highest)) {

@@ -1,5 +1,5 @@
-// What op-by-op bounds of rounding cannot see, said once: overloads that the unchanged forms find, each with its reason. Tests hold
-// each against samples. u is one rounding's unit, Rounded::kUnit.
+// What op-by-op bounds of rounding cannot see, said once: overloads that the unchanged forms find, each with
+// its reason. Tests hold each against samples. u is one rounding's unit, Rounded::kUnit.
 #pragma once
 
 #include "brdf/forms.h"
@@ -8,10 +8,12 @@
 
 namespace brdf::prove {
 
-// Both choices by the sign of s are max(s, 0) over the larger cosine L. s = (P + Q)/2 is summed from two products P and Q of sums of
-// exact numbers: its error is at most u |s| + 1.5 u (|P| + |Q|), where by Cauchy and Lagrange
+// Both choices by the sign of s are max(s, 0) over the larger cosine L. s = (P + Q)/2 is summed from two
+// products P and Q of sums of exact numbers: its error is at most u |s| + 1.5 u (|P| + |Q|), where by Cauchy
+// and Lagrange
 //   |P| + |Q| <= sqrt((sin_i^2 - sin_o^2)^2 + 4 s^2) <= |cos_i^2 - cos_o^2| + d + 2 |s|,
-// d for vectors stored to two units. Over L that is 5 u of the quotient and at most 1.5 u (L + d/L) beside it.
+// d for vectors stored to two units. Over L that is 5 u of the quotient and at most 1.5 u (L + d/L) beside
+// it.
 template <class B>
 Rounded<B> oren_nayar_azimuth(const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -40,8 +42,9 @@ Rounded<B> slope_gaussian(const Roughness<Rounded<B>>& a, const Geometry<Rounded
   return gaussian_of(scaled_tangent2(a, g) * inverse);
 }
 
-// N = r^2 e^-y, r = 1 + tan^2 <= 1 + y for widths to 1: its error is N times that of r^2 and of the exponential, y e. Over y >= 0
-// (1 + y)^2 e^-y is at most 4/e = 1.4716 and y times that at most 2.52. Its peak, at the normal, is 1.
+// N = r^2 e^-y, r = 1 + tan^2 <= 1 + y for widths to 1: its error is N times that of r^2 and of the
+// exponential, y e. Over y >= 0 (1 + y)^2 e^-y is at most 4/e = 1.4716 and y times that at most 2.52. Its
+// peak, at the normal, is 1.
 template <class B>
 Fraction<Rounded<B>> d_beckmann(const Roughness<Rounded<B>>& a, const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -56,11 +59,12 @@ Fraction<Rounded<B>> d_beckmann(const Roughness<Rounded<B>>& a, const Geometry<R
           area};
 }
 
-// cos Lambda = e^(-s^2)/2 (A - B), A = a/sqrt(pi), B = cos erfcx(s) <= A, s = min(cos/a, 10). The difference errs by at most
-// (e_A + e_B + u) A, the power by (2 e_s + u) s^2; erfcx passes on at most the relative error of s. Beside cos + cos Lambda =
-// a (s + phi), s + phi >= phi(0) = 1/(2 sqrt(pi)), the whole is at most e^(-s^2) times those, and s^2 e^(-s^2) <= 1/e; what is flushed
-// below e^-80 is 1e-35 of it. The denominator cos_i cos_o + cos_o (cos Lambda_i) + cos_i (cos Lambda_o) is at least half of
-// cos_o (cos_i + cos Lambda_i) + cos_i (cos_o + cos Lambda_o): twice that error.
+// cos Lambda = e^(-s^2)/2 (A - B), A = a/sqrt(pi), B = cos erfcx(s) <= A, s = min(cos/a, 10). The difference
+// errs by at most (e_A + e_B + u) A, the power by (2 e_s + u) s^2; erfcx passes on at most the relative error
+// of s. Beside cos + cos Lambda = a (s + phi), s + phi >= phi(0) = 1/(2 sqrt(pi)), the whole is at most
+// e^(-s^2) times those, and s^2 e^(-s^2) <= 1/e; what is flushed below e^-80 is 1e-35 of it. The denominator
+// cos_i cos_o + cos_o (cos Lambda_i) + cos_i (cos Lambda_o) is at least half of cos_o (cos_i + cos Lambda_i)
+// + cos_i (cos_o + cos Lambda_o): twice that error.
 template <class B>
 Fraction<Rounded<B>> v_smith_beckmann(const Roughness<Rounded<B>>& alpha, const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -80,7 +84,8 @@ Fraction<Rounded<B>> v_smith_beckmann(const Roughness<Rounded<B>>& alpha, const 
       R::within({g.cos_i.range.lo * g.cos_o.range.lo * (1 - 1e-12), R::up(i * o + (i + o) * width)}, error)};
 }
 
-// (n.h)^n = exp(-n/2 log1p(tan^2)): the rest moves the logarithm by at most kExponentUnits units of it (lemmas.h).
+// (n.h)^n = exp(-n/2 log1p(tan^2)): the rest moves the logarithm by at most kExponentUnits units of it
+// (lemmas.h).
 template <class B>
 Rounded<B> half_cosine_power(const Rounded<B>& n, const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -96,8 +101,8 @@ Rounded<B> mirror_cosine_power(const Rounded<B>&, const Geometry<Rounded<B>>&) {
   return Rounded<B>::unknown();
 }
 
-// (c sum - 1)/(c difference + 1) cancels, but its square stands beside 1: in parts of both ranges, where that shows. For an index of at
-// least 1 nothing is reflected totally.
+// (c sum - 1)/(c difference + 1) cancels, but its square stands beside 1: in parts of both ranges, where that
+// shows. For an index of at least 1 nothing is reflected totally.
 template <class B>
 Rounded<B> fresnel_dielectric(const Rounded<B>& eta, const Rounded<B>& c) {
   using R = Rounded<B>;

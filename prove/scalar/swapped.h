@@ -11,7 +11,8 @@ struct Swapped {
   long nodes = 0;
 };
 
-// Records the form for both orders of the directions, under these rules. Gives up, not the same, after `most` cases.
+// Records the form for both orders of the directions, under these rules. Gives up, not the same, after `most`
+// cases.
 Swapped record_both_orders(int form, Rules rules, long most = 20000);
 
 }  // namespace brdf::prove

@@ -9,7 +9,8 @@
 
 namespace brdf::prove {
 
-// Ranges of stretched views: turns from the normal and, of unequal widths, from the first axis to the second, 0 to 1 (Domain).
+// Ranges of stretched views: turns from the normal and, of unequal widths, from the first axis to the second,
+// 0 to 1 (Domain).
 struct Views {
   Bounds turn, azimuth{0, 0};
 };

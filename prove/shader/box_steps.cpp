@@ -4,7 +4,7 @@
 
 #include "prove/scalar/on_box.h"
 #include "prove/shader/number_op.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::prove {
 
@@ -78,10 +78,10 @@ std::uint32_t BoxSteps<B>::placed(std::uint32_t reason, const Step& s) {
 
 template <class B>
 std::uint32_t BoxSteps<B>::reason_of(const Way<B>& w, const Step& s, std::optional<Undefined> own) {
-  const shader::Operands o = shader::operands_of(s.op);
+  const shader::Operation& o = shader::operation(s.op);
   const std::uint32_t slots[] = {s.a, s.b, s.c};
-  for (int k = 0; k < o.count; ++k)
-    if (const std::uint32_t r = (o.integer[k] ? w.undefined_integers : w.undefined)[slots[k]]; r > 0)
+  for (int k = 0; k < o.count(); ++k)
+    if (const std::uint32_t r = (o.reads_integer(k) ? w.undefined_integers : w.undefined)[slots[k]]; r > 0)
       return placed(r, s);
   if (!own) return 0;
   reasons_.push_back({*own, s.line, {}});
@@ -90,11 +90,12 @@ std::uint32_t BoxSteps<B>::reason_of(const Way<B>& w, const Step& s, std::option
 
 template <class B>
 void BoxSteps<B>::apply(Way<B>& w, const Step& s) {
+  const shader::Operation& o = shader::operation(s.op);
   if (s.op == Op::select)
     select(w, s);
-  else if (s.op < Op::select)
+  else if (o.of_numbers())
     apply_numbers(w, s);
-  else if (s.op <= Op::less_equal_or)
+  else if (o.compares != shader::Operation::Compares::no)
     apply_comparison(w, s);
   else if (s.op == Op::is_nan || s.op == Op::is_inf)
     w.write_integer(s.r, w.numbers[s.a].poisoned() ? Whole::truth() : Whole{0, 0}, reason_of(w, s, {}));
@@ -159,7 +160,7 @@ void BoxSteps<B>::to_integer(Way<B>& w, const Step& s) {
 
 template <class B>
 void BoxSteps<B>::apply_numbers(Way<B>& w, const Step& s) {
-  const int count = shader::operands_of(s.op).count;
+  const int count = shader::operation(s.op).count();
   const I no_number;
   const auto number = [&](int k, std::uint32_t slot) -> const I& {
     return k < count ? w.numbers[slot] : no_number;
@@ -228,7 +229,7 @@ void BoxSteps<B>::store(Way<B>& w, const Step& s) {
 
 template <class B>
 void BoxSteps<B>::apply_integers(Way<B>& w, const Step& s) {
-  const int count = shader::operands_of(s.op).count;
+  const int count = shader::operation(s.op).count();
   const Whole a = w.integers[s.a], b = count > 1 ? w.integers[s.b] : Whole{},
               c = count > 2 ? w.integers[s.c] : Whole{};
   const Comparison before = w.said[s.a];

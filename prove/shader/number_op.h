@@ -1,5 +1,5 @@
-// What an operation of a shader's program gives on intervals: everything that its float or double interpreter may compute, and the
-// exact result. Poison where it may be no number or infinite, or where nothing is known.
+// What an operation of a shader's program gives on intervals: everything that its float or double interpreter
+// may compute, and the exact result. Poison where it may be no number or infinite, or where nothing is known.
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 #include "prove/scalar/on_box.h"
 #include "prove/shader/box_steps.h"
 #include "prove/shader/number_op.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::prove {
 namespace {
@@ -133,7 +133,8 @@ class ShaderOnBox {
     return {over(h.x, -1), over(h.y, -1), over(h.z, 0)};
   }
 
-  // To the end; ways that part on the way are put to the others. False: too long, or it depends on what is undefined.
+  // To the end; ways that part on the way are put to the others. False: too long, or it depends on what is
+  // undefined.
   bool follow(Way<B>& way, std::uint32_t at, std::vector<std::pair<Way<B>, std::uint32_t>>& left) {
     for (;;) {
       const shader::Stretch& stretch = program_.stretches[at];

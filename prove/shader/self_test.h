@@ -26,9 +26,9 @@ struct SelfTest {
   bool good() const { return falsely_proved == 0 && outside == 0 && undefined_inside == 0; }
 };
 
-// Proves `finite` and `non_negative` in both precisions of random shaders, and encloses random boxes of them, in which it
-// evaluates the interpreter at random parameters, directions and turns of both. Deterministic by the seed. Throws
-// InputError where a shader does not compile, which would be a fault of the self-test.
+// Proves `finite` and `non_negative` in both precisions of random shaders, and encloses random boxes of them,
+// in which it evaluates the interpreter at random parameters, directions and turns of both. Deterministic by
+// the seed. Throws InputError where a shader does not compile, which would be a fault of the self-test.
 SelfTest self_test(const SelfTestOptions& options, const io::Progress& progress = {});
 
 }  // namespace brdf::prove

@@ -50,10 +50,11 @@ struct Way {
   std::vector<Whole> integers;
   std::vector<Comparison> said;
   std::vector<bool> told_of;  // slots that others' copies, squares or comparisons name
-  // Why a slot may hold an undefined value: a place in the list of reasons, from 1; 0: its value is defined. Such a
-  // number is poisoned.
+  // Why a slot may hold an undefined value: a place in the list of reasons, from 1; 0: its value is defined.
+  // Such a number is poisoned.
   std::vector<std::uint32_t> undefined, undefined_integers;
-  // Of a number that changes when light and viewer turn together: a bound of its absolute value at every turn.
+  // Of a number that changes when light and viewer turn together: a bound of its absolute value at every
+  // turn.
   std::vector<double> magnitude;
   std::vector<bool> turns;
   std::size_t steps = 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 #include "shader/run/step.h"
 
 namespace brdf::prove {
@@ -89,7 +89,7 @@ bool is_comparison(Op op) {
 }  // namespace
 
 Whole whole_op(Op op, const Whole& a, const Whole& b, const Whole& c) {
-  const int count = shader::operands_of(op).count;
+  const int count = shader::operation(op).count();
   if (a.known() && (count < 2 || b.known()) && (count < 3 || c.known())) return exactly(op, a, b, c);
   switch (op) {
     case Op::icopy:

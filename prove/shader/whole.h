@@ -28,8 +28,8 @@ constexpr Whole hull(const Whole& a, const Whole& b) {
   return {a.lo < b.lo ? a.lo : b.lo, a.hi > b.hi ? a.hi : b.hi};
 }
 
-// Every value that an operation from integers to an integer can give; that of known operands exactly. Loads and stores
-// are not asked for.
+// Every value that an operation from integers to an integer can give; that of known operands exactly. Loads
+// and stores are not asked for.
 Whole whole_op(shader::Op op, const Whole& a, const Whole& b, const Whole& c);
 
 // Whether the language may leave the result undefined for some operands of these ranges.

@@ -106,6 +106,21 @@ def render(*materials: Any, **options: Any) -> str:
     return str(program("render", *materials, **options))
 
 
+def lobes(*materials: Any, **options: Any) -> str:
+    """`brdf lobes MATERIALS`: the lobe of a material as a plot or a body, in the file `output`."""
+    return str(program("lobes", *materials, **options))
+
+
+def maps(kind: str, **options: Any) -> str:
+    """`brdf maps KIND`: seeded texture maps in the folder `output`."""
+    return str(program("maps", kind, **options))
+
+
+def parity(**options: Any) -> Any:
+    """`brdf parity`: the deferred renderer against the ray-traced reference; json=True: its rows."""
+    return program("parity", **options)
+
+
 def view(*materials: Any, **options: Any) -> str:
     """`brdf view MATERIALS`: a window; returns when it is closed."""
     return str(program("view", *materials, **options))

@@ -32,8 +32,8 @@ std::string measures(const Difference& d, int width, int pixels) {
   return int(text_width(all, pixels)) + pixels <= width ? all : error + unknown;
 }
 
-// The scale of the false colours along the upper edge, above a sphere that fills the picture: 1e-6 to 1, a decade per
-// sixth, or -50 to 50 %.
+// The scale of the false colours along the upper edge, above a sphere that fills the picture: 1e-6 to 1, a
+// decade per sixth, or -50 to 50 %.
 void draw_scale(BytePicture& picture, Scale scale) {
   const int pixels = std::max(9, label_pixels(picture) * 3 / 5), bar = std::max(4, pixels / 2), pad = bar / 2;
   const int width = picture.width - 2 * pad;

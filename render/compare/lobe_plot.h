@@ -38,7 +38,8 @@ struct LobeDot {
   ByteColor color;
 };
 
-// The rows of a table near the plane of incidence (lobe_points.h), in the colours of the first material's channels.
+// The rows of a table near the plane of incidence (lobe_points.h), in the colours of the first material's
+// channels.
 std::vector<LobeDot> lobe_dots(const io::SampleTable& table, double theta_i_degrees);
 
 // Whether the choice of one curve (-1: all) shows this curve; and this dot, which is one of its channel.

@@ -38,8 +38,8 @@ Extent extent_of(const BytePicture& picture, const PreparedScene& scene, const I
   return extent;
 }
 
-// Below the object and what stands in the same place, the other parts of one thing; nowhere where it reaches behind the
-// camera.
+// Below the object and what stands in the same place, the other parts of one thing; nowhere where it reaches
+// behind the camera.
 std::optional<Place> place_of(const BytePicture& picture, const PreparedScene& scene, const Item& labelled) {
   const Extent own = extent_of(picture, scene, labelled);
   if (!own.before_camera) return std::nullopt;

@@ -1,4 +1,5 @@
-// How many samples of an environment's light each picture of a window brings in: no more than it can wait for.
+// How many samples of an environment's light each picture of a window brings in: no more than it can wait
+// for.
 #pragma once
 
 #include <algorithm>

@@ -166,7 +166,8 @@ void Pictures::read_times() {
   pace_.took(samples);
 }
 
-// One run more of A, and of B where it is drawn the same way. What takes reading back is done at powers of two.
+// One run more of A, and of B where it is drawn the same way. What takes reading back is done at powers of
+// two.
 void Pictures::refine(const ViewState& state) {
   a_->draw(&times_);
   read_times();

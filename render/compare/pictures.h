@@ -25,8 +25,8 @@ struct Finish {
 
 class Pictures {
  public:
-  // `samples`: of an environment's light, per pixel. Drawn at once, or (`refining`) a few with each update of a state
-  // that has not changed; A alone is then drawn through the finish's places of each pixel, too.
+  // `samples`: of an environment's light, per pixel. Drawn at once, or (`refining`) a few with each update of
+  // a state that has not changed; A alone is then drawn through the finish's places of each pixel, too.
   Pictures(Device& device, const RendererOptions& options, int samples, const Finish& finish = {},
            bool refining = false)
       : device_(&device),
@@ -44,8 +44,9 @@ class Pictures {
 
   // Whether an update of the same state would make the picture better.
   bool unfinished() const;
-  // Samples of an environment's light that A has, 0 without one, and what they leave open: the root mean square of the
-  // surface's standard errors over its mean, told now and then while A is refined; negative: not yet.
+  // Samples of an environment's light that A has, 0 without one, and what they leave open: the root mean
+  // square of the surface's standard errors over its mean, told now and then while A is refined; negative:
+  // not yet.
   int samples_drawn() const;
   double noise() const { return noise_; }
 

@@ -1,5 +1,5 @@
-// The picture of a view that stands still: drawn through one place of each pixel after the other and added up on the
-// device, so that edges become smooth and an environment's light settles, in place.
+// The picture of a view that stands still: drawn through one place of each pixel after the other and added up
+// on the device, so that edges become smooth and an environment's light settles, in place.
 #pragma once
 
 #include "render/gpu/renderer.h"
@@ -15,8 +15,8 @@ class Standing {
   // The view has moved.
   void reset() { mean_.reset(); }
   int pictures() const { return mean_.count(); }
-  // So many pictures make whole rounds through `across` x `across` places and bring at least `samples` of an environment,
-  // `run` each.
+  // So many pictures make whole rounds through `across` x `across` places and bring at least `samples` of an
+  // environment, `run` each.
   static int wanted(int across, int samples, int run = kRun);
 
   // The scene through the next place, with the environment's next run, of as many samples as the runs before.
@@ -33,7 +33,8 @@ class Standing {
   Image shown_;
 };
 
-// The root mean square of the surface's standard errors (RGBA, as Renderer::read_standard_error) over its mean.
+// The root mean square of the surface's standard errors (RGBA, as Renderer::read_standard_error) over its
+// mean.
 double noise_of(const std::vector<float>& errors, const Picture& picture);
 
 }  // namespace brdf::render

@@ -43,8 +43,9 @@ ViewState load_state(const std::filesystem::path& file);
 // leaves the state as it was.
 void open_file(ViewState& state, const std::filesystem::path& file);
 
-// The share of the width at which the split cuts through the selected object's highlight: where the half vector of the
-// first light and the viewer is the normal of a unit sphere in its place. Half without a light; within 0.15 to 0.85.
+// The share of the width at which the split cuts through the selected object's highlight: where the half
+// vector of the first light and the viewer is the normal of a unit sphere in its place. Half without a light;
+// within 0.15 to 0.85.
 float split_at_highlight(const Scene& scene, std::size_t object);
 
 // What is not shown as it is because of what it is compared with, a sentence; empty: nothing.
@@ -59,11 +60,11 @@ void zoom(Camera& camera, float factor);
 void pan(Camera& camera, glm::vec2 share_of_picture);
 void fit(Camera& camera, const glm::vec4& bounds);
 
-// The sphere round an object, or (`all`) round all that are not flat, as a ground is; round everything where nothing else
-// is there.
+// The sphere round an object, or (`all`) round all that are not flat, as a ground is; round everything where
+// nothing else is there.
 glm::vec4 bounds_of(const PreparedScene& scene, std::optional<std::size_t> object);
-// Turns what lights the scene about the camera's axes: directional lights and, about the vertical axis only, the environment.
-// Point lights stay where they are. Radians.
+// Turns what lights the scene about the camera's axes: directional lights and, about the vertical axis only,
+// the environment. Point lights stay where they are. Radians.
 void turn_light(Scene& scene, float right, float up);
 // Turns it as the camera has turned since it was `before`.
 void follow_camera(Scene& scene, const Camera& before);

@@ -11,8 +11,8 @@
 namespace brdf::render {
 namespace {
 
-// What stb reads from. Where it needs more than there is, it goes on with zeros or with what was in its memory: that
-// is noted.
+// What stb reads from. Where it needs more than there is, it goes on with zeros or with what was in its
+// memory: that is noted.
 class Source {
  public:
   explicit Source(const std::string& bytes) : bytes_(bytes) {}

@@ -1,5 +1,5 @@
-// Pictures decoded from what their file holds, read at once: what the machine fails to read is told apart from what is
-// no picture, and no picture is made of half a file.
+// Pictures decoded from what their file holds, read at once: what the machine fails to read is told apart
+// from what is no picture, and no picture is made of half a file.
 #pragma once
 
 #include <memory>

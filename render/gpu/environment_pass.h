@@ -34,14 +34,15 @@ class EnvironmentPass {
                   VkExtent2D extent, int gbuffer_bits);
   // What was added up is forgotten: the scene has changed.
   void reset() { mean_.reset(); }
-  // The same, with runs of so many samples from here on, at most kRun, which begin at this one of the sequence.
+  // The same, with runs of so many samples from here on, at most kRun, which begin at this one of the
+  // sequence.
   void reset(int samples_of_a_run, int first) { mean_.reset(), count_ = samples_of_a_run, first_ = first; }
   int samples() const { return mean_.count() * count_; }
 
   // The light's picture behind the objects, over what is in `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
-  // A run: begin, each layer while its surfaces are in the targets, and end, which adds the mean over all runs so far to
-  // `color`.
+  // A run: begin, each layer while its surfaces are in the targets, and end, which adds the mean over all
+  // runs so far to `color`.
   void begin_run(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, std::size_t layer,
               std::uint32_t seed);

@@ -1,5 +1,5 @@
-// The fragment shaders that evaluate a reflectance. The catalogue's are compiled with the program; those of one
-// that is not in it are compiled from its GLSL when it is first drawn.
+// The fragment shaders that evaluate a reflectance. The catalogue's are compiled with the program; those of
+// one that is not in it are compiled from its GLSL when it is first drawn.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// What C++ and the shaders agree on: limits, the targets, and the structs of shaders/frame.glsl byte for byte.
-// shaders/emit_shaders.cpp writes the limits and enumerators as layout.glsl.
+// What C++ and the shaders agree on: limits, the targets, and the structs of shaders/frame.glsl byte for
+// byte. shaders/emit_shaders.cpp writes the limits and enumerators as layout.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,8 +14,8 @@ enum class Target { albedo, normal, specular, position, roughness, tangent, bita
 inline constexpr int kTargetCount = 7;
 
 inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold these
-// Parameters that the shaders' arguments have room for. In the targets the fourth of a shape lies where a third weight's red
-// would: what has one of the two has no room for the other.
+// Parameters that the shaders' arguments have room for. In the targets the fourth of a shape lies where a
+// third weight's red would: what has one of the two has no room for the other.
 inline constexpr std::size_t kMostWeights = 3, kMostShape = 4;
 constexpr std::size_t most_shape(std::size_t weights) {
   return weights < kMostWeights ? kMostShape : kMostShape - 1;

@@ -1,4 +1,5 @@
-// Reflectances with more parameters than the shaders' arguments have room for: all but the first ones held at their values.
+// Reflectances with more parameters than the shaders' arguments have room for: all but the first ones held at
+// their values.
 #pragma once
 
 #include <utility>
@@ -7,8 +8,8 @@
 
 namespace brdf::render {
 
-// The material with every such term replaced: the first kMostWeights weights and kMostShape shape parameters stay, the others are
-// constants of its formula. Others as they are.
+// The material with every such term replaced: the first kMostWeights weights and kMostShape shape parameters
+// stay, the others are constants of its formula. Others as they are.
 Material with_room(Material material);
 
 // All materials of a state of the viewer (compare/state.h) with such room.

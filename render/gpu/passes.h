@@ -35,7 +35,8 @@ void draw_screen(VkCommandBuffer commands, VkPipeline pipeline);
 // The reflectances of a layer, each once.
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer);
 
-// Begins drawing meshes over what is in `color` (or over zeros), with a fresh depth buffer, and sets the viewport.
+// Begins drawing meshes over what is in `color` (or over zeros), with a fresh depth buffer, and sets the
+// viewport.
 void begin_forward(VkCommandBuffer commands, Image& color, Image& depth,
                    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_LOAD);
 

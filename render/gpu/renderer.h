@@ -30,17 +30,19 @@ class Renderer {
   // Camera, lights and items changed; the picture's size, meshes and textures did not.
   // A change of the shading mode makes the images that it needs.
   void update(const PreparedScene& scene);
-  // Marks the passes "background", "shadow", "geometry", "lighting", "environment" or "forward" where times are wanted.
+  // Marks the passes "background", "shadow", "geometry", "lighting", "environment" or "forward" where times
+  // are wanted.
   void record(VkCommandBuffer commands, Timestamps* times = nullptr);
   // Records, runs and waits.
   void draw(Timestamps* times = nullptr);
 
-  // Light of an environment is added up: each draw brings a run of samples more per pixel, until update() forgets them.
+  // Light of an environment is added up: each draw brings a run of samples more per pixel, until update()
+  // forgets them.
   int samples() const { return environment_ ? environment_->samples() : 0; }
   // From here on with other random numbers; what was added up is forgotten.
   void reseed(std::uint32_t seed);
-  // Draws until there are so many, from the sequence's `first`, in runs of at most `run`, which is at most kRun; once where
-  // there is no environment.
+  // Draws until there are so many, from the sequence's `first`, in runs of at most `run`, which is at most
+  // kRun; once where there is no environment.
   void draw_samples(int samples, Timestamps* times = nullptr, int first = 0, int run = kRun);
   // The standard error of each pixel's channels, RGBA as read_color; zeros without an environment.
   std::vector<float> read_standard_error();

@@ -1,4 +1,5 @@
-// The mean of pictures that are drawn one after the other into one image, and their scatter, kept on the device.
+// The mean of pictures that are drawn one after the other into one image, and their scatter, kept on the
+// device.
 #pragma once
 
 #include "render/gpu/passes.h"
@@ -17,7 +18,8 @@ class RunningMean {
   enum class Over { what_is_there, black };
   void record_mean(VkCommandBuffer commands, Image& target, Over over);
 
-  // RGBA, row by row; after at least two pictures: the standard error of the mean, told from the scatter between them.
+  // RGBA, row by row; after at least two pictures: the standard error of the mean, told from the scatter
+  // between them.
   std::vector<float> standard_error();
 
  private:

@@ -8,8 +8,8 @@
 namespace brdf::render {
 namespace {
 
-// A rectangle of light: its centre's direction, the tangents of half its angles across and upwards, the share of those
-// over which its edge fades.
+// A rectangle of light: its centre's direction, the tangents of half its angles across and upwards, the share
+// of those over which its edge fades.
 struct SoftBox {
   glm::vec3 toward;
   glm::vec2 half;

@@ -1,7 +1,7 @@
 // Light from far away as a latitude-longitude picture, and random directions in proportion to it.
 //
-// y is up. The picture's centre is the direction -z, its right edge is reached by turning to +x, its top row is the
-// zenith. A texel's radiance is the same all over it, so that the density of sample() is exact.
+// y is up. The picture's centre is the direction -z, its right edge is reached by turning to +x, its top row
+// is the zenith. A texel's radiance is the same all over it, so that the density of sample() is exact.
 #pragma once
 
 #include <filesystem>
@@ -31,8 +31,8 @@ class LightMap {
   const glm::vec4& texel_towards(const glm::vec3& direction) const;
   // Interpolated between the texels' centres: for what is looked at rather than integrated.
   glm::vec3 shown(const glm::vec3& direction) const;
-  // A direction in proportion to the sum of the texels' channels, for two numbers in [0, 1): by the distribution of
-  // rows and that of columns within a row. Everywhere alike where the picture is black.
+  // A direction in proportion to the sum of the texels' channels, for two numbers in [0, 1): by the
+  // distribution of rows and that of columns within a row. Everywhere alike where the picture is black.
   LightSample sample(double u1, double u2) const;
 
   // What the shaders search: all texels, and the distributions' values at the ends of the cells, row by row.

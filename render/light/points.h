@@ -1,6 +1,6 @@
-// The points of environment light: for each pixel two sequences of its own, one that draws directions of the light and
-// one that draws the reflectance's. Each is the additive recurrence (brdf/low_discrepancy.h) from a start of its own,
-// so that every point is evenly distributed. The same in GLSL: shaders/points.glsl.
+// The points of environment light: for each pixel two sequences of its own, one that draws directions of the
+// light and one that draws the reflectance's. Each is the additive recurrence (brdf/low_discrepancy.h) from a
+// start of its own, so that every point is evenly distributed. The same in GLSL: shaders/points.glsl.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ struct Station {
 
 // A closed body with rounded cross sections (a superellipse)
 // along x: smooth enough for highlights to run along it.
-Mesh loft(const std::vector<Station>& stations, int around, float squareness) {
+Mesh skin(const std::vector<Station>& stations, int around, float squareness) {
   Mesh mesh;
   const auto rounded = [&](float c) { return std::copysign(std::pow(std::abs(c), 2 / squareness), c); };
   for (std::size_t s = 0; s < stations.size(); ++s) {
@@ -80,7 +80,7 @@ std::vector<Station> refined(const std::vector<Station>& coarse, int pieces) {
 }
 
 Mesh smooth_body(const std::vector<Station>& profile, int pieces, int around, float squareness) {
-  Mesh mesh = loft(refined(profile, pieces), around, squareness);
+  Mesh mesh = skin(refined(profile, pieces), around, squareness);
   smooth_normals(mesh, around);
   make_tangents(mesh);
   clean(mesh, "car");

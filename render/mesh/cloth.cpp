@@ -1,5 +1,5 @@
-// A cloth laid over a ball: masses on springs (Provot 1995), moved by Verlet steps with the springs' lengths put right after
-// each (Jakobsen 2001), then smoothed as a B-spline surface and given two sides.
+// A cloth laid over a ball: masses on springs (Provot 1995), moved by Verlet steps with the springs' lengths
+// put right after each (Jakobsen 2001), then smoothed as a B-spline surface and given two sides.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace brdf::render {
 namespace {
 
 constexpr int kPoints = 61;  // along each side
-constexpr float kClothSide = 4.2f, kBall = 0.75f, kFloor = -0.75f, kThickness = 0.008f;
+constexpr float kClothSide = 4.2f, kBall = 0.75f, kClothFloor = -0.75f, kThickness = 0.008f;
 constexpr float kClear = 0.01f;  // between the cloth's middle and what it lies on
 constexpr int kSteps = 420, kCorrections = 5;
 
@@ -52,8 +52,8 @@ void collide(glm::vec3& at, glm::vec3& before) {
     at *= (kBall + kClear) / std::max(distance, 1e-6f);
     touches = true;
   }
-  if (at.y < kFloor + kClear) {
-    at.y = kFloor + kClear;
+  if (at.y < kClothFloor + kClear) {
+    at.y = kClothFloor + kClear;
     touches = true;
   }
   if (touches) before = glm::mix(before, at, 0.5f);

@@ -1,5 +1,5 @@
-// Surfaces of revolution from profiles: curves in the plane (radius, height) whose points know their tangents, so that
-// smooth parts are smooth and corners are corners.
+// Surfaces of revolution from profiles: curves in the plane (radius, height) whose points know their
+// tangents, so that smooth parts are smooth and corners are corners.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,8 @@ Profile spline(const std::vector<glm::vec2>& points, int pieces);
 // One after another; a corner where their tangents differ.
 Profile joined(const std::vector<Profile>& parts);
 
-// The profile turned about the y axis; travelling upwards on the outside its normals point outwards. u runs round, v along.
+// The profile turned about the y axis; travelling upwards on the outside its normals point outwards. u runs
+// round, v along.
 Mesh lathe(const Profile& profile, int slices);
 
 }  // namespace brdf::render

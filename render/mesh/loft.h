@@ -10,7 +10,8 @@ namespace brdf::render {
 
 using Surface = std::function<glm::vec3(float u, float v)>;
 
-// The surface over all pairs of these parameters, but for the cells that are left out; `outwards` is the sign of d/du x d/dv.
+// The surface over all pairs of these parameters, but for the cells that are left out; `outwards` is the sign
+// of d/du x d/dv.
 Mesh loft(const Surface& at, const std::vector<float>& us, const std::vector<float>& vs, float outwards,
           const std::function<bool(float u, float v)>& kept = {});
 // The values with each interval cut into so many pieces.

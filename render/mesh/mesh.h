@@ -39,28 +39,31 @@ Mesh make_plane(int cells = 1, int parity = -1);
 // A model built from profiles: body, cabin, four wheels; about 4 units long, standing on y = 0, facing +x.
 // "body", "cabin" or "wheels": that part alone, in its place.
 Mesh make_car(std::string_view part = "");
-// What materials are shown on: a unit ball with a groove round it, on a stand that ends at y = -1.28. "ball" or "stand":
-// that part alone.
+// What materials are shown on: a unit ball with a groove round it, on a stand that ends at y = -1.28. "ball"
+// or "stand": that part alone.
 Mesh make_shader_ball(std::string_view part = "");
 // A vase off the lathe, 2.26 units high, standing on y = 0, hollow.
 Mesh make_vase();
-// A square cloth that has fallen over a ball of radius 0.75 round the origin, 4.2 units wide: the folds are those of a mass
-// and spring model at rest. Both sides, 0.008 apart.
+// A square cloth that has fallen over a ball of radius 0.75 round the origin, 4.2 units wide: the folds are
+// those of a mass and spring model at rest. Both sides, 0.008 apart.
 Mesh make_cloth();
-// A sedan with fenders, windows, lamps and spoked wheels, 4.4 units long, standing on y = 0, facing +x. A part alone, in its
-// place: "body", "windows", "trim" (what is dark: sills, arches, tyres), "metal" (rims), "lamps".
+// A sedan with fenders, windows, lamps and spoked wheels, 4.4 units long, standing on y = 0, facing +x. A
+// part alone, in its place: "body", "windows", "trim" (what is dark: sills, arches, tyres), "metal" (rims),
+// "lamps".
 Mesh make_sedan(std::string_view part = "");
 // UTF-8 text, outlines of the font tessellated and wrapped round the unit sphere; u runs along the text.
-// Throws InputError when the text holds nothing to draw or too many letters, EnvironmentError when the font cannot be
-// read.
+// Throws InputError when the text holds nothing to draw or too many letters, EnvironmentError when the font
+// cannot be read.
 inline constexpr std::size_t kMostLetters = 200;
 Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font = {});
 // Every mesh of the file, joined, node transforms applied. Throws InputError (unreadable, empty, or
-// non-finite vertices). Normals and tangents that the file lacks are made; edges sharper than 40 degrees stay edges.
+// non-finite vertices). Normals and tangents that the file lacks are made; edges sharper than 40 degrees stay
+// edges.
 Mesh load_model(const std::filesystem::path& file);
 
-// What a scene file's "mesh" may say: sphere, sphere:N (triangles), icosphere:L, plane, plane:N, checker_even:N,
-// checker_odd:N, car, car:PART, shader_ball, shader_ball:PART, vase, cloth, sedan, sedan:PART, text:..., FILE.
+// What a scene file's "mesh" may say: sphere, sphere:N (triangles), icosphere:L, plane, plane:N,
+// checker_even:N, checker_odd:N, car, car:PART, shader_ball, shader_ball:PART, vase, cloth, sedan,
+// sedan:PART, text:..., FILE.
 Mesh make_mesh(const std::string& specification, const std::filesystem::path& folder);
 
 // A unit vector perpendicular to `normal`, continuous but at one pole.

@@ -70,7 +70,8 @@ void require_whole_header(const io::Content& content) {
   throw InputError(content.name + ": the PLY's header has no line end_header");
 }
 
-// The model's files, each read at once: Assimp takes what the machine fails to read for a file that is not there or ends.
+// The model's files, each read at once: Assimp takes what the machine fails to read for a file that is not
+// there or ends.
 class ModelFiles : public Assimp::DefaultIOSystem {
  public:
   explicit ModelFiles(std::exception_ptr& failure) : failure_(failure) {}

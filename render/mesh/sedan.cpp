@@ -1,5 +1,5 @@
-// A car made by code: a body lofted along x with arches cut out of its sides, a cabin whose windows are parts of one
-// surface, wheels off the lathe.
+// A car made by code: a body lofted along x with arches cut out of its sides, a cabin whose windows are parts
+// of one surface, wheels off the lathe.
 #include <algorithm>
 #include <cmath>
 
@@ -44,8 +44,8 @@ glm::vec2 deck_and_width(float x) {
   return {found.y, found.z};
 }
 
-// Half a section from the middle of the floor (v = 0) by the widest place (v = 1) to the middle of the deck (v = 2): two
-// quarters of superellipses.
+// Half a section from the middle of the floor (v = 0) by the widest place (v = 1) to the middle of the deck
+// (v = 2): two quarters of superellipses.
 vec3 body_at(float x, float v) {
   const glm::vec2 line = deck_and_width(x);
   const float open = openness(x), width = line.y * std::pow(open, 0.8f);
@@ -136,7 +136,8 @@ Mesh housing(float axle) {
 
 // --- The cabin --------------------------------------------------------------------------------------------
 
-// Round its outline u runs in degrees from the middle of the windscreen by the left side; v goes up to the roof's middle.
+// Round its outline u runs in degrees from the middle of the windscreen by the left side; v goes up to the
+// roof's middle.
 vec3 cabin_at(float u, float v) {
   // Foremost, rearmost, half width, height.
   static const NaturalSpline<glm::vec4> levels({{1.12f, -1.72f, 0.80f, 0.82f},

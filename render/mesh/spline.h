@@ -12,7 +12,8 @@ template <class V>
 class NaturalSpline {
  public:
   explicit NaturalSpline(std::vector<V> points) : points_(std::move(points)), bend_(points_.size(), V(0)) {
-    // `bend_` are the second derivatives, by the tridiagonal system whose elimination `share` and they hold on the way down.
+    // `bend_` are the second derivatives, by the tridiagonal system whose elimination `share` and they hold
+    // on the way down.
     const std::size_t count = points_.size();
     for (std::size_t k = 0; k + 1 < count; ++k) span_.push_back(glm::distance(points_[k], points_[k + 1]));
     std::vector<float> share(count, 0);

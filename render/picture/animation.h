@@ -8,8 +8,9 @@
 
 namespace brdf::render {
 
-// Frames of one size, shown for ever at an even rate. `quality` from 0 to 100: 100 keeps every bit, less is lossy. Throws
-// InputError for a picture that is too large (16,383 pixels on a side), EnvironmentError when the encoder gives up.
+// Frames of one size, shown for ever at an even rate. `quality` from 0 to 100: 100 keeps every bit, less is
+// lossy. Throws InputError for a picture that is too large (16,383 pixels on a side), EnvironmentError when
+// the encoder gives up.
 class Animation {
  public:
   Animation(int width, int height, double frames_per_second, int quality);

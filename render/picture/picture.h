@@ -12,7 +12,8 @@
 
 namespace brdf::render {
 
-// Linear RGBA, rows from the top. A is 1 where there is a surface, kNotMeasured where nobody measured how it reflects.
+// Linear RGBA, rows from the top. A is 1 where there is a surface, kNotMeasured where nobody measured how it
+// reflects.
 inline constexpr float kNotMeasured = 0.75f;
 inline bool is_surface(const glm::vec4& pixel) {
   return pixel.a > 0.5f;

@@ -32,10 +32,12 @@ double ulps(float a, float b) {
   return std::abs(double(ordered(a) - ordered(b)));
 }
 
+}  // namespace
+
 // The compute pipelines of one shader, one form each, and the buffers they share.
-class Machine {
+class ProofMachine {
  public:
-  Machine(Device& device, Spirv of_catalogue) : device_(device), of_catalogue_(of_catalogue) {
+  ProofMachine(Device& device, Spirv of_catalogue) : device_(device), of_catalogue_(of_catalogue) {
     constexpr std::array kBindings{Binding{kStorage}, Binding{kStorage}};
     set_layout_ = make_set_layout(device, kBindings, VK_SHADER_STAGE_COMPUTE_BIT);
     const std::array sets{set_layout_.get()};
@@ -115,6 +117,8 @@ class Machine {
   Buffer input_, output_;
 };
 
+namespace {
+
 void compare(ProofRow& row, const ProofConfiguration& at, const ProofValues& device,
              const ProofValues& library) {
   ++row.count;
@@ -132,7 +136,7 @@ void compare(ProofRow& row, const ProofConfiguration& at, const ProofValues& dev
   }
 }
 
-ProofRow proof_of(Machine& machine, const Reflectance& form, const ProofOptions& options) {
+ProofRow proof_of(ProofMachine& machine, const Reflectance& form, const ProofOptions& options) {
   ProofRow row{.form = std::string(info(form).name)};
   const double start = now();
   const Owned<VkPipeline> pipeline = machine.pipeline(form);
@@ -182,13 +186,13 @@ bool passes(const ProofRow& row, bool software) {
 }
 
 struct ShaderBatch::State {
-  Machine machine;
+  ProofMachine machine;
   Owned<VkPipeline> pipeline;
 };
 
 ShaderBatch::ShaderBatch(Device& device, const Reflectance& form,
                          std::span<const ProofConfiguration> configurations)
-    : state_(new State{Machine(device, shader_code::proof), {}}), count_(configurations.size()) {
+    : state_(new State{ProofMachine(device, shader_code::proof), {}}), count_(configurations.size()) {
   if (count_ > kMost)
     throw InputError("a shader batch holds at most " + std::to_string(kMost) + " directions");
   state_->pipeline = state_->machine.pipeline(form);
@@ -209,7 +213,7 @@ std::vector<ProofValues> ShaderBatch::values() const {
 std::vector<ProofRow> shader_proof(Device& device, std::span<const Reflectance> forms,
                                    const ProofOptions& options,
                                    const std::function<void(const ProofRow&)>& report) {
-  Machine machine(device, options.shader.empty() ? shader_code::proof : options.shader);
+  ProofMachine machine(device, options.shader.empty() ? shader_code::proof : options.shader);
   std::vector<ProofRow> rows;
   for (const Reflectance& form : forms) {
     rows.push_back(proof_of(machine, form, options));

@@ -40,7 +40,8 @@ struct ProofOptions {
   Spirv shader;  // of the catalogue; empty: the library's; tests give their negative controls
 };
 
-// Where a device's value is furthest from the library's, in tolerances; first where only one of both is a number.
+// Where a device's value is furthest from the library's, in tolerances; first where only one of both is a
+// number.
 struct ProofWorst {
   ProofConfiguration at;
   std::size_t value = 0;  // of ProofValues

@@ -53,7 +53,8 @@ class SceneRays {
     rtcIntersect1(scene_.get(), &context, &hit);
     return hit;
   }
-  // Whether an object other than this one lies along the direction; its own surfaces are passed, each by `step`.
+  // Whether an object other than this one lies along the direction; its own surfaces are passed, each by
+  // `step`.
   bool blocked(const glm::vec3& origin, const glm::vec3& direction, std::size_t own, float step) const {
     for (float from = 0;;) {
       const RTCRayHit hit = trace(origin, direction, from);

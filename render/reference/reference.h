@@ -10,8 +10,8 @@
 
 namespace brdf::render {
 
-// Value of f_r cos_i per channel for a pair of directions in the surface's frame, and whether it is known; replaces
-// an object's material.
+// Value of f_r cos_i per channel for a pair of directions in the surface's frame, and whether it is known;
+// replaces an object's material.
 struct MeasuredValue {
   glm::vec3 f_cos{0};
   bool known = true;
@@ -21,8 +21,8 @@ using Measured = std::function<MeasuredValue(const glm::vec3& wi, const glm::vec
 
 struct ReferenceOptions {
   unsigned threads = io::all_processors();
-  // Shades every object where set (ambient then has nothing to act on); pixels lit along directions of which it
-  // knows nothing have the alpha kNotMeasured.
+  // Shades every object where set (ambient then has nothing to act on); pixels lit along directions of which
+  // it knows nothing have the alpha kNotMeasured.
   const Measured* measured = nullptr;
   // Of the environment's light, which what is measured leaves out.
   int samples = 256;

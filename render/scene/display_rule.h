@@ -28,7 +28,8 @@ S sky_color(const S& horizon, const S& zenith, const S& up) {
   return mixed(horizon, zenith, math::sqrt(at_least(up, S(0))));
 }
 
-// One channel of a backdrop; `height` is the ray's ndc y, -1 at the lower edge of the picture and 1 at the upper.
+// One channel of a backdrop; `height` is the ray's ndc y, -1 at the lower edge of the picture and 1 at the
+// upper.
 template <class S>
 S backdrop_color(const S& bottom, const S& top, const S& height) {
   return mixed(bottom, top, at_most(at_least((height + S(1)) * S(0.5), S(0)), S(1)));
@@ -39,9 +40,9 @@ using io::srgb_encoded;
 template <class S>
 using Colour = std::array<S, 3>;
 
-// Keeps the hue exactly and the colour itself up to a peak of 0.76, then compresses towards 1 and mixes with white:
-// the Khronos PBR Neutral Tone Mapper (Khronos Group 2024, specification 1.0; there F90 = 0.04). A grey is taken away
-// first: what a dielectric reflects of white surroundings. Linear, in [0, 1).
+// Keeps the hue exactly and the colour itself up to a peak of 0.76, then compresses towards 1 and mixes with
+// white: the Khronos PBR Neutral Tone Mapper (Khronos Group 2024, specification 1.0; there F90 = 0.04). A
+// grey is taken away first: what a dielectric reflects of white surroundings. Linear, in [0, 1).
 template <class S>
 Colour<S> neutral(const Colour<S>& c) {
   const S least = at_most(at_most(c[0], c[1]), c[2]);

@@ -39,8 +39,8 @@ struct PreparedScene {
   glm::vec4 bounds{0, 0, 0, 1};                     // sphere round all objects
 };
 
-// Throws InputError on a missing texture, a broken model, a material whose channels are no colours, and where the
-// objects together have more than this many triangles or texels (512 MiB).
+// Throws InputError on a missing texture, a broken model, a material whose channels are no colours, and where
+// the objects together have more than this many triangles or texels (512 MiB).
 inline constexpr std::size_t kMostTriangles = 20'000'000, kMostTexelsOfAll = 1 << 27;
 PreparedScene prepare(Scene scene);
 // After a change of materials or transforms alone (the viewer's sliders): meshes and textures are kept.

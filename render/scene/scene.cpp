@@ -35,8 +35,8 @@ Scene material_scene(const std::vector<std::pair<std::string, Material>>& materi
   // From the upper left front; irradiance pi shows a Lambertian surface facing it at its reflectance.
   scene.lights.push_back({false, {1, -1, -1}, glm::vec3(1), float(kPi)});
   scene.ambient = glm::vec3(0.03f);
-  // Light from above falls on objects before a dark ground, their shadow side stands before a light one: no object of
-  // one brightness can equal it all round.
+  // Light from above falls on objects before a dark ground, their shadow side stands before a light one: no
+  // object of one brightness can equal it all round.
   scene.background = glm::vec3(0.42f);
   scene.backdrop_top = glm::vec3(0.06f);
   return scene;

@@ -82,8 +82,8 @@ struct Scene {
   float exposure = 0;  // factor 2^exposure before the tone map
   friend bool operator==(const Scene&, const Scene&) = default;
 };
-// A relative name that is not there is looked for in the installed data (io/files/installed.h). Throws InputError with file, JSON
-// path, value and rule; scene_json.h has the rest of the format.
+// A relative name that is not there is looked for in the installed data (io/files/installed.h). Throws
+// InputError with file, JSON path, value and rule; scene_json.h has the rest of the format.
 Scene load_scene(const std::filesystem::path& file);
 
 // Pictures are grey or RGB. Throws InputError naming what has channels of which none can be told to be red.
@@ -93,9 +93,9 @@ io::ChannelColours require_colours(const std::vector<std::string>& channels, con
 // a little ambient: what `brdf render MATERIAL...` shows.
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials);
 
-// The same with a shape of make_mesh() in place of the spheres, as large as they, seen from a little above. Parts that are
-// never of the material shown (a car's windows and tyres, the stand of the shader ball) are further objects after the one
-// that is. Throws InputError on a shape that cannot be read.
+// The same with a shape of make_mesh() in place of the spheres, as large as they, seen from a little above.
+// Parts that are never of the material shown (a car's windows and tyres, the stand of the shader ball) are
+// further objects after the one that is. Throws InputError on a shape that cannot be read.
 Scene shape_scene(const std::string& shape, const std::vector<std::pair<std::string, Material>>& materials);
 
 // Rotation and scale of an object, and the same for normals.

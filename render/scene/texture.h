@@ -19,8 +19,8 @@ struct Texture {
   glm::vec3 sample_srgb(glm::vec2 uv) const;
 };
 
-// Throws InputError naming the file when it is missing, no picture, or larger than this (4096 x 4096): a small file may
-// ask for any size.
+// Throws InputError naming the file when it is missing, no picture, or larger than this (4096 x 4096): a
+// small file may ask for any size.
 inline constexpr std::int64_t kMostTexels = 1 << 24;
 Texture load_texture(const std::filesystem::path& file);
 Texture constant_texture(glm::vec4 value);

@@ -1,4 +1,5 @@
-// How texture maps drive the parameters of any reflectance: the one rule, for C++ and (traced) for the shaders.
+// How texture maps drive the parameters of any reflectance: the one rule, for C++ and (traced) for the
+// shaders.
 //
 // With albedo a, roughness r and metalness m of the maps (where there is no such map, a is the diffuse weight
 // and m is 0), 0.03 being the thesis's reflectance of dielectrics, by role or map of the parameter:
@@ -28,8 +29,8 @@ inline constexpr double kDielectricReflectance = 0.03;
 // Cosine of a mapped normal with the viewer, at least: one that faced away would leave black specks along the
 // edge of the object.
 inline constexpr double kLeastFacing = 0.05;
-// The same of a mesh's own normal: interpolated, it faces away at a silhouette from a viewer who sees the triangle's
-// front. Small, so that a plane seen at 89 degrees keeps its normal.
+// The same of a mesh's own normal: interpolated, it faces away at a silhouette from a viewer who sees the
+// triangle's front. Small, so that a plane seen at 89 degrees keeps its normal.
 inline constexpr double kLeastSeen = 0.01;
 
 template <class S>
@@ -79,9 +80,13 @@ inline Rule rule_of(const ParameterInfo& parameter, const ReflectanceInfo& of) {
       return Rule::exponent;
     case Role::slope:
       return Rule::slope;
-    default:
-      return Rule::own;
+    case Role::index:
+    case Role::extinction:
+    case Role::tint:
+    case Role::other:
+      break;
   }
+  return Rule::own;
 }
 
 }  // namespace brdf::render

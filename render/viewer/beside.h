@@ -11,14 +11,14 @@ class Beside {
  public:
   explicit Beside(const Solver& solver) : solver_(solver) {}
 
-  // Reads the samples that the state names, where they are others than before, and compares. `held`: the error so far
-  // stays as the one before. A file that cannot be read is as none: drawing says why.
+  // Reads the samples that the state names, where they are others than before, and compares. `held`: the
+  // error so far stays as the one before. A file that cannot be read is as none: drawing says why.
   void look(const Session& session, bool held);
   const io::SampleTable* samples() const { return table_ ? &*table_ : nullptr; }
   // The same as a picture shows them: what plots draw.
   const io::SampleTable* samples_in_colour() const { return in_colour_ ? &*in_colour_ : samples(); }
-  // Mean ln(A/measured) over the half angles (measured/residual_map.h); of the selected object. Null without samples, and
-  // where none of their channels is A's.
+  // Mean ln(A/measured) over the half angles (measured/residual_map.h); of the selected object. Null without
+  // samples, and where none of their channels is A's.
   const std::vector<double>* residuals(const Session& session);
   std::optional<double> error() const { return error_; }
   std::optional<double> error_before() const { return before_; }
@@ -29,7 +29,8 @@ class Beside {
   void stop() { task_.stop(); }
   bool fitting() const { return task_.running(); }
   double seconds() const { return task_.seconds(); }
-  // What it found goes into the object, as one step; in words, empty while there is nothing. Throws what the fit threw.
+  // What it found goes into the object, as one step; in words, empty while there is nothing. Throws what the
+  // fit threw.
   std::string take(Session& session);
   // Of the last fit; none of other objects, beside other samples, or where the object has other forms now.
   const std::vector<Interval>& intervals(const Session& session) const;

@@ -1,4 +1,5 @@
-// What the caller lends the window, so that a hand and the solver work side by side: rendering knows nothing of fits.
+// What the caller lends the window, so that a hand and the solver work side by side: rendering knows nothing
+// of fits.
 #pragma once
 
 #include <atomic>
@@ -27,7 +28,8 @@ struct Fitted {
 };
 
 struct Solver {
-  // Median of |material - measured|/measured over the table's values above 0; not a number where there are none.
+  // Median of |material - measured|/measured over the table's values above 0; not a number where there are
+  // none.
   std::function<double(const Material&, const io::SampleTable&)> error;
   // Goes on from this material; where `stop` is set, returns the best so far. Throws InputError.
   std::function<Fitted(const Material&, const io::SampleTable&, const std::atomic<bool>& stop)> fit;

@@ -1,4 +1,5 @@
-// Everything that a user can ask the window for, with its keys: what the keyboard, the buttons, the help and the tests go by.
+// Everything that a user can ask the window for, with its keys: what the keyboard, the buttons, the help and
+// the tests go by.
 #pragma once
 
 #include <span>

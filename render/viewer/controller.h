@@ -1,5 +1,6 @@
 // The window's loop: what the hand does becomes changes of the session, the session becomes pictures.
-// controller.cpp draws, controller_input.cpp hears keys and the mouse, controller_requests.cpp does what is asked for.
+// controller.cpp draws, controller_input.cpp hears keys and the mouse, controller_requests.cpp does what is
+// asked for.
 #pragma once
 
 #include <chrono>

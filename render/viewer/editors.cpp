@@ -27,7 +27,8 @@ bool combo(const char* label, std::size_t& index, const std::vector<std::string>
 
 namespace {
 
-// The families of the catalogue and the forms of the term's own; what is not in the catalogue is a family of one.
+// The families of the catalogue and the forms of the term's own; what is not in the catalogue is a family of
+// one.
 void form_panel(Session& session, std::size_t place) {
   const Term& term = session.state().scene.objects[session.state().selected].material.terms[place];
   std::vector<std::vector<Reflectance>> groups = families();
@@ -108,8 +109,8 @@ class TermSliders {
     }
   }
 
-  // Along and across are one slider while they are equal, or a hand that moves one makes an isotropic material, and the
-  // fit that goes on from it, anisotropic without being asked.
+  // Along and across are one slider while they are equal, or a hand that moves one makes an isotropic
+  // material, and the fit that goes on from it, anisotropic without being asked.
   bool axes_apart(const ReflectanceInfo& form) const {
     const auto [along, across] = form.axes();
     for (const std::vector<double>& set : term_.shape)

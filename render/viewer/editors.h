@@ -18,8 +18,8 @@ void enum_combo(const char* label, Enum& value) {
   if (combo(label, index, {kNames<Enum>.begin(), kNames<Enum>.end()})) value = Enum(index);
 }
 
-// Family, form, and sliders for the parameters of the form's table, for every term of the selected object's material;
-// with the intervals of its fit.
+// Family, form, and sliders for the parameters of the form's table, for every term of the selected object's
+// material; with the intervals of its fit.
 void edit_material(Session& session, const std::vector<Interval>& intervals);
 void edit_object(Object& object);
 void edit_lights(Scene& scene);

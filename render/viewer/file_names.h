@@ -7,9 +7,9 @@
 
 namespace brdf::render {
 
-// The files that may be opened (by their names: .json, samples, models) and the folders that go on from what is typed:
-// all in its folder whose names begin with the rest. Folders end in "/". In order, at most so many. Hidden ones only where
-// the rest begins with a dot.
+// The files that may be opened (by their names: .json, samples, models) and the folders that go on from what
+// is typed: all in its folder whose names begin with the rest. Folders end in "/". In order, at most so many.
+// Hidden ones only where the rest begins with a dot.
 std::vector<std::string> names_that_go_on(const std::string& typed, std::size_t most = 200);
 // As far as all of them agree.
 std::string completed(const std::string& typed);

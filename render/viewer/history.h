@@ -9,8 +9,8 @@
 
 namespace brdf::render {
 
-// Whether they are the same but for what no hand has done: the picture's size, which is the window's, and how far the
-// turntable has turned.
+// Whether they are the same but for what no hand has done: the picture's size, which is the window's, and how
+// far the turntable has turned.
 bool same_edit(const ViewState& a, const ViewState& b);
 // What differs, in a few words: "the material", "the camera and the lights".
 std::string what_differs(const ViewState& a, const ViewState& b);

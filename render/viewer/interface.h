@@ -9,15 +9,15 @@ namespace brdf::render {
 
 class Interface {
  public:
-  // `scale`: of text and panels; 1 is 96 dots per inch. The window's callbacks hand over what they hear: the backend
-  // installs none of its own.
+  // `scale`: of text and panels; 1 is 96 dots per inch. The window's callbacks hand over what they hear: the
+  // backend installs none of its own.
   Interface(Device& device, const Window& window, const Swapchain& swapchain, float scale);
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
-  // A key's event. Dear ImGui looks at the keys once a frame: the release of one that was pressed since the last frame
-  // waits for the next, so that a short tap is not missed.
+  // A key's event. Dear ImGui looks at the keys once a frame: the release of one that was pressed since the
+  // last frame waits for the next, so that a short tap is not missed.
   void key(int key, int scancode, int action, int mods);
   // A letter; where nobody takes it yet it is kept for the next frames.
   void letter(unsigned code);

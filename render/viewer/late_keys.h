@@ -1,4 +1,5 @@
-// Keys that come while a text field closes: Dear ImGui wants text for some frames more, and they are not for it.
+// Keys that come while a text field closes: Dear ImGui wants text for some frames more, and they are not for
+// it.
 #pragma once
 
 #include <utility>

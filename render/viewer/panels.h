@@ -43,10 +43,11 @@ class Panels {
   bool help_ = false;
 };
 
-// The plot of the lobes, and what the samples say; the slice and the map of residuals stand open where there is room.
+// The plot of the lobes, and what the samples say; the slice and the map of residuals stand open where there
+// is room.
 void plot_panel(Session& session, const PanelInfo& info, bool room);
-// Beside samples: f_r over the viewer's angle at the measured light nearest to the plot's, and where A is too dark or too
-// bright at them.
+// Beside samples: f_r over the viewer's angle at the measured light nearest to the plot's, and where A is too
+// dark or too bright at them.
 void slice_section(Session& session, const PanelInfo& info);
 void residual_section(const std::vector<double>& cells);
 // Names, numbers and messages round the picture.

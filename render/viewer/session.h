@@ -26,17 +26,18 @@ class Session {
   std::string redo();
   std::size_t steps() const { return history_.steps(); }
 
-  // Opens a file of any kind; `check` draws it, and throws InputError where that cannot be done. Nothing has then
-  // changed. Throws InputError.
+  // Opens a file of any kind; `check` draws it, and throws InputError where that cannot be done. Nothing has
+  // then changed. Throws InputError.
   void open(const std::filesystem::path& file, const std::function<void()>& check);
   // As it was when the last file was opened.
   void revert();
-  // Writes the whole state, with this picture's size; or the selected object's material. Throws as io's writers.
+  // Writes the whole state, with this picture's size; or the selected object's material. Throws as io's
+  // writers.
   void save_state(const std::filesystem::path& file, int width, int height);
   void save_material(const std::filesystem::path& file);
 
-  // Whether leaving would lose something: a material, an object, a light or B differs from what was opened or saved.
-  // Looking around is no change.
+  // Whether leaving would lose something: a material, an object, a light or B differs from what was opened or
+  // saved. Looking around is no change.
   bool changed() const;
   // The window's: "brass.json*".
   std::string title() const;
@@ -58,7 +59,8 @@ class Session {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Term>> forms_;  // by object and term
 };
 
-// A name for an object in a list: its label, else its mesh's where that says more than "sphere", and its material's.
+// A name for an object in a list: its label, else its mesh's where that says more than "sphere", and its
+// material's.
 std::string object_name(const Object& object, std::size_t place);
 
 }  // namespace brdf::render

@@ -14,7 +14,8 @@ class Shown {
  public:
   Shown(Device& device, VkRenderPass render_pass, int gbuffer_bits, int samples);
 
-  // Draws what the state needs at this size; `held`: somebody moves something. Throws InputError as Pictures::update.
+  // Draws what the state needs at this size; `held`: somebody moves something. Throws InputError as
+  // Pictures::update.
   void update(const ViewState& state, VkExtent2D size, bool held);
   // Something was moved by a step of its own: more may come.
   void touch();

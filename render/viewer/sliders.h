@@ -13,8 +13,9 @@ struct SliderMarks {
   std::optional<std::pair<double, double>> known;  // the interval of the fit
 };
 
-// From the table's minimum to what is usual, and past the value where that is larger. Ctrl-click types a number, within the
-// table's range; right-click offers the default and the file's value. True when the value was changed.
+// From the table's minimum to what is usual, and past the value where that is larger. Ctrl-click types a
+// number, within the table's range; right-click offers the default and the file's value. True when the value
+// was changed.
 bool parameter_slider(const std::string& label, const ParameterInfo& parameter, double& value,
                       const SliderMarks& marks);
 

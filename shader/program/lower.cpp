@@ -226,7 +226,8 @@ std::optional<Slots> Lowering::kernel(
 
 Slots Lowering::call(const spirv::Function& function,
                      const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments) {
-  if (++depth_ > kDeepestCalls) refuse("calls are nested more than " + std::to_string(kDeepestCalls) + " deep");
+  if (++depth_ > kDeepestCalls)
+    refuse("calls are nested more than " + std::to_string(kDeepestCalls) + " deep");
   if (arguments.size() != function.parameters.size() || function.blocks.empty())
     refuse("calls a function without a body");
   if (auto known = kernel(function, arguments)) {

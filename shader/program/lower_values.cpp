@@ -303,8 +303,8 @@ Slots Lowering::undefined_value(Id type, Unset why) {
   return out;
 }
 
-// Gives each scalar the slot that stands for no value, so that a run never reads what an earlier run left there.
-// Of longer arrays the slots themselves count as unwritten (shader/undefined.h).
+// Gives each scalar the slot that stands for no value, so that a run never reads what an earlier run left
+// there. Of longer arrays the slots themselves count as unwritten (shader/undefined.h).
 void Lowering::clear(Variable& v, Unset why) {
   constexpr std::size_t kMost = 1024;
   for (std::size_t k = 0; k < v.integer.size() && v.integer.size() <= kMost; ++k)

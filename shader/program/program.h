@@ -1,5 +1,6 @@
-// A shader's function, flattened: calls inlined, vectors taken apart, every value in a numbered slot. What remains are blocks of
-// operations on single numbers, which an interpreter runs over any scalar (shader/run) and which can be written as GLSL again.
+// A shader's function, flattened: calls inlined, vectors taken apart, every value in a numbered slot. What
+// remains are blocks of operations on single numbers, which an interpreter runs over any scalar (shader/run)
+// and which can be written as GLSL again.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,8 @@
 
 namespace brdf::shader {
 
-// Numbers and integers (with booleans, as 0 and 1) have slots of their own. Comments name the operands a, b, c and the result r.
+// Numbers and integers (with booleans, as 0 and 1) have slots of their own. Comments name the operands a, b,
+// c and the result r.
 enum class Op : std::uint8_t {
   // numbers to a number
   copy,
@@ -110,7 +112,8 @@ enum class Op : std::uint8_t {
   load_number,
   load_integer,
   store_number,
-  store_integer
+  store_integer,
+  count  // of them: no operation
 };
 
 struct Step {
@@ -146,8 +149,8 @@ struct Input {
 enum class Unset : std::uint8_t { variable, no_return };
 
 struct Program {
-  std::vector<Stretch>
-      stretches;  // the first is where it starts; later ones never lead into the middle of earlier ones but by loops
+  // The first is where it starts; later ones never lead into the middle of earlier ones but by loops.
+  std::vector<Stretch> stretches;
   std::uint32_t numbers = 0, integers = 0;  // slots
   struct Constant {
     std::uint32_t slot;

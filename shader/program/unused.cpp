@@ -3,7 +3,7 @@
 
 #include "io/files/error.h"
 #include "shader/program/lower.h"
-#include "shader/program/operands.h"
+#include "shader/program/operations.h"
 
 namespace brdf::shader {
 namespace {
@@ -36,17 +36,17 @@ void backward(const Stretch& stretch, Live& live, Keep&& keep) {
   if (stretch.end == End::branch) live.add(true, stretch.condition);
   for (std::size_t k = stretch.steps.size(); k-- > 0;) {
     const Step& step = stretch.steps[k];
-    const Operands o = operands_of(step.op);
+    const Operation& o = operation(step.op);
     bool needed = false;
-    for (std::uint32_t j = 0; j < o.writes(step) && !needed; ++j)
-      needed = live.has(o.result_integer, step.r + j);
+    for (std::uint32_t j = 0; j < o.slots_written(step) && !needed; ++j)
+      needed = live.has(o.writes_integer(), step.r + j);
     keep(k, needed);
     if (!needed) continue;
-    if (!o.indexed_store) live.remove(o.result_integer, step.r);
+    if (!o.stores()) live.remove(o.writes_integer(), step.r);
     const std::uint32_t slots[] = {step.a, step.b, step.c};
-    for (int j = 0; j < o.count; ++j) {
-      const std::uint32_t width = j == 0 && o.indexed_load ? step.c : 1;
-      for (std::uint32_t at = 0; at < width; ++at) live.add(o.integer[j], slots[j] + at);
+    for (int j = 0; j < o.count(); ++j) {
+      const std::uint32_t width = j == 0 && o.loads() ? step.c : 1;
+      for (std::uint32_t at = 0; at < width; ++at) live.add(o.reads_integer(j), slots[j] + at);
     }
   }
 }
@@ -63,14 +63,13 @@ void check_slots(const Program& p) {
       if (s.end != End::stop && next >= p.stretches.size())
         throw InputError("SPIR-V: a branch leads nowhere");
     for (const Step& step : s.steps) {
-      const Operands o = operands_of(step.op);
+      const Operation& o = operation(step.op);
       const std::uint32_t slots[] = {step.a, step.b, step.c};
-      check(o.result_integer, step.r);
-      for (int j = 0; j < o.count; ++j) check(o.integer[j], slots[j]);
-      if (o.indexed_load) check(o.integer[0], std::uint64_t(step.a) + step.c - 1);
-      if (o.indexed_store) check(o.result_integer, std::uint64_t(step.r) + step.c - 1);
-      if ((o.indexed_load || o.indexed_store) && step.c == 0)
-        throw InputError("SPIR-V: an index is out of range");
+      check(o.writes_integer(), step.r);
+      for (int j = 0; j < o.count(); ++j) check(o.reads_integer(j), slots[j]);
+      if (o.loads()) check(o.reads_integer(0), std::uint64_t(step.a) + step.c - 1);
+      if (o.stores()) check(o.writes_integer(), std::uint64_t(step.r) + step.c - 1);
+      if ((o.loads() || o.stores()) && step.c == 0) throw InputError("SPIR-V: an index is out of range");
     }
   }
 }

@@ -1,6 +1,7 @@
-// GLSL's elementary functions for every scalar. float: the result in double, rounded, which is the correctly rounded one but for about
-// one argument in 1e8. double: the standard library's. Dual: the chain rule. Anything else (50 digits, an interval): the type's own
-// functions, found by argument-dependent lookup; a scalar that spells them otherwise specialises Functions.
+// GLSL's elementary functions for every scalar. float: the result in double, rounded, which is the correctly
+// rounded one but for about one argument in 1e8. double: the standard library's. Dual: the chain rule.
+// Anything else (50 digits, an interval): the type's own functions, found by argument-dependent lookup; a
+// scalar that spells them otherwise specialises Functions.
 #pragma once
 
 #include <bit>

@@ -1,7 +1,7 @@
 // Runs a flattened program over any scalar, W pairs of directions at a time.
 //
-// Where all lanes go the same way a step is one loop over W; where they part, the lanes that are least far are run until they
-// meet the others again, which structured code does.
+// Where all lanes go the same way a step is one loop over W; where they part, the lanes that are least far
+// are run until they meet the others again, which structured code does.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 
 namespace brdf::shader {
 
-// A loop that does not end: thrown where an evaluation takes more steps than allowed. Who filled the bank adds what it was told.
+// A loop that does not end: thrown where an evaluation takes more steps than allowed. Who filled the bank
+// adds what it was told.
 struct EndlessLoop {
   std::uint32_t line;
   int lane;
@@ -27,8 +28,9 @@ constexpr std::size_t kMostStepsRun = 200'000;  // of one evaluation
 
 namespace detail {
 
-// The steps of a stretch, compiled for each generation of the CPU where lanes are plain numbers. Of other scalars g++ leaves
-// the operations out of the clones, and each call between code of two generations costs some 100 ns.
+// The steps of a stretch, compiled for each generation of the CPU where lanes are plain numbers. Of other
+// scalars g++ leaves the operations out of the clones, and each call between code of two generations costs
+// some 100 ns.
 template <class T, int W>
 BRDF_CLONES void run_clone(const Step* steps, std::size_t count, Bank<T, W>& bank) {
   for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, AllLanes<W>{});
@@ -47,8 +49,8 @@ void run_some(const Step* steps, std::size_t count, Bank<T, W>& bank, const Some
 
 }  // namespace detail
 
-// Runs the program from its start in the first `lanes` lanes; inputs are in the bank, results are there after. `watch` sees every
-// step before and after: watch(step) of one lane. Throws EndlessLoop.
+// Runs the program from its start in the first `lanes` lanes; inputs are in the bank, results are there
+// after. `watch` sees every step before and after: watch(step) of one lane. Throws EndlessLoop.
 template <class T, int W>
 void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t most_steps = kMostStepsRun) {
   std::array<std::uint32_t, W> at{};  // each lane's stretch
@@ -79,8 +81,8 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
   }
 }
 
-// One lane, step by step: watch(step) is called after each, with its operands still in the bank (but for a step that
-// overwrites one), and end(stretch) where a stretch ends.
+// One lane, step by step: watch(step) is called after each, with its operands still in the bank (but for a
+// step that overwrites one), and end(stretch) where a stretch ends.
 template <class T, class Watch, class AtEnd>
 void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch, std::size_t most_steps,
                  AtEnd&& at_end) {

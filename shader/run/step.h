@@ -84,8 +84,8 @@ T round_half_even(const T& x) {
   return up ? down + T(1.0) : down;
 }
 
-// Powers by products in double, which round to the same float as exp of log but for one in 1e8, in a fifth of the time. No number of
-// a base below 0, as Functions has it.
+// Powers by products in double, which round to the same float as exp of log but for one in 1e8, in a fifth of
+// the time. No number of a base below 0, as Functions has it.
 inline float rounded_power(float x, double power) {
   return x > 0 ? float(power) : x == 0 ? 0.0f : std::numeric_limits<float>::quiet_NaN();
 }
@@ -373,6 +373,8 @@ template <class T, int W, class Lanes>
       const std::uint32_t *const a = whole(s.a), *const at = whole(s.b);
       return lanes([&](int l) { whole(s.r + std::min(at[l], s.c - 1))[l] = a[l]; });
     }
+    case Op::count:
+      return;
   }
 }
 

@@ -1,6 +1,5 @@
 #include "shader/spirv/module.h"
 
-#define SPV_ENABLE_UTILITY_CODE
 #include <glslang/SPIRV/spirv.hpp>
 
 #include "io/files/error.h"

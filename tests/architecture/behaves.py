@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: architecture.libraries_behave label=architecture @source@
 """behaves.py ROOT: the rooms that are libraries never print, exit, listen or change what belongs to the whole process. What
 only a program calls is named here, with the sources that may call it."""
 import pathlib

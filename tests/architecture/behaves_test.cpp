@@ -1,5 +1,5 @@
-// What a library may not do to the program that it is linked into: the sources are searched by behaves.py; here the work
-// is done, and the process looked at before and after.
+// What a library may not do to the program that it is linked into: the sources are searched by behaves.py;
+// here the work is done, and the process looked at before and after.
 #include <fcntl.h>
 #include <glog/logging.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: architecture.no_constant_hides_a_headers label=architecture @source@
 """Checks that no file's own constant has the name of one that a header of its room has.
 
     constants.py ROOT

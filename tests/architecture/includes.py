@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: architecture.includes_go_downward label=architecture @source@ --check @source@/docs/img/architecture.svg
 """Checks that no include goes upward or in a circle, and prints each room's floors.
 
     includes.py ROOT [--picture FILE | --check FILE]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: architecture.only_forms_know_their_names label=architecture @source@ @brdf@
 """Checks that only the forms' headers know forms and parameters by name.
 
     names.py ROOT BRDF

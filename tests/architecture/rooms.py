@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: architecture.rooms_are_listed label=architecture @source@ --check
 """The list of rooms, cmake/rooms.txt, and the tables that documents have of it.
 
     rooms.py ROOT --check | --update

@@ -1,3 +1,4 @@
+# ctest: cli.same_bytes label=cli,driver cost=60 @brdf@ @source@
 """The same command writes the same bytes: on 1, 2 and 3 threads, under a locale with decimal commas, and from
 another folder each time. Usage: determinism_test.py EXECUTABLE SOURCE_TREE; exit 77 where the locale cannot be made.
 The run on two threads, the pictures of `study` and `recommend` are of ./test --full (BRDF_THOROUGH): they take most of the time.

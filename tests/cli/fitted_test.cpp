@@ -1,5 +1,5 @@
-// What a fit says beyond its parameters, through the executable: weights that are shared or keep energy, and the
-// uncertainty of what is computed from a fitted material.
+// What a fit says beyond its parameters, through the executable: weights that are shared or keep energy, and
+// the uncertainty of what is computed from a fitted material.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

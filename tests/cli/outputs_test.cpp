@@ -98,7 +98,7 @@ TEST_F(Outputs, OptionsTakeNumbersAsFilesDo) {
   for (const char* words :
        {"fit s.csv --max-theta", "fit s.csv --aperture", "synth --form ward -o x.csv --noise",
         "validate s.csv --max-theta", "recommend --tolerance", "recommend --max-cost",
-        "render m.json -o x.png --exposure", "render m.json --lobes -o x.png --theta"})
+        "render m.json -o x.png --exposure", "lobes m.json -o x.png --theta"})
     expect_refused(words + std::string(" nan"), "'nan' must be a finite number");
   for (const char* seed : {"-1", "100000000000000000000000", "1e3", "''", "0x1", "18446744073709551616"})
     expect_refused("synth --form ward -o x.csv --seed " + std::string(seed), "must be a whole number from 0");

@@ -1,5 +1,7 @@
-// The forms as their exported shaders, through the verbs: the same verdicts and worst cases as by name, and fitted back.
-// BRDF_FORMS in the environment takes these instead of a few: names separated by blanks, or "all".
+// ctest: cli.exported_forms label=slow timeout=7200 env=BRDF_FORMS=all needs=plain @tests@/test_cli --gtest_filter=ExportedForm.*
+// The forms as their exported shaders, through the verbs: the same verdicts and worst cases as by name, and
+// fitted back. BRDF_FORMS in the environment takes these instead of a few: names separated by blanks, or
+// "all".
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Findings about a user's shader: what is the model's and what its arithmetic's, which finding voids which, and where.
+// Findings about a user's shader: what is the model's and what its arithmetic's, which finding voids which,
+// and where.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -99,7 +100,8 @@ TEST(OwnFindings, CoincidentDirectionsAreSearched) {
   EXPECT_THAT(o.out, HasSubstr("nan"));
 }
 
-// dot(V, H) is dot(L, H) for unit vectors, and both lose their digits where light and viewer graze from opposite sides.
+// dot(V, H) is dot(L, H) for unit vectors, and both lose their digits where light and viewer graze from
+// opposite sides.
 constexpr const char* kReciprocal = R"(//: param r 0.1 1 0.4
 float brdf(vec3 L, vec3 V, vec3 N, float r) {
   vec3 H = normalize(L + V);

@@ -161,7 +161,7 @@ TEST(OwnShader, IsDrawnAsItIsEvaluated) {
          "continue; s "
          "+= t[k % 3] * a * b; }\n  return s * (1.0 + pow(c, 2.0) * d * L.z * V.z);\n}\n";
   {
-    const Outcome o = run_brdf("render --parity --shader many.glsl", folder.path());
+    const Outcome o = run_brdf("parity --shader many.glsl", folder.path());
     if (o.exit_code == 3) GTEST_SKIP() << o.err;
     EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
     EXPECT_EQ(o.out.find("FAILS"), std::string::npos) << o.out;

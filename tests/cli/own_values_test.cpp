@@ -1,4 +1,5 @@
-// A user's shader evaluated where it has no finite value, and beside forms whose ranges are narrower than its own.
+// A user's shader evaluated where it has no finite value, and beside forms whose ranges are narrower than its
+// own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +85,8 @@ TEST(EvalNotFinite, WitnessesOfFiniteReproduce) {
   EXPECT_THAT(again.out, testing::AnyOf(HasSubstr(",nan\n"), HasSubstr("inf\n"))) << command;
 }
 
-// lambert, over a range of its own parameter that no form has, and half of it shared with blinn_phong's exponents.
+// lambert, over a range of its own parameter that no form has, and half of it shared with blinn_phong's
+// exponents.
 constexpr const char* kWide =
     "//: param depth -3 5 0.5\n"
     "//: param tint 0 1 0.5\n"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: cli.terminal label=cli @brdf@
 """What the terminal shows at 60, 80 and 200 columns, beside tests/cli/terminal/COLUMNS.txt: the same lines of the same words,
 numbers within 2 % as in the documents; no line wider than the terminal, but for a word that alone is. What names a form that
 docs/models.md does not have yet is listed, not compared.

@@ -141,17 +141,29 @@ TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
 
 TEST_F(RenderCli, OptionsWithoutEffectAreRefused) {
   for (const auto& [option, needed] :
-       {std::pair{"--solo 'A r'", "--solo requires --lobes"},
-        std::pair{"--balls 3", "--balls requires --over"},
+       {std::pair{"--balls 3", "--balls requires --over"},
         std::pair{"--fps 30", "--fps requires --turntable"},
         std::pair{"--quality 9", "--quality requires --turntable"},
-        std::pair{"--all", "--all requires --parity"}, std::pair{"--form ward", "--form requires --parity"},
-        std::pair{"--size 16", "--size requires --maps"}, std::pair{"--seed 2", "--seed requires --maps"},
         std::pair{"--per-vertex", "--per-vertex: is of the articles' shadings"},
         std::pair{"--as-coded", "--as-coded: is of the articles' shadings"},
-        std::pair{"--theta 0", "--theta is where the light of a lobe's plot stands"},
-        std::pair{"--split-at 0.4", "--split-at says where a split picture is divided"}})
+        std::pair{"--set ks=0.1", "--set: has no effect without --shader"},
+        std::pair{"--split-at 0.4",
+                  "--split-at: has no effect on a picture without --compare, --measured and --state"}})
     expect_refused(std::string("render m.json -o x.png ") + option, 2, needed);
+  expect_refused("lobes m.json --body --solo 'A r' -o x.png", 2, "--solo: has no effect on a lobe's body");
+  expect_refused("maps lookup --seed 2 -o x", 2, "--seed: has no effect on lookup");
+}
+
+TEST_F(RenderCli, TheOldSpellingsOfLobesAndMapsSayTheNewOnes) {
+  const Outcome old = run("render m.json --lobe3d --width 60 -o old.png"),
+                now = run("lobes m.json --body --width 60 -o now.png");
+  EXPECT_EQ(old.exit_code, 0) << old.err;
+  EXPECT_EQ(old.err, "brdf render --lobe3d: is `brdf lobes --body` now; the old spelling goes with 0.3\n");
+  EXPECT_EQ(now.err, "");
+  EXPECT_EQ(file_text(folder_.path() / "old.png"), file_text(folder_.path() / "now.png"));
+  EXPECT_EQ(run("render --maps tiles --size 8 -o tiles").exit_code, 0);
+  expect_refused("render m.json --lobes --tone-map reinhard -o x.png", 2, "--tone-map");
+  expect_refused("render m.json --lobes --maps tiles -o x.png", 2, "--lobes");
 }
 
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
@@ -171,13 +183,13 @@ TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render m.json --compare embree --shading phong -o x.png", 2, "needs the shading brdf");
   expect_refused("render m.json --gbuffer --shading phong -o x.png", 2, "without the seven targets");
   expect_refused("render m.json --probe 600,2", 2, "outside the picture of 512 x 512");
-  expect_refused("render m.json --lobes --solo 'A q' -o x.png", 2, "must be one of A r, A g, A b");
+  expect_refused("lobes m.json --solo 'A q' -o x.png", 2, "must be one of A r, A g, A b");
   expect_refused("render --state m.json -o x.png", 2, "must be \"brdf-view\"");
   expect_refused("render --state m.json m.json -o x.png", 2, "give nothing beside it");
   expect_refused("render m.json --exposure bright -o x.png", 2, "must be a finite number, or auto");
   expect_refused("render m.json --exposure 21 -o x.png", 2, "not in range -20 to 20");
   expect_refused("render m.json --supersample 0 -o x.png", 2, "Value 0 not in range 1 to 16");
-  expect_refused("render --parity", 2, "--parity needs --all, --form or --shader");
+  expect_refused("parity", 2, "parity needs --all, --form or --shader");
 }
 
 TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped) {
@@ -297,7 +309,7 @@ TEST_F(RenderCli, ProbeAndTimesNeedNoPicture) {
 
 TEST_F(RenderCli, LobePlotsShowBothMaterialsOrOneCurve) {
   const auto plot = [&](const std::string& arguments) {
-    const Outcome outcome = run("render m.json --lobes " + arguments + " --width 300 -o lobes.png");
+    const Outcome outcome = run("lobes m.json " + arguments + " --width 300 -o lobes.png");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return render::load_texture(folder_.path() / "lobes.png");
   };
@@ -326,20 +338,20 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
                 ",0.2,0.1,0.1\n";
   write("s.csv", rows);
   const auto picture = [&](const std::string& arguments, const std::string& name) {
-    const Outcome outcome = run("render " + arguments + " -o " + name);
+    const Outcome outcome = run("lobes " + arguments + " -o " + name);
     EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
     return file_text(folder_.path() / name);
   };
   // The points, at the measured angle that is nearest to 45 degrees unless one is asked for.
-  const std::string bare = picture("m.json --lobes --width 200 --theta 40", "bare.png"),
-                    points = picture("m.json --measured s.csv --lobes --width 200", "points.png");
+  const std::string bare = picture("m.json --width 200 --theta 40", "bare.png"),
+                    points = picture("m.json --measured s.csv --width 200", "points.png");
   EXPECT_NE(bare, points);
-  EXPECT_EQ(points, picture("m.json s.csv --lobes --width 200 --theta 40", "same.png"));
-  EXPECT_NE(picture("m.json --lobe3d --width 200 --theta 40", "body.png"),
-            picture("m.json --measured s.csv --lobe3d --width 200 --theta 40", "body_points.png"));
-  expect_refused("render m.json --measured s.csv --lobes --theta 30 -o x.png", 2,
+  EXPECT_EQ(points, picture("m.json s.csv --width 200 --theta 40", "same.png"));
+  EXPECT_NE(picture("m.json --body --width 200 --theta 40", "body.png"),
+            picture("m.json --measured s.csv --body --width 200 --theta 40", "body_points.png"));
+  expect_refused("lobes m.json --measured s.csv --theta 30 -o x.png", 2,
                  "no row whose light stands within 1 degree of --theta 30; the nearest stands at 20");
-  expect_refused("render s.csv --lobes -o x.png", 2, "give one beside the samples");
+  expect_refused("lobes s.csv -o x.png", 2, "give one beside the samples");
   expect_refused("render s.csv s.csv -o x.png", 2, "a second table of samples");
   // Alone; and what is left out is said.
   const Outcome alone = run("render s.csv --width 32 --height 32 -o alone.png");

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: cli.scenes label=cli needs=brdf_render @brdf@ @source@
 """scenes_test.py BRDF SOURCE: the shipped scenes follow docs/scene.schema.json, and the schema and the program accept and refuse
 the same; of what is drawn every third in ./test, all in ./test --full (BRDF_THOROUGH). Exit 77 without python3-jsonschema."""
 import copy

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: cli.schemas label=cli @brdf@ @source@
 """schemas_test.py BRDF SOURCE: what verbs print with --json follows docs/VERB.schema.json, which refuses what does not.
 validate and study have tests of their own. Exit 77 without python3-jsonschema."""
 import copy

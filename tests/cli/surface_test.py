@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: cli.surface label=cli @brdf@ @source@
 """surface_test.py BRDF SOURCE: every verb and option of the program is documented wherever one looks for it: an example in
 --help that uses it, the man page, the completion of both shells with what its value may be, a schema where there is --json,
 and a name in Python (python/brdf/names.json, where the module is). One that is missing fails."""

@@ -1,3 +1,4 @@
+# ctest: cli.threads label=threads timeout=1800 needs=threads @brdf@
 """Everything that has threads, under ThreadSanitizer: threads_test.py EXECUTABLE
 
 Reports from libraries that are not instrumented (Embree, TBB, Vulkan's driver) are left out by the sanitizer itself.

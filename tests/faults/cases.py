@@ -110,11 +110,11 @@ CASES = [
                                 "turning.webp"], ["turning.webp"], ["material.json"], draws=True, same=False),
     Case("render frames", ["render", "material.json", "--turntable", "2", "--width", "16", "--height", "16", "-o",
                            "frame%d.png"], ["frame0.png", "frame1.png"], ["material.json"], draws=True, same=False),
-    Case("render --lobe3d", ["render", "material.json", "--lobe3d", "--measured", "samples.csv", "--width", "64", "-o",
+    Case("lobes --body", ["lobes", "material.json", "--body", "--measured", "samples.csv", "--width", "64", "-o",
                              "lobe.png"], ["lobe.png"], ["material.json", "samples.csv"]),
-    Case("render --lobes", ["render", "material.json", "--lobes", "--width", "64", "-o", "lobes.png"], ["lobes.png"],
+    Case("lobes", ["lobes", "material.json", "--width", "64", "-o", "lobes.png"], ["lobes.png"],
          ["material.json"]),
-    Case("render --maps", ["render", "--maps", "tiles", "--size", "8", "-o", "maps"], ["maps/tiles.png"]),
+    Case("maps", ["maps", "tiles", "--size", "8", "-o", "maps"], ["maps/tiles.png"]),
     Case("export", ["export", "--material", "material.json", "--to", "glsl", "-o", "material.glsl"],
          ["material.glsl"], ["material.json"]),
     Case("export to GLSL ES", ["export", "--material", "material.json", "--to", "glsl-es", "-o", "material.glsl"],
@@ -195,7 +195,7 @@ def make_inputs(folder, brdf, source):
     run("synth", "--form", "lambert", "--texels", "8x8", "--lights", "4", "-o", "stack")
     run("prove", "--form", "lambert", "--property", "finite,energy", "-o", "certificate.json")
     shutil.copy(os.path.join(source, "data", "shaders", "sound.glsl"), os.path.join(folder, "shader.glsl"))
-    run("render", "--maps", "tiles", "--size", "8", "-o", ".")
+    run("maps", "tiles", "--size", "8", "-o", ".")
     os.rename(os.path.join(folder, "tiles.png"), os.path.join(folder, "texture.png"))
     with open(os.path.join(source, "data", "ledger.json"), "rb") as file:
         content = file.read()

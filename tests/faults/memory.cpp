@@ -48,14 +48,16 @@ const char* foreign_name(const void* address) {
   return nullptr;
 }
 
-// The C++ library's iterators over folders end the program without memory: their internals say that they throw nothing.
+// The C++ library's iterators over folders end the program without memory: their internals say that they
+// throw nothing.
 bool iterates_a_folder(const void* frame) {
   Dl_info at;
   return standard_library.holds(frame) && dladdr(frame, &at) != 0 && at.dli_sname &&
          std::strstr(at.dli_sname, "directory_iterator");
 }
 
-// Who asks for memory: null for the program's own code, else the name of a library or of foreign code in the program.
+// Who asks for memory: null for the program's own code, else the name of a library or of foreign code in the
+// program.
 const char* who_asks() {
   static thread_local char name[128];
   void* frames[64];

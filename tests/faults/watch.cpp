@@ -1,14 +1,17 @@
 // Preloaded before a program: makes the n-th call of one kind fail while main() runs, or counts the calls.
 //
-//   FAULTS_KIND    open, write, short, interrupted, fsync, rename, mmap, close (of files in FAULTS_FOLDER), or memory
+//   FAULTS_KIND    open, write, short, interrupted, fsync, rename, mmap, close (of files in FAULTS_FOLDER),
+//       or memory
 //                  slow: none fails, writing takes its time
 //   FAULTS_AT      which call fails, from 1; 0: none
 //   FAULTS_FOLDER  absolute path
-//   FAULTS_FOREIGN names of functions in the program that are not its own: lines "FIRST LAST NAME", addresses in hex;
+//   FAULTS_FOREIGN names of functions in the program that are not its own: lines "FIRST LAST NAME",
+//       addresses in hex;
 //                  the name "-" is the C++ library's, which is whose use it is
 //   FAULTS_REPORT  file that is written: "calls N" at the end, "failed WHAT" or "foreign NAME" when it is due
 //
-// "memory" are the allocations of the program itself: those that its own code asks for, also through the C++ library.
+// "memory" are the allocations of the program itself: those that its own code asks for, also through the C++
+// library.
 #include "watch.h"
 
 #include <fcntl.h>

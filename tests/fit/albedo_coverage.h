@@ -38,7 +38,8 @@ struct Covered {
   double sum = 0, square = 0;  // of (value - truth) / (half the interval / 1.96), and of its square
 };
 
-// Of so many replicates of value * exp(.05 z), with the mean that the metric does not shift, how their 95 % intervals lie about the true albedo, by angle.
+// Of so many replicates of value * exp(.05 z), with the mean that the metric does not shift, how their 95 %
+// intervals lie about the true albedo, by angle.
 inline std::map<double, Covered> covered_albedos(const CoverageCase& c, int replicates, std::uint64_t seed,
                                                  Metric metric = Metric::log) {
   const std::vector<double> angles{0, 45, 70};

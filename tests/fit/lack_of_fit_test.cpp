@@ -111,7 +111,8 @@ void scale_cell(io::SampleTable& table, std::pair<double, double> theta_h, std::
   }
 }
 
-// A lambertian surface, but three times as bright where theta_h is from 5 to 10 and theta_d from 30 to 45 degrees.
+// A lambertian surface, but three times as bright where theta_h is from 5 to 10 and theta_d from 30 to 45
+// degrees.
 TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
   io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
   const FitResult before = fit(table, {forms({"lambert"})}, {});

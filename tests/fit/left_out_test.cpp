@@ -106,7 +106,8 @@ TEST(LeftOut, ManyDirectionsOfBothSidesShareCells) {
   EXPECT_EQ(rows, 5000u);
 }
 
-// Bit for bit: rows are sorted before anything is summed. 11,000 rows are above what the starts are solved on.
+// Bit for bit: rows are sorted before anything is summed. 11,000 rows are above what the starts are solved
+// on.
 TEST(LeftOut, TheRankingIsTheSameForShuffledRows) {
   io::SampleTable table = measured(gloss(0.05), {"hemisphere"}, 0.03, 1, 2.5);
   ASSERT_GT(table.rows(), 8192u);

@@ -89,8 +89,8 @@ TEST_F(Measured, BlackCoating) {
   EXPECT_EQ(fits["lambert"].verdict, Verdict::misfit);
 }
 
-// A second lobe takes two fifths of the residual of the rows that are fitted; of lights that are not it predicts less than
-// one lobe does.
+// A second lobe takes two fifths of the residual of the rows that are fitted; of lights that are not it
+// predicts less than one lobe does.
 TEST_F(Measured, FourLightsOfBlackNickelDoNotBearASecondLobe) {
   const double gain = gain_of_auto("ua_AnoBlackNiTEonINVAR");
   if (const auto later = undocumented())

@@ -1,3 +1,5 @@
+# ctest: fit.ranking_short label=fit timeout=300 needs=plain @brdf@ --first 10 --tables 6
+# ctest: fit.ranking label=slow timeout=3600 needs=plain @brdf@ --tables 200
 """Seeded synthetic tables of known form: which form ranks first, and what becomes of matt forms on gloss.
 
     ranking_test.py EXECUTABLE [--tables 200] [--first 0] [--verbose]

@@ -44,7 +44,8 @@ inline FitOptions without_cross_validation() {
   return options;
 }
 
-// The first estimate with this name, of this channel where one is given ("": what all channels share); null without.
+// The first estimate with this name, of this channel where one is given ("": what all channels share); null
+// without.
 inline const Estimate* find_estimate(const FormFit& f, std::string_view name,
                                      std::optional<std::string_view> channel = std::nullopt) {
   for (const Estimate& e : f.estimates)

@@ -1,5 +1,5 @@
-// What the samples determine, and what they do not divide: weights that share a prediction, widths without a turn of
-// the sample, energy.
+// What the samples determine, and what they do not divide: weights that share a prediction, widths without a
+// turn of the sample, energy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -193,7 +193,8 @@ TEST(Energy, WithinAllLightIsNotMentioned) {
   EXPECT_THAT(f.findings, Not(Contains(HasSubstr("more light"))));
 }
 
-// The intervals of what is a parameter are that parameter's own; only their degrees of freedom are counted otherwise.
+// The intervals of what is a parameter are that parameter's own; only their degrees of freedom are counted
+// otherwise.
 TEST(DerivedIntervals, AreTheParametersOwn) {
   FitOptions options = without_cross_validation();
   options.metric = Metric::log_relative;  // under which no few values decide
@@ -230,8 +231,8 @@ TEST(DerivedIntervals, ComeBackFromAMaterialsFile) {
   EXPECT_FALSE(intervals(f.material, stranger, {}, [](const Material&) { return std::vector<double>{}; }));
 }
 
-// The deviations of 60 replicates in units of the standard error; their mean square's own deviation is .18. The slow
-// test counts coverage.
+// The deviations of 60 replicates in units of the standard error; their mean square's own deviation is .18.
+// The slow test counts coverage.
 TEST(DerivedIntervals, OfTheAlbedoAreAsWideAsItScatters) {
   for (const CoverageCase& c : coverage_cases())
     for (const auto& [theta, covered] : covered_albedos(c, 60, 3, Metric::log_relative)) {

@@ -126,7 +126,8 @@ TEST(States, EveryRowHasOneSentenceOneMarkAndOneExitCodeOnEveryFace) {
   EXPECT_EQ(reached.size(), kNames<Condition>.size());
 }
 
-// What is said of a spoilt fit is not said of a good one, and a spoilt one is never called as good as its scatter.
+// What is said of a spoilt fit is not said of a good one, and a spoilt one is never called as good as its
+// scatter.
 TEST(States, NoSentenceAppearsWithoutItsCondition) {
   const io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}), {"hemisphere"}, 0.02);
   const auto printed = [&](const FitResult& result) {

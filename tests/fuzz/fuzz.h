@@ -1,5 +1,5 @@
-// A fuzz target names a reader and what must hold of everything that it accepts. What it refuses it refuses with an
-// InputError; any other exception is a finding.
+// A fuzz target names a reader and what must hold of everything that it accepts. What it refuses it refuses
+// with an InputError; any other exception is a finding.
 #pragma once
 
 #include <filesystem>

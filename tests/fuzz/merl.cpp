@@ -30,8 +30,8 @@ struct Change {
 };
 constexpr std::size_t kChange = sizeof(std::uint32_t) + sizeof(double);
 
-// The input changes single values of the file: a place, modulo the values that it has, and eight bytes. As many bytes as
-// are left over are cut from the file's end.
+// The input changes single values of the file: a place, modulo the values that it has, and eight bytes. As
+// many bytes as are left over are cut from the file's end.
 const Registered merl("merl", [](std::string_view input) {
   static const int memory = empty_file();
   std::vector<Change> changes;

@@ -13,7 +13,8 @@ bool is_text(std::string_view bytes);
 std::string mutate_text(std::string_view text, std::uint32_t seed);
 // One to four of the bytes changed, or runs of them exchanged, repeated or left out.
 std::string mutate_bytes(std::string_view bytes, std::uint32_t seed);
-// A SPIR-V module with one to four operands, operations or instructions exchanged, repeated or left out; lengths stay right.
+// A SPIR-V module with one to four operands, operations or instructions exchanged, repeated or left out;
+// lengths stay right.
 std::string mutate_spirv(std::string_view bytes, std::uint32_t seed);
 
 }  // namespace brdf::fuzz

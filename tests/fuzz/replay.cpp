@@ -1,5 +1,6 @@
-// Runs every file of FOLDER/<target> through its target: the corpus, and what was once found; then changes of them, the same
-// ones every time. Further arguments TARGET=FOLDER name folders that are seeds as they stand.
+// ctest: fuzz.corpus label=fuzz needs=replay_fuzz @build@/tests/replay_fuzz @source@/tests/fuzz/corpus shader=@source@/data/shaders
+// Runs every file of FOLDER/<target> through its target: the corpus, and what was once found; then changes of
+// them, the same ones every time. Further arguments TARGET=FOLDER name folders that are seeds as they stand.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

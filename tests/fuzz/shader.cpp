@@ -1,6 +1,7 @@
-// A shader's text through the front end and the interpreter (the name in its first line, after //, says the language), and SPIR-V
-// that no compiler wrote through the rest. Both are changed word by word as well as byte by byte: most bytes make a text that no compiler
-// takes, and the checker, the flattening and the interpreter would see few.
+// A shader's text through the front end and the interpreter (the name in its first line, after //, says the
+// language), and SPIR-V that no compiler wrote through the rest. Both are changed word by word as well as
+// byte by byte: most bytes make a text that no compiler takes, and the checker, the flattening and the
+// interpreter would see few.
 #include <cmath>
 #include <cstring>
 

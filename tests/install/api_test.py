@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: install.api label=slow timeout=3600 needs=install @build@ @source@
 """api_test.py BUILD SOURCE: Doxygen makes a page of every public header, without a warning. Exit 77 without Doxygen."""
 import pathlib
 import shutil

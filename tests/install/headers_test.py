@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# ctest: install.headers label=install timeout=3600 needs=install @build@
+# ctest: install.headers_alone label=slow timeout=3600 needs=install @build@ --alone
 """headers_test.py BUILD [--alone]: every installed header compiles with -Wall -Wextra as errors, by g++ and clang++ where they
 are: all in one source, with --alone each as the first of its own. libbrdf's values are right or nothing compiles, under flags that
 take arithmetic apart."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: install.package label=slow timeout=3600 needs=install @build@ @python@
 """package_test.py BUILD [PYTHON]: the Debian packages have no error for lintian, install into an empty root, work from
 there, and leave nothing when they are removed. PYTHON: the interpreter that the module was built for. Exit 77 where a tool
 is missing."""

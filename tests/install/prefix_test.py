@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: install.prefix label=install timeout=3600 needs=install @build@ @source@ @python@
 """prefix_test.py BUILD SOURCE [PYTHON]: an installed prefix that was moved works from another folder: a fit with its report,
 by the program and by the module that was built for PYTHON, an installed scene where this machine renders, man pages,
 completion, descriptions."""

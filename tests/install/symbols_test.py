@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: install.symbols label=slow timeout=3600 needs=install @source@ @here@/shared @brdf@
 """symbols_test.py SOURCE BUILD_FOLDER BRDF: the libraries built as shared ones show symbols of namespace brdf and a few named
 here, carry their version, every installed header stands alone, and a program of core alone needs none of the others."""
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.babylon label=interop timeout=600 needs=plain @brdf@ chromium @npm@ @here@/babylon
 """babylon_test.py BRDF CHROMIUM NPM FOLDER: exports turned, brushed metals as glTF and measures them as Babylon.js shades them in a
 headless browser. It multiplies its lobes by an energy term of its own, so axes and rotation are judged, by ratios: light and viewer
 lie in one direction, which goes around the normal and leaves that term nearly alone."""

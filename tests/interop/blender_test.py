@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.blender label=interop timeout=1800 setup=clients needs=plain @brdf@ blender @here@/blender
 """blender_test.py BRDF BLENDER FOLDER: exports materials to Blender 3.4, measures them there with a virtual goniometer and
 compares every value with the target that the export says it wrote, and the loss seen there with that of the target."""
 import csv

@@ -39,7 +39,8 @@ Material plastic() {
   return material("cook_torrance", {"kd=0.3,0.2,0.1", "ks=0.5", "f0=0.04", "alpha=0.2"});
 }
 
-// The number after a key of a text: `"Roughness"].default_value = 0.4`, `name="alpha" value="0.2"`, `eta" [ 1.5`.
+// The number after a key of a text: `"Roughness"].default_value = 0.4`, `name="alpha" value="0.2"`, `eta" [
+// 1.5`.
 double number_after(const std::string& text, const std::string& key) {
   const std::size_t at = text.find(key);
   EXPECT_NE(at, text.npos) << key << " is not in\n" << text;
@@ -61,7 +62,8 @@ TEST(Export, IsExactWhereTheFormulaIsOurs) {
   }
 }
 
-// The separable masking of Blender 3.4 and Mitsuba: the figures that were measured there (13 % at alpha .3, median tiny).
+// The separable masking of Blender 3.4 and Mitsuba: the figures that were measured there (13 % at alpha .3,
+// median tiny).
 TEST(Export, SaysWhatCopiedParametersLose) {
   const Exported copy = exported("mitsuba", metal(0.3), true);
   EXPECT_FALSE(copy.refitted);

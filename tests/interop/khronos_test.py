@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.khronos label=interop timeout=1800 setup=clients needs=plain @brdf@ node chromium @npm@ @here@/khronos
 """khronos_test.py BRDF NODE CHROMIUM NPM FOLDER: exports materials as glTF, puts each on a plane in a .glb that gltf-validator
 takes without an error or a warning, and measures it as Khronos' own viewer shades it in a headless browser: each value is that
 of the target which the export says it wrote."""

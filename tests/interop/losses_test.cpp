@@ -1,3 +1,4 @@
+// ctest: interop.largest label=interop timeout=7200 env=BRDF_THOROUGH=1 needs=plain @tests@/test_interop --gtest_filter=Largest.*
 // Stated losses: found by a search, measured as the files' users read them, and never made worse by a refit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -171,7 +172,8 @@ TEST(Pbrt, ShowsSpectraOfColouredIndices) {
       written("pbrt", chosen("cook_torrance_conductor", {"kd=0.1", "ks=0.6", "n=1.1", "k=6", "alpha=0.2"}));
   EXPECT_TRUE(grey.exact());
   EXPECT_THAT(grey.text, HasSubstr("the same here: brdf eval --form"));
-  // Red of a yellow metal whose red is nearly all extinction: an eighth brighter along the normal than by channel.
+  // Red of a yellow metal whose red is nearly all extinction: an eighth brighter along the normal than by
+  // channel.
   Material yellow = make_material(find_program("pbrt")->targets[0].target, {"r", "g", "b"});
   Term& term = yellow.terms[0];
   const std::array n{0.0087, 0.505, 1.60}, k{9.8, 2.28, 1.80};
@@ -188,7 +190,8 @@ TEST(Pbrt, ShowsSpectraOfColouredIndices) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(shown[c] / by_channel[c] - 1, expected[c], 0.002) << c;
 }
 
-// Indices by colour are Mitsuba's as they stand; the others hold the reflectance along the normal of each colour.
+// Indices by colour are Mitsuba's as they stand; the others hold the reflectance along the normal of each
+// colour.
 TEST(Conductors, OfAnIndexPerColourAreWrittenByEveryProgram) {
   const Material copper =
       chosen("cook_torrance_conductor", {"kd=0", "ks=1", "n=0.25,0.95,1.2", "k=3.4,2.6,2.4", "alpha=0.25"});

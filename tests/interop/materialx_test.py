@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.materialx label=interop timeout=1800 setup=clients needs=plain @brdf@ @here@/materialx
 """materialx_test.py BRDF FOLDER: what is exported to MaterialX is well-formed XML (xmllint) of nodes and inputs that
 MaterialX 1.39 declares, each with its type; every link leads to a node of the asked type that stands before it. What the lobe is
 said to be is what MaterialX' generated shader showed of it: materialx_metal.csv. MaterialX has no package here. Plastics and other

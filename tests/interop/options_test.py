@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.options label=interop timeout=3600 needs=plain @brdf@ @source@ @here@/options
 """options_test.py BRDF SOURCE_DIR FOLDER: every target with every option and forty materials. Each call ends with 0, 1 (a loss above
 --max-loss) or 2 with one line that names the option or the target; with --json it says what its schema allows; and no call
 that is refused leaves a file."""

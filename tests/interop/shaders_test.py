@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# ctest: interop.shaders label=interop timeout=3600 needs=plain @brdf@ @here@/shaders
+# ctest: exports.few_shaders label=exports needs=plain @brdf@ @here@/few_shaders --few
 """shaders_test.py BRDF FOLDER [--few]: every form and target compiles in every language, with both kinds of kernels, whole and
 to be included, as a form and as a material: GLSL by glslc, glslangValidator and spirv-cross, GLSL ES 3.00 and BRDF Explorer's by
 glslangValidator, HLSL by glslc and glslangValidator, C++ by g++ and clang++ with warnings as errors. Every form's HLSL, run on the

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: exports.texts label=exports,interop needs=plain @brdf@ @here@/texts
 """texts_test.py BRDF FOLDER: exported text does what it says wherever it is put. Each test is a function, named as a sentence."""
 import itertools
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: interop.three label=interop timeout=1800 setup=clients needs=plain @brdf@ node chromium @npm@ @here@/three
 """three_test.py BRDF NODE CHROMIUM NPM FOLDER: exports materials for three.js, validates the files with gltf-validator (no error,
 no warning), and measures them as three.js shades them in a headless browser: each value is that of the target which the export
 says it wrote."""

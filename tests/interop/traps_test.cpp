@@ -1,5 +1,6 @@
-// What programs cannot all carry, for every program: written as it is, in the surface's own frame, or refused with the
-// reason; never silently another material.
+// ctest: interop.refitted_traps label=slow timeout=7200 env=BRDF_REFIT=1 needs=plain @tests@/test_interop --gtest_filter=Traps.*
+// What programs cannot all carry, for every program: written as it is, in the surface's own frame, or refused
+// with the reason; never silently another material.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

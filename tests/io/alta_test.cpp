@@ -23,8 +23,8 @@ std::string header(const std::string& dimensions, const std::string& name) {
   return "#SAMPLE \"Gray tape\"\n#DIM " + dimensions + "\n#PARAM_IN " + name + "\n#PARAM_OUT INV_STERADIAN\n";
 }
 
-// The light at 30 degrees, the viewer at 50 degrees, 120 degrees of azimuth between them. The half and difference angles
-// are those of Rusinkiewicz 1998, worked out apart from the reader.
+// The light at 30 degrees, the viewer at 50 degrees, 120 degrees of azimuth between them. The half and
+// difference angles are those of Rusinkiewicz 1998, worked out apart from the reader.
 class Parametrisations : public testing::TestWithParam<Written> {};
 
 TEST_P(Parametrisations, SayTheSameDirections) {

@@ -94,7 +94,8 @@ TEST(Repeats, BecomeTheirMeanWithItsStandardDeviation) {
   ASSERT_EQ(got.rows(), 2u);
   EXPECT_DOUBLE_EQ(got.values[0][0], 1.1);
   EXPECT_EQ(got.values[0][1], 2);
-  // One pair is repeated: its sample variance .01 is all that is known; the other value is larger and scatters in proportion.
+  // One pair is repeated: its sample variance .01 is all that is known; the other value is larger and
+  // scatters in proportion.
   EXPECT_NEAR(got.sigma[0][0], .1 / std::sqrt(3.), 1e-15);
   EXPECT_NEAR(got.sigma[0][1], .1 * 2 / 1.1, 1e-15);
   EXPECT_THAT(got.lines, ElementsAre(2u, 3u));

@@ -1,5 +1,5 @@
-// Tables as laboratories write them: the same samples in 32 dialects read to the same table, bit for bit; what is not
-// understood is refused with what was found.
+// Tables as laboratories write them: the same samples in 32 dialects read to the same table, bit for bit;
+// what is not understood is refused with what was found.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -179,7 +179,8 @@ TEST(Output, TheNextRunRemovesWhatAKilledOneLeftOfTheSameTarget) {
   });
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(entries(folder.path()), 1);
-  // Nobody's of this target: of a target whose name begins alike, a user's own, and one that is being written.
+  // Nobody's of this target: of a target whose name begins alike, a user's own, and one that is being
+  // written.
   for (const char* name : {"a.txt.b.1.0.tmp", "a.txt.tmp", "a.txt.1.x.tmp"})
     std::ofstream(folder.path() / name) << "x";
   const fs::path busy = folder.path() / "a.txt.1.0.tmp";

@@ -13,6 +13,7 @@
 #include "io/material/material_file.h"
 #include "tests/io/reading.h"
 #include "tests/io/tensor_bytes.h"
+#include "tests/thorough.h"
 
 namespace brdf::io {
 namespace {
@@ -58,6 +59,7 @@ TEST(Files, AreRefusedBeyondTheirLimitBeforeTheyAreRead) {
 }
 
 TEST(Limits, LinesRowsAndColumnsAreCounted) {
+  BRDF_LONG_UNDER_SANITIZERS();
   EXPECT_EQ(message("# " + repeated("x", kLongestLine) + "\n" + kHeader + kRow),
             "file, line 1: is longer than 16 MiB");
   EXPECT_EQ(message(kHeader + repeated("0,0,0,0,1\n", kMostRows + 1)),

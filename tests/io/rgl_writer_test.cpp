@@ -13,6 +13,7 @@
 #include "io/files/numbers.h"
 #include "io/formats/rgl.h"
 #include "io/formats/tensor_file.h"
+#include "tests/thorough.h"
 
 namespace brdf::io {
 namespace {
@@ -61,6 +62,7 @@ double median_error(const Material& m, const Content& content) {
 }
 
 TEST(RglWriter, ReadsBackWithinItsBounds) {
+  BRDF_LONG_UNDER_SANITIZERS();
   for (const double alpha : {0.05, 0.1, 0.5})
     for (const double kd : {0.0, 0.3}) {
       const Material m = glossy(alpha, kd);
@@ -91,8 +93,8 @@ TEST(RglWriter, RefusesChannelsWithoutAPlace) {
   EXPECT_THROW(file_of(glossy(0.2, 0.1), 1000), InputError);
 }
 
-// One slice of a file's `luminance` as importers use it (measured.cpp of Mitsuba, Warp2D's bilinear density): rows by
-// their marginal distribution, then columns.
+// One slice of a file's `luminance` as importers use it (measured.cpp of Mitsuba, Warp2D's bilinear density):
+// rows by their marginal distribution, then columns.
 class Luminance {
  public:
   Luminance(const TensorFile& file, std::size_t slice) : side_(file.shape("luminance")[3]) {

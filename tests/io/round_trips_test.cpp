@@ -1,4 +1,5 @@
-// What is written in other programs' formats reads back to the same table, or is refused, or its loss is said.
+// What is written in other programs' formats reads back to the same table, or is refused, or its loss is
+// said.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "io/files/error.h"
 #include "io/page/sphere/page.h"
 #include "io/page/sphere/still.h"
+#include "tests/thorough.h"
 
 namespace brdf::io::sphere {
 namespace {
@@ -41,6 +42,7 @@ TEST(Base64, PadsAsTheStandardsExamples) {  // RFC 4648, section 10
 }
 
 TEST(SphereTable, HoldsTheRatioWithinItsStatedAccuracy) {
+  BRDF_LONG_UNDER_SANITIZERS();
   const FittedPairs fitted = fitted_pairs(make_material(cook_torrance{}));
   // Half of it, then four times as much beyond 45 degrees.
   const MeasuredPairs measured = [&](const Vec3<double>& wi, const Vec3<double>& wo) {

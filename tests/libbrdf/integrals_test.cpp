@@ -1,6 +1,7 @@
 // Directional albedos against closed forms and published values (two rules where both apply).
 #include "brdf/integrals.h"
 #include "brdf/forms.h"
+#include "tests/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -107,6 +108,7 @@ TEST(Albedo, OfOrenNayarMatchesTheClosedForm) {
 
 // The rules share the form and nothing else: other variables, other panels.
 TEST(Albedo, AgreesBetweenIndependentRules) {
+  BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int k = 0; k < 20; ++k) {
@@ -121,6 +123,7 @@ TEST(Albedo, AgreesBetweenIndependentRules) {
 }
 
 TEST(Albedo, OfAnisotropicLobesAgreesBetweenIndependentRules) {
+  BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int k = 0; k < 20; ++k) {
@@ -137,6 +140,7 @@ TEST(Albedo, OfAnisotropicLobesAgreesBetweenIndependentRules) {
 
 // A column that does not vary is counted once, not once per cell.
 TEST(Albedo, ByBisectionCountsADiffuseTermOnce) {
+  BRDF_LONG_UNDER_SANITIZERS();
   for (const double theta : {0.0, 30.0, 75.0})
     EXPECT_NEAR(albedo(term_of(lambert{}, {}, {0.5}), theta, 0, 1e-10, Rule::adaptive).value, 0.5, 1e-14);
   const Term term = make_term(cook_torrance{}, 1);  // kd 0.5
@@ -148,6 +152,7 @@ TEST(Albedo, ByBisectionCountsADiffuseTermOnce) {
 
 // Near the normal the kink of V-cavities turns back where it crosses the lobe's ridge.
 TEST(Albedo, OfAnisotropicVCavitiesLiesWithinItsBound) {
+  BRDF_LONG_UNDER_SANITIZERS();
   struct {
     double alpha_x, alpha_y, theta, phi;
   } const cases[] = {
@@ -165,6 +170,7 @@ TEST(Albedo, OfAnisotropicVCavitiesLiesWithinItsBound) {
 
 // Its lobe stands about the mirror direction, and bisection finds what no rule is told of.
 TEST(Albedo, IsIntegratedByARuleThatKnowsTheLobe) {
+  BRDF_LONG_UNDER_SANITIZERS();
   EXPECT_EQ(albedo(make_term(phong{}, 1), 80, 0, 1e-6, Rule::slope).rule, Rule::pole);
   EXPECT_EQ(albedo(make_term(oren_nayar{}, 1), 80, 0, 1e-6, Rule::slope).rule, Rule::pole);
   EXPECT_EQ(albedo(make_term(cook_torrance{}, 1), 90).rule, Rule::slope);
@@ -199,6 +205,7 @@ TEST(Albedo, SaysWhenItDidNotConverge) {
 }
 
 TEST(Albedo, BisectionOverlooksNeitherAKinkInACornerNorAGrazingPeak) {
+  BRDF_LONG_UNDER_SANITIZERS();
   struct {
     Reflectance form;
     double alpha_x, alpha_y, theta, phi;

@@ -9,6 +9,7 @@
 #include "brdf/integrals.h"
 #include "brdf/material.h"
 #include "tests/libbrdf/half_vector_quadrature.h"
+#include "tests/thorough.h"
 
 namespace brdf {
 namespace {
@@ -225,6 +226,7 @@ TEST(KnownViolations, TextbookMicrofacetFormulasHaveHoles) {
 // --- Ward -------------------------------------------------------------------------------------------------
 
 TEST(KnownViolations, WardLosesThreeQuartersAndThenGains) {
+  BRDF_LONG_UNDER_SANITIZERS();
   EXPECT_NEAR(1 - albedo(ward{}, {0, 1}, {0.1, 0.1}, 75), 0.74, 0.002);
   EXPECT_NEAR(1 - albedo(ward{}, {0, 1}, {0.01, 0.01}, 75), 0.74, 0.002);
   const std::vector<std::pair<double, double>> crossings{{0.3, 89.892}, {0.4, 89.826}, {0.5, 89.776},
@@ -246,6 +248,7 @@ TEST(KnownViolations, WardLosesThreeQuartersAndThenGains) {
 }
 
 TEST(KnownViolations, WardDuerGainsEnergyFromEightyTwoDegrees) {
+  BRDF_LONG_UNDER_SANITIZERS();
   const std::vector<std::array<double, 3>> rows{
       {0.05, 87.600, 2.138}, {0.1, 85.591, 3.647}, {0.2, 83.103, 6.261}, {0.5, 82.144, 9.932}};
   for (const auto& [alpha, theta, at_limit] : rows) {
@@ -350,6 +353,7 @@ Term witness_term(const Reflectance& form, std::string_view witness) {
 }
 
 TEST(KnownViolations, EveryDeclaredEnergyWitnessReproducesItsValue) {
+  BRDF_LONG_UNDER_SANITIZERS();
   int witnesses = 0;
   for_each_form([&](auto form) {
     for (const Violation& v : form.violations) {
@@ -366,6 +370,7 @@ TEST(KnownViolations, EveryDeclaredEnergyWitnessReproducesItsValue) {
 
 // The largest difference that a declaration's parameters and angle allow is within 2 % of the declared value.
 TEST(KnownViolations, EveryDeclaredReciprocityWitnessReproducesItsValue) {
+  BRDF_LONG_UNDER_SANITIZERS();
   int witnesses = 0;
   for_each_form([&](auto form) {
     for (const Violation& v : form.violations) {

@@ -13,6 +13,7 @@
 #include "brdf/integrals.h"
 #include "brdf/material.h"
 #include "tests/libbrdf/widths.h"
+#include "tests/thorough.h"
 
 namespace brdf {
 namespace {
@@ -143,6 +144,7 @@ double chi_square_test(const Subject& subject, const Vec3<double>& wo, std::mt19
 }
 
 TEST(Sampling, FollowsItsDensity) {
+  BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(11);
   const std::vector<Subject> all = subjects();
   const double tests = double(all.size() * kViewAngles.size());
@@ -180,6 +182,7 @@ double largest_weight(const Subject& subject, const Vec3<double>& wo, std::mt199
 }
 
 TEST(SamplingWeights, AreBounded) {
+  BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(13);
   for (double theta : kViewAngles) {
     const Vec3<double> wo = direction(degrees(theta), radians(0.6));
@@ -227,6 +230,7 @@ Estimate albedo_by_sampling(const Subject& subject, const Vec3<double>& wo, doub
 }
 
 TEST(SamplingAlbedo, AgreesWithTheQuadratureWithinThreeSigma) {
+  BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(14);
   for (const Subject& subject : subjects())
     for (double theta : {20.0, 75.0}) {
@@ -259,8 +263,10 @@ Term with_width(const Reflectance& form, double width) {
   return term;
 }
 
-// Light from everywhere, every form: narrow lobes are found, and no direction counts for much more than its share.
+// Light from everywhere, every form: narrow lobes are found, and no direction counts for much more than its
+// share.
 TEST(SamplingAlbedo, OfEveryFormIsFoundWithFewSamples) {
+  BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(15);
   for (const Reflectance& form : catalogue()) {
     const bool lobe_by_cosine = !info(form).follows_lobe && info(form).weight_index(Role::specular) >= 0;

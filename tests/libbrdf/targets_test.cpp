@@ -1,5 +1,5 @@
-// Targets against the lines of their sources, entered here a second time: normalised half vectors, tangents and
-// complex numbers as those programs have them, and none of libbrdf's factors.
+// Targets against the lines of their sources, entered here a second time: normalised half vectors, tangents
+// and complex numbers as those programs have them, and none of libbrdf's factors.
 #include "brdf/targets.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@
 #include "brdf/material.h"
 #include "brdf/random.h"
 #include "brdf/targets/three_table.h"
+#include "tests/thorough.h"
 
 namespace brdf {
 namespace {
@@ -148,7 +149,8 @@ double materialx(const Hit& c) {
   return c["kd"] * materialx_diffuse(c) / pi() + c["ks"] * lobe;
 }
 
-// lights_physical_fragment.glsl.js and lights_physical_pars_fragment.glsl.js; the texture as the header holds it.
+// lights_physical_fragment.glsl.js and lights_physical_pars_fragment.glsl.js; the texture as the header holds
+// it.
 double three(const Hit& c) {
   const double roughness = std::sqrt(c["alpha_y"]), at = c["alpha_x"], ab = c["alpha_y"], a2 = at * ab;
   const double m = c["metallic"], base = c["base_color"], ior = c["eta"];
@@ -234,6 +236,7 @@ TEST(Targets, AreFoundByNameAndStandInNoListOfForms) {
 
 // The texture was sampled: it is near the integral that it stands for, and no copy of it.
 TEST(Targets, ThreesTableIsNearTheAlbedoOfAWhiteLobe) {
+  BRDF_LONG_UNDER_SANITIZERS();
   Material white = make_material(*find_form("cook_torrance"), {"f"});
   white.terms[0].weights[0] = {0, 1, 1};
   double grazing = 0, elsewhere = 0;

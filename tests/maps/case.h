@@ -41,8 +41,8 @@ struct Case {
   }
 };
 
-// A texel's parameters that 3 % noise would leave known to 5 % (of a normal's components, of 1): visit(name without its
-// channel, plane, truth, scale).
+// A texel's parameters that 3 % noise would leave known to 5 % (of a normal's components, of 1): visit(name
+// without its channel, plane, truth, scale).
 template <class Visit>
 void for_each_known(const Case& c, std::size_t texel, Visit&& visit) {
   const Knowledge known = c.known(texel, 0.03);
@@ -89,8 +89,9 @@ inline void expect_truth(std::size_t size, bool fits_normal, unsigned threads = 
   EXPECT_GT(worst, 0);  // something was compared
 }
 
-// At 3 % noise, under the residual that noise of this kind asks for, which makes it even: no few pixels decide. A width is
-// decided by the few images that see the highlight, and so is its standard error: of few texels `least_of_widths`.
+// At 3 % noise, under the residual that noise of this kind asks for, which makes it even: no few pixels
+// decide. A width is decided by the few images that see the highlight, and so is its standard error: of few
+// texels `least_of_widths`.
 inline void expect_coverage(std::size_t size, double least_of_widths, unsigned threads = 1) {
   synth::TexelOptions o = small_stack(size, 151);
   o.noise = 0.03;
@@ -128,8 +129,8 @@ inline Material material_at(const texel::Planes& planes, Material m, std::size_t
   return m;
 }
 
-// Decibels of the picture that the maps give under a light and from a viewpoint that were not photographed, its peak the
-// brightest pixel of the true one.
+// Decibels of the picture that the maps give under a light and from a viewpoint that were not photographed,
+// its peak the brightest pixel of the true one.
 inline double psnr(const Case& c, const texel::Planes& maps) {
   const Vec3<double> wi = io::unit_vector(40, 77), wo = io::unit_vector(15, 200);
   double peak = 0, square = 0;

@@ -86,7 +86,8 @@ TEST(Maps, AreThoseOfATexelsTableWhereNormalsAreFitted) {
   expect_same_as_tables(true);
 }
 
-// Lights two widths of the sample away: a texel at the edge sees them some 14 degrees elsewhere, and by a fifth brighter.
+// Lights two widths of the sample away: a texel at the edge sees them some 14 degrees elsewhere, and by a
+// fifth brighter.
 TEST(Maps, OfNearLightsAreTheTruth) {
   synth::TexelOptions o = small_stack(8, 100);
   o.rig = {16, 20, 1};

@@ -38,8 +38,9 @@ inline maps::Settings settings_of(const Material& material, bool fits_normal) {
   return s;
 }
 
-// A texel's free parameters under their planes' names, and their standard errors where every pixel scatters by `noise` of
-// itself, from the Jacobian at the truth (Cramer and Rao's bound); infinite along what nothing tells.
+// A texel's free parameters under their planes' names, and their standard errors where every pixel scatters
+// by `noise` of itself, from the Jacobian at the truth (Cramer and Rao's bound); infinite along what nothing
+// tells.
 struct Knowledge {
   std::vector<std::string> names;
   std::vector<double> values, errors;

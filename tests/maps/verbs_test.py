@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: maps.verbs label=maps @brdf@
 """verbs_test.py BRDF: `synth --texels` and `fit STACK` as a user calls them: what is written, the same bytes whatever the
 number of threads and the memory, what is refused and in which words."""
 import json

@@ -1,5 +1,5 @@
-// The renderer's default sphere without a renderer: unit sphere, camera at distance 4 with 32 degrees, a directional light
-// from the upper left front of irradiance pi, a pixel's ray through its centre.
+// The renderer's default sphere without a renderer: unit sphere, camera at distance 4 with 32 degrees, a
+// directional light from the upper left front of irradiance pi, a pixel's ray through its centre.
 #pragma once
 
 #include <cmath>

@@ -119,9 +119,9 @@ TEST(Sphere, AHighlightKeepsItsSizeWhateverTheFit) {
   }
 }
 
-// Of its luminance, by two lobes and the residual that sees the highlight. A single lobe under the default residual is
-// drawn to the values at grazing angles: its highlight is wider here than the samples (half maximum at 3.7 degrees of
-// the half vector, where the rows say 2.6).
+// Of its luminance, by two lobes and the residual that sees the highlight. A single lobe under the default
+// residual is drawn to the values at grazing angles: its highlight is wider here than the samples (half
+// maximum at 3.7 degrees of the half vector, where the rows say 2.6).
 TEST(Sphere, RosalinesHighlightIsAsWideAsItsFit) {
   const auto folder = measured_data();
   if (!folder) GTEST_SKIP() << "BRDF_DATA_DIR is unset: no rgl_satin_rosaline.csv";

@@ -1,4 +1,5 @@
-// What certificates show: derived from their numbers, asked for by name, of forms and of materials, and not moved by words.
+// What certificates show: derived from their numbers, asked for by name, of forms and of materials, and not
+// moved by words.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -244,7 +245,8 @@ TEST(MaterialCertificate, IsRejectedWhenForged) {
       forged(of_material(), Property::finite, [](Json& row) { row["terms"][0]["cover"].back()[1] = 1e-3; })));
 }
 
-// Two terms that turn about tangents of their own have no common axis: their albedos may not be added view by view.
+// Two terms that turn about tangents of their own have no common axis: their albedos may not be added view by
+// view.
 TEST(MaterialCertificate, OfTwoTangentsHasNoBoundOfTheAlbedo) {
   Material m{{"x"}, {make_term(*find_form("cook_torrance"), 1), make_term(*find_form("cook_torrance"), 1)}};
   for (Term& term : m.terms) term.shape = {{0.6, 0.3}};

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: prove.check_is_alone label=prove @brdf@ @brdf_check@
 """check_test.py BRDF BRDF_CHECK: witnesses are repeated by the commands that proofs print, exit codes say what was found, and
 certificates are verified by a program that holds nothing of the search."""
 import json

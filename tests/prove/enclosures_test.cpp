@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/prove/boxes.h"
+#include "tests/thorough.h"
 
 namespace brdf::prove {
 namespace {
+
+const int kBoxes = thorough() ? 20000 : 200;
+const int kBoxPoints = thorough() ? 500 : 20;
 
 template <class T>
 struct Outside {
@@ -67,14 +71,14 @@ Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned
 class Enclosures : public testing::TestWithParam<int> {};
 
 TEST_P(Enclosures, HoldEveryValueInDouble) {
-  const auto found = sample<double>(GetParam(), Precision::double_type, BRDF_BOXES, BRDF_BOX_POINTS, 1);
+  const auto found = sample<double>(GetParam(), Precision::double_type, kBoxes, kBoxPoints, 1);
   EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
-  EXPECT_GT(found.finite_boxes, BRDF_BOXES / 2);
+  EXPECT_GT(found.finite_boxes, kBoxes / 2);
 }
 TEST_P(Enclosures, HoldEveryValueInFloat) {
-  const auto found = sample<float>(GetParam(), Precision::float_type, BRDF_BOXES, BRDF_BOX_POINTS, 2);
+  const auto found = sample<float>(GetParam(), Precision::float_type, kBoxes, kBoxPoints, 2);
   EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
-  EXPECT_GT(found.finite_boxes, BRDF_BOXES / 3);
+  EXPECT_GT(found.finite_boxes, kBoxes / 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Enclosures, testing::Range(0, int(catalogue().size())),

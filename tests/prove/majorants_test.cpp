@@ -1,5 +1,5 @@
-// The authored reasons of energy are of the forms: f cos_o = p R in 50 digits, p integrates to 1, closed integrals are those
-// that quadrature finds; and no planted form is taken for one that has a reason.
+// The authored reasons of energy are of the forms: f cos_o = p R in 50 digits, p integrates to 1, closed
+// integrals are those that quadrature finds; and no planted form is taken for one that has a reason.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -169,7 +169,8 @@ TEST(Majorants, ClosedIntegralIsWhatQuadratureFinds) {
   EXPECT_EQ(compared, 20);
 }
 
-// Phong's lobe between the cosine and its mean with 1, Blinn's at most 1, both 1 at normal incidence; no other lobe has the reason.
+// Phong's lobe between the cosine and its mean with 1, Blinn's at most 1, both 1 at normal incidence; no
+// other lobe has the reason.
 TEST(Majorants, CosineLobesStayWithinTheirReasons) {
   int known = 0;
   for (int k = 0; k < int(catalogue().size()); ++k) {

@@ -1,4 +1,5 @@
-// Albedos of materials: the certified interval holds what the integrals of the library find, and faults do not.
+// Albedos of materials: the certified interval holds what the integrals of the library find, and faults do
+// not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,7 +79,8 @@ TEST(Material, CertifiedAlbedosHoldWhatTheIntegralsFind) {
   EXPECT_GE(held, 8 * 3 * 10);  // two diffuse forms, six of facets
 }
 
-// Faults that a prover could have: pi for 4 in the scale, the masking left out. Their albedos are outside the interval.
+// Faults that a prover could have: pi for 4 in the scale, the masking left out. Their albedos are outside the
+// interval.
 TEST(Material, FaultyAlbedosAreOutsideTheInterval) {
   int tried = 0;
   for (const Reflectance& form : catalogue()) {

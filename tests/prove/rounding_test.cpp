@@ -1,4 +1,5 @@
-// No rounding error that is sampled lies above what is proved, and what is proved is what docs/proofs.md says.
+// No rounding error that is sampled lies above what is proved, and what is proved is what docs/proofs.md
+// says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,11 +9,17 @@
 #include "prove/proof.h"
 #include "prove/scalar/on_rounding.h"
 #include "tests/prove/boxes.h"
+#include "tests/thorough.h"
 #include "tests/typed.h"
 #include "validate/numerics/extended.h"
 
 namespace brdf::prove {
 namespace {
+
+const int kRoundedBoxes = thorough() ? 20000 : 200;
+const int kPointsOfABox = thorough() ? 500 : 20;
+const double kGgxFactor = thorough() ? 3 : 3.5;
+const long kGgxSamples = thorough() ? 100000000L : 200000L;
 
 template <class B>
 using Truth = std::conditional_t<std::is_same_v<B, float>, double, validate::Extended>;
@@ -147,8 +154,8 @@ class RoundingOf : public testing::Test {};
 TYPED_TEST_SUITE(RoundingOf, CatalogueTypes, FormName);
 
 TYPED_TEST(RoundingOf, NoSampleIsAboveTheBound) {
-  const Found in_float = sample<TypeParam, float>(BRDF_BOXES / 2, BRDF_BOX_POINTS, 3);
-  const Found in_double = sample<TypeParam, double>(BRDF_BOXES / 2, BRDF_BOX_POINTS, 4);
+  const Found in_float = sample<TypeParam, float>(kRoundedBoxes / 2, kPointsOfABox, 3);
+  const Found in_double = sample<TypeParam, double>(kRoundedBoxes / 2, kPointsOfABox, 4);
   EXPECT_EQ(in_float.beyond, 0) << in_float.beyond << " of " << in_float.proved << "\n" << in_float.first;
   EXPECT_EQ(in_double.beyond, 0) << in_double.beyond << " of " << in_double.proved << "\n" << in_double.first;
 }
@@ -182,14 +189,13 @@ TEST(Rounding, OfGgxIsNearTheWorstSample) {
     for (const Variable& v : rounding_domain(form).variables) box.push_back({v.low, v.high});
     const LobeRounding lobe = rounding_of(form, precision, box).at(1);
     const bool in_float = precision == Precision::float_type;
-    const double worst =
-        in_float ? worst_of_ggx<float>(BRDF_GGX_SAMPLES) : worst_of_ggx<double>(BRDF_GGX_SAMPLES);
-    std::cout << name_of(precision) << ": worst of " << BRDF_GGX_SAMPLES << " samples " << worst
-              << ", proved " << lobe.error << '\n';
+    const double worst = in_float ? worst_of_ggx<float>(kGgxSamples) : worst_of_ggx<double>(kGgxSamples);
+    std::cout << name_of(precision) << ": worst of " << kGgxSamples << " samples " << worst << ", proved "
+              << lobe.error << '\n';
     ASSERT_EQ(lobe.beside, LobeRounding::Beside::value);
     EXPECT_LE(lobe.error, in_float ? 2.8e-6 : 5e-15);
     EXPECT_LE(worst, lobe.error);
-    EXPECT_GE(worst * BRDF_GGX_FACTOR, lobe.error);
+    EXPECT_GE(worst * kGgxFactor, lobe.error);
   }
 }
 

@@ -1,5 +1,5 @@
-// The reasons of Ward's lobes: what slopes reflect is the form, opposite slopes reflect at most 1 between them, and the growth towards
-// grazing is that of the integrals.
+// The reasons of Ward's lobes: what slopes reflect is the form, opposite slopes reflect at most 1 between
+// them, and the growth towards grazing is that of the integrals.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,3 +1,4 @@
+# ctest: python.arrays label=python timeout=1200 module
 """Evaluation on arrays: numpy's rules for shapes, types and memory."""
 import itertools
 import pickle

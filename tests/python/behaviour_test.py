@@ -1,3 +1,4 @@
+# ctest: python.behaviour label=python timeout=1200 module @brdf@ @source@
 """How the module behaves: errors, progress, interrupts, threads, memory, notebooks. Usage: behaviour_test.py BRDF SOURCE"""
 import concurrent.futures
 import gc

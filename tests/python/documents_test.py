@@ -1,3 +1,4 @@
+# ctest: python.documents label=python,style timeout=1200 module @source@
 """The examples of docs/python.md and of the README print what these show. Usage: documents_test.py SOURCE
 
 Run in a scratch folder with `data` of the source, so that what they write is nobody's.

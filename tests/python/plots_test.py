@@ -1,3 +1,4 @@
+# ctest: python.plots label=slow timeout=1200 module @brdf@
 """What matplotlib reads and draws: a material's sphere, slices. Of ./test --full: the library brings two dozen packages.
 Usage: plots_test.py BRDF"""
 import io

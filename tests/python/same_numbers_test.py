@@ -1,3 +1,4 @@
+# ctest: python.same_numbers label=python timeout=1200 module @brdf@ @source@
 """The module's numbers are the program's, bit for bit: 50 cases. Usage: same_numbers_test.py BRDF SOURCE"""
 import csv
 import io

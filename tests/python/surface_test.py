@@ -1,3 +1,4 @@
+# ctest: python.surface label=python timeout=1200 module @brdf@
 """Every verb and option of the program has a Python name (python/brdf/names.json), and each name exists.
 Usage: surface_test.py BRDF"""
 import inspect

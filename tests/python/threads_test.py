@@ -1,3 +1,4 @@
+# ctest: python.threads label=slow timeout=1200 module
 """1,000 fits in threads: the same results as one by one. Prints processor time over wall time."""
 import concurrent.futures
 import os

@@ -49,8 +49,8 @@ TEST(Deferred, SumsAndPerChannelShapesAreAddedUp) {
   EXPECT_LT(compare(drawn(device, scene, {.gbuffer_bits = 32}), render_reference(scene)).rel_mse, 1e-11);
 }
 
-// Of 28 spheres, whatever their forms, four silhouettes lie so close to a pixel's centre that rasteriser and tracer
-// choose different surfaces.
+// Of 28 spheres, whatever their forms, four silhouettes lie so close to a pixel's centre that rasteriser and
+// tracer choose different surfaces.
 constexpr std::size_t kInOnePicture = 25;
 
 TEST(Deferred, SeveralFormsAndPointLightsShareOnePicture) {

@@ -57,7 +57,8 @@ TEST(Supersample, AnOffsetOfOnePixelIsThePictureMovedByOne) {
   EXPECT_GT(glm::distance(there.at(24, 24), there.at(25, 26)), 1e-3f);
 }
 
-// Root mean square difference of the pictures as they are shown, over the pixels beside an edge of the object.
+// Root mean square difference of the pictures as they are shown, over the pixels beside an edge of the
+// object.
 double edge_error(const Picture& picture, const Picture& truth, const Scene& scene) {
   double sum = 0;
   int count = 0;
@@ -224,8 +225,8 @@ TEST(Exposure, PutsTheLitSurfaceBelowItsMark) {
   EXPECT_EQ(exposure_from(Picture(3, 3)), 0);
 }
 
-// The share of the silhouette at which what is shown of the object differs by less than 12 of 255 from what is shown
-// beside it: where figure and ground merge.
+// The share of the silhouette at which what is shown of the object differs by less than 12 of 255 from what
+// is shown beside it: where figure and ground merge.
 double merged_share(const Material& material) {
   const Scene scene = sphere(material, 160);
   const Picture picture = render_reference(prepare(scene));

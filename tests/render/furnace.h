@@ -1,4 +1,5 @@
-// A sphere in uniform light of radiance 1: every pixel shows the directional albedo, which libbrdf integrates.
+// A sphere in uniform light of radiance 1: every pixel shows the directional albedo, which libbrdf
+// integrates.
 #pragma once
 
 #include <gtest/gtest.h>

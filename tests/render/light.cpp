@@ -111,7 +111,8 @@ TEST(Environment, RotationTurnsCounterClockwiseFromAbove) {
 }
 
 TEST(Formula, TheSkyHasTheStandardsRatios) {
-  // CIE type 12: a -1, b -.32, c 10, d -3, e .45; worked out apart from the code for a sun at the zenith distance s.
+  // CIE type 12: a -1, b -.32, c 10, d -3, e .45; worked out apart from the code for a sun at the zenith
+  // distance s.
   const glm::vec3 sun = glm::normalize(glm::vec3(-0.6f, 0.7f, 0.5f));
   const double s = std::acos(double(sun.y));
   const auto f = [](double chi) {

@@ -22,7 +22,8 @@ inline FurnaceFindings deferred_furnace(Device& device, const PreparedScene& sce
   return furnace_findings(replicates(pictures, draw), furnace_truth(scene));
 }
 
-// A picture that is black but for a texel; where that stands and the irradiance that it gives a surface facing it.
+// A picture that is black but for a texel; where that stands and the irradiance that it gives a surface
+// facing it.
 struct OnePixelSun {
   std::string file;
   glm::vec3 toward;
@@ -79,8 +80,8 @@ inline std::string write_sky_with_sun(const std::filesystem::path& file, int wid
   return file.string();
 }
 
-// Ten materials of ten forms that have a width, from .05 to .6, anisotropic where they can be: those that conserve energy, then
-// the first that do not.
+// Ten materials of ten forms that have a width, from .05 to .6, anisotropic where they can be: those that
+// conserve energy, then the first that do not.
 inline std::vector<std::pair<std::string, Material>> compared_materials() {
   constexpr std::array kWidths{0.05, 0.1, 0.2, 0.3, 0.45, 0.6};
   std::vector<Reflectance> forms = conserving_forms();

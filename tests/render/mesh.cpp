@@ -137,7 +137,8 @@ TEST(Mesh, ShapesToShowMaterialsOnHaveSoundFramesAndFaceOutwards) {
     SCOPED_TRACE(shape);
     const Mesh mesh = make_mesh(shape, ".");
     expect_sound_frames(mesh);
-    // The sedan's body has slivers across the upright ends of its arches, which nobody sees but from the edge.
+    // The sedan's body has slivers across the upright ends of its arches, which nobody sees but from the
+    // edge.
     EXPECT_LE(double(turned_round(mesh)), 0.01 * double(mesh.triangles()));
     if (std::string_view(shape) != "sedan") {
       EXPECT_EQ(turned_round(mesh), 0u);

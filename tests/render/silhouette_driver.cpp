@@ -62,8 +62,8 @@ double largest_weight(const Material& material, Role role) {
   return largest;
 }
 
-// In lights alone metal is black beside its highlight, at a silhouette as anywhere, and a map of metal and rust puts it
-// beside what is not.
+// In lights alone metal is black beside its highlight, at a silhouette as anywhere, and a map of metal and
+// rust puts it beside what is not.
 bool may_be_black(const Scene& scene, int object) {
   if (scene.environment) return false;
   const Object& o = scene.objects[std::size_t(object)];
@@ -143,7 +143,8 @@ TEST(Silhouette, NoPixelOfASceneInAnEnvironmentIsBlackWhereLightFallsOnIt) {
   }
 }
 
-// Metal in lights alone: black beside its highlight in the reference's picture too, and nowhere else; nothing else is.
+// Metal in lights alone: black beside its highlight in the reference's picture too, and nowhere else; nothing
+// else is.
 TEST(Silhouette, InLightsAloneMetalIsBlackWhereTheReferenceIsTooAndNothingElse) {
   Device device;
   std::size_t black = 0, pixels = 0;

@@ -9,7 +9,8 @@ namespace brdf::render {
 Reflectance gleam();
 Reflectance glint();
 
-// One value everywhere, the sum of its weights, of which there are many; without GLSL unless it is given some.
+// One value everywhere, the sum of its weights, of which there are many; without GLSL unless it is given
+// some.
 class Plain : public ReflectanceModel {
  public:
   explicit Plain(std::size_t weights, std::string glsl = "") : glsl_(std::move(glsl)) {

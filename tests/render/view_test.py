@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# ctest: view.under_xvfb label=render,driver timeout=1000 cost=80 needs=brdf_viewer @viewer@ @source@
+# ctest: view.soak label=slow timeout=1200 needs=brdf_viewer @viewer@ @source@ 600
 """Drives `brdf view` under Xvfb with xdotool: keys, mouse, resizing, dropped files, screenshots; the validation layers
 are on. Then makes the viewer's pictures again from the command line.
 

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# ctest: window.by_hand label=window timeout=3000 needs=brdf_viewer,plain @viewer@ @source@
+# ctest: window.at_random label=render timeout=3000 needs=brdf_viewer,sanitized @viewer@ @source@ --only random --actions 300
 """Uses the window as a hand would, at three sizes, and checks saved states, titles and pixels; then draws actions from the
 list of all commands that the window registers, undoes them all, and compares with the first state byte for byte.
 

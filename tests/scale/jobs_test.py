@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: scale.jobs label=maps,driver timeout=300 needs=plain @brdf@
 """jobs_test.py BRDF: plan, work, collect. The bytes are those of the verb at once, whatever the units and their order; what
 is there is not done again, what is damaged is; what is no plan of this work is refused."""
 import json

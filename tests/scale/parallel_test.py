@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: scale.parallel label=scale,driver timeout=1800 needs=plain @brdf@
 """parallel_test.py BRDF: planned work by GNU parallel on two processors. 64 units of a stack give the bytes of the verb at
 once, also when parallel is killed on the way and told to resume; 1,000 tables give one overview with the bad one reported,
 and two units at a time use both processors. Exit 77 without GNU parallel."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# ctest: scale.slurm label=scale,driver timeout=480 serial needs=plain @brdf@ @source@/share/brdf/slurm/brdf-array.sbatch @faults@
 """slurm_test.py BRDF SBATCH FAULTS: planned work through a Slurm of one machine, by the script that is installed. On the way a
 unit, slurmd and slurmctld are killed, the disk is full in one unit, a result is deleted and one is damaged; the same three rounds
 that docs/scale.md shows give the bytes of the verb at once. FAULTS: the library that fails writes. Exit 77 without Slurm."""

@@ -21,7 +21,8 @@ TEST(Style, VectorsWithParametersAndColours) {
   EXPECT_THAT(names(shader->info().weights), testing::ElementsAre("f0", "albedo"));
   EXPECT_THAT(names(shader->info().shape), testing::ElementsAre("roughness"));
   EXPECT_EQ(shader->info().shape[0].min, 0.05);
-  // GGX of width 0.25, Smith's masking in two factors, Schlick's F of f0 0.5, beside 0.5/pi; from the formula by hand.
+  // GGX of width 0.25, Smith's masking in two factors, Schlick's F of f0 0.5, beside 0.5/pi; from the formula
+  // by hand.
   const double h2 = 1, a2 = 0.0625, d = h2 * (a2 - 1) + 1,
                g = 2 * 0.5 / (0.5 + std::sqrt(a2 + (1 - a2) * 0.25));
   const double f = 0.5 + 0.5 * std::pow(0.5, 5);
@@ -236,7 +237,8 @@ TEST(Style, FunctionsThatDoNotCompileAreLeftOut) {
   EXPECT_THAT(shader->function().notes,
               testing::Contains(testing::AllOf(HasSubstr("without trouble(), more_trouble(), main()"),
                                                HasSubstr("test.glsl:3: the type Other is not defined"))));
-  // Asked for, it is refused for its own reason; and so is a part of something that calls itself a reflectance.
+  // Asked for, it is refused for its own reason; and so is a part of something that calls itself a
+  // reflectance.
   EXPECT_THAT(refusal(text, {.file = "", .entry = "trouble"}), HasSubstr("test.glsl:3: the type Other"));
   const std::string part =
       "float lobe(vec3 L, vec3 V) { return 3.0; }\n"

@@ -47,7 +47,8 @@ vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness, vec3 f0, vec3 albedo) {
 }
 )";
 
-// Fujii's form with the energy put back, as a material library's generated code has it; `s` is what it takes for the azimuth's part.
+// Fujii's form with the energy put back, as a material library's generated code has it; `s` is what it takes
+// for the azimuth's part.
 inline std::string energy_preserving(const std::string& s) {
   return R"(#define M_PI 3.1415926535897932
 #define M_PI_INV (1.0 / M_PI)

@@ -1,3 +1,4 @@
+# ctest: sheet.campaign label=sheet @brdf@
 """Every fault of faults.py in every table that can show it: campaign_test.py EXECUTABLE.
 
 `brdf validate` names a planted fault with the right words, or says that it suspects it; a clean table has no failing check. Four tables in

@@ -181,7 +181,8 @@ TEST(DataSheet, AnIntegralWhoseBoundReachesAboveOneIsUndecided) {
   for (double& v : t.values[0]) v = 1.3 / kPi;
   const DataSheet bright = data_sheet(t);
   EXPECT_EQ(finding(bright, "energy").outcome, Outcome::fail);
-  // Beyond the outermost ring nothing is proved, so that the lower bound stays below the truth by the share of that ring.
+  // Beyond the outermost ring nothing is proved, so that the lower bound stays below the truth by the share
+  // of that ring.
   EXPECT_NE(finding(bright, "energy").statement.find("at least 1.17"), std::string::npos)
       << finding(bright, "energy").statement;
   for (double& v : t.values[0]) v = 0.5 / kPi;
@@ -331,7 +332,8 @@ TEST(DataSheet, OfWhitePaperIsCleanWithItsNoiseFloor) {
   const io::SampleTable t = io::read_samples(path);
   EXPECT_EQ(failing(t), Names{});
   const DataSheet sheet = data_sheet(t);
-  // The published values are smoothed: neighbours scatter by .1 %, and exchanging light and viewer shows what is left.
+  // The published values are smoothed: neighbours scatter by .1 %, and exchanging light and viewer shows what
+  // is left.
   EXPECT_LT(sheet.scatter.neighbours.value.value_or(1), 0.002);
   EXPECT_NEAR(finding(sheet, "noise_floor").value, 0.018, 0.009);
   EXPECT_NE(finding(sheet, "noise_floor").statement.find("neighbours agree too well"), std::string::npos);

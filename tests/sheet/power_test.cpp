@@ -1,4 +1,5 @@
-// Each check on either side of its limit: it fails where the fault can be seen, and neither fails nor passes where it cannot.
+// Each check on either side of its limit: it fails where the fault can be seen, and neither fails nor passes
+// where it cannot.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +55,8 @@ TEST(Power, APlaneOfBlacknessIsNoMeasurementOfFr) {
   EXPECT_NE(finding(t, "quantity").outcome, Outcome::fail);
 }
 
-// "At least" is a bound: whatever the lobe, the grid and the phase of the grid, never more than the true albedo.
+// "At least" is a bound: whatever the lobe, the grid and the phase of the grid, never more than the true
+// albedo.
 TEST(Power, TheLowerBoundOfTheAlbedoIsNeverAboveTheTruth) {
   for (const double alpha : {0.003, 0.01, 0.03, 0.1, 0.3, 1.0}) {
     const Material metal = glossy(0, 1, 0.9, alpha);

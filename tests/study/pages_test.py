@@ -1,3 +1,4 @@
+# ctest: study.browser label=browser timeout=600 @brdf@ chromium @here@/browser
 """The pages of a study in a headless browser: what tests/validate/browser_test.py asks of every page, and the overview
 sorted by a click and by the keyboard, its links and small pictures. pages_test.py EXECUTABLE BROWSER FOLDER"""
 import pathlib

@@ -1,3 +1,4 @@
+# ctest: study.json_schema label=study @brdf@ @source@/docs/study.schema.json
 """Output of `brdf study --json` and its study.json against docs/study.schema.json: schema_test.py EXECUTABLE SCHEMA"""
 import json
 import pathlib

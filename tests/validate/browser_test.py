@@ -1,3 +1,4 @@
+# ctest: validate.browser label=browser timeout=1200 @brdf@ chromium @here@/browser
 """The pages of fit, validate, trade and recommend in a headless browser without a network, at 1280 and 400 pixels, light
 and dark: no console message, nothing wider than the screen, every plot and picture drawn in colours that stand out from
 the ground, words explained by the keyboard, on paper dark on white. Screenshots of all lie in FOLDER:

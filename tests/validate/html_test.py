@@ -1,3 +1,4 @@
+# ctest: validate.html label=validate @brdf@
 """The HTML report is well-formed, refers to nothing outside itself, states the verdict first and has plots with
 data, each with its command: html_test.py EXECUTABLE"""
 import base64

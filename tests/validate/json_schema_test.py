@@ -1,3 +1,4 @@
+# ctest: validate.json_schema label=validate @brdf@ @source@/docs/validate.schema.json
 """Output of `brdf validate --json` against docs/validate.schema.json: schema_test.py EXECUTABLE SCHEMA"""
 import json
 import pathlib

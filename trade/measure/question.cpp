@@ -6,7 +6,7 @@
 namespace brdf::trade {
 namespace {
 
-std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, Precision precision) {
+std::vector<double> kernel_values(const Kernel& kernel, const Columns<double>& in, Precision precision) {
   const std::size_t count = count_of(in);
   std::vector<double> out(count);
   if (precision == Precision::double_) {
@@ -21,9 +21,9 @@ std::vector<double> values_of(const Kernel& kernel, const Columns<double>& in, P
   return out;
 }
 
-Values values_of(const Kernel& kernel, Precision precision) {
+Values kernel_values(const Kernel& kernel, Precision precision) {
   if (!kernel) return {};
-  return [&kernel, precision](const Columns<double>& in) { return values_of(kernel, in, precision); };
+  return [&kernel, precision](const Columns<double>& in) { return kernel_values(kernel, in, precision); };
 }
 
 // The first points of the domain, again and again until there are enough, in one precision.
@@ -170,9 +170,9 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
   if (options.picture && question.pixels) fewer = thinned(*options.picture, question.pixels);
   const Yardstick yardstick(
       {question.everyday, question.extremes, count, count / 4, question.measure, question.floor},
-      values_of(question.reference ? question.reference : judged_by(exact), Precision::double_),
+      kernel_values(question.reference ? question.reference : judged_by(exact), Precision::double_),
       options.picture && question.pixels ? &fewer : options.picture,
-      values_of(exact.picture, Precision::double_));
+      kernel_values(exact.picture, Precision::double_));
   const std::vector<timing::Timing> costs = costs_of(question, yardstick.points(), options);
 
   std::vector<LedgerRow> rows;
@@ -188,8 +188,8 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
     set_cost(row, costs[k], double(question.timed_points));
     // An exact choice without a better reference is the reference: no need to evaluate it again.
     const bool is_reference = k == 0 && !question.reference && choice.error == Precision::double_;
-    yardstick.judge(row, is_reference ? Values{} : values_of(judged_by(choice), choice.error),
-                    values_of(choice.picture, choice.error));
+    yardstick.judge(row, is_reference ? Values{} : kernel_values(judged_by(choice), choice.error),
+                    kernel_values(choice.picture, choice.error));
     rows.push_back(std::move(row));
   }
   mark_dominated(rows);

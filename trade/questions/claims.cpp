@@ -240,7 +240,7 @@ const std::vector<ClaimRule>& claim_rules() {
        {{kMaskingByAlbedo, kMaskingDropped}, {kMasking, kMaskingDropped}},
        "", {}, {Standing::fails, "does not hold towards grazing"},
        "without G the albedo is up to {max} too large ({where}); image error on the ball {image 1}"},
-      {kLookup, "the reflection is weaker where the light is frontal", {{lookup(0.3), kExact}},
+      {kLookup, "the reflection is weaker where the light is frontal", {{lookup(0.3), names::kExact}},
        oblique_over_frontal, {{1, kFails}}, kHolds,
        "mirror direction at 60 degrees against normal incidence: f cos_i is {figure} times as large"},
       {kLookup, "its Fresnel term, as coded", {{kFresnelOfGlass, kSlip}},

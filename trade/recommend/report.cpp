@@ -119,7 +119,8 @@ io::Plot cost_plot(const Recommendation& r) {
   return plot;
 }
 
-// A mean beyond the mean itself is no measure any more: some direction that the scene may never show grows without limit.
+// A mean beyond the mean itself is no measure any more: some direction that the scene may never show grows
+// without limit.
 io::Cell brdf_error_cell(const Candidate& c) {
   constexpr double kBeyondMeasure = 10;
   if (c.brdf_error < kBeyondMeasure) return {number(c.brdf_error)};

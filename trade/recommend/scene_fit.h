@@ -14,7 +14,8 @@ using RgbFunction = std::function<std::array<double, 3>(const Vec3<double>& wi, 
 RgbFunction rgb_function(const Material& material);
 RgbFunction rgb_function(const io::SampleTable& table);  // interpolated
 
-// Whether values stay the same, to a ten-thousandth on average, when the surface is turned under light and viewer.
+// Whether values stay the same, to a ten-thousandth on average, when the surface is turned under light and
+// viewer.
 bool is_isotropic(const RgbFunction& reference);
 
 // The scene's lit points, the surface frames free of any material's own tangent.

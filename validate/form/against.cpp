@@ -113,7 +113,8 @@ Best nearest_within(const Subject& subject, const Against& against) {
   return maximise(within, subject.dimensions(), {.cover = kSampled});
 }
 
-// Where no parameters of the subject have a counterpart, nothing could be compared, and "the same" would be said of nothing.
+// Where no parameters of the subject have a counterpart, nothing could be compared, and "the same" would be
+// said of nothing.
 void require_overlap(const Subject& subject, const Against& against) {
   const Best nearest = nearest_within(subject, against);
   if (nearest.value >= 0) return;
@@ -136,8 +137,8 @@ void require_overlap(const Subject& subject, const Against& against) {
                    " lie within the form's ranges: " + all);
 }
 
-// For the search's grid: the corners of the parameters' cube, from inside as far towards them as the form's ranges go, and a cover
-// of what lies within.
+// For the search's grid: the corners of the parameters' cube, from inside as far towards them as the form's
+// ranges go, and a cover of what lies within.
 std::vector<std::vector<double>> points_within(const Subject& subject, const Against& against,
                                                const CheckOptions& options) {
   const auto inside = [&](std::span<const double> point) {

@@ -18,8 +18,8 @@ namespace brdf::validate {
 
 // f and f cos are numbers, for every direction: below the horizon, at it, coincident, opposite, subnormal.
 Finding check_finite(const Subject& subject, const CheckOptions& options);
-// No value depends on what the shader's language leaves undefined; of code that is not ours. `share` is the share of the
-// pairs inside the hemisphere at which one does.
+// No value depends on what the shader's language leaves undefined; of code that is not ours. `share` is the
+// share of the pairs inside the hemisphere at which one does.
 Finding check_undefined(const Subject& subject, const CheckOptions& options);
 // The lowest f is not below 0.
 Finding check_non_negative(const Subject& subject, const CheckOptions& options);
@@ -45,7 +45,8 @@ Finding check_float(const Subject& subject, const CheckOptions& options);
 // Derivatives by dual numbers agree with differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 
-// One of them, with all that others need to know of it. A check does not name its finding: whoever runs it does.
+// One of them, with all that others need to know of it. A check does not name its finding: whoever runs it
+// does.
 struct Check {
   enum class Of { all, outside };  // outside: of code that is not ours alone
   std::string_view name, meaning;
@@ -86,7 +87,8 @@ inline constexpr Check kChecks[] = {
      Check::Of::outside, check_float},
 };
 
-// A check within the options' seconds: if its searches were cut short, it says how far they came, and a pass is undecided.
+// A check within the options' seconds: if its searches were cut short, it says how far they came, and a pass
+// is undecided.
 Finding within_seconds(CheckOptions options, const std::function<Finding(const CheckOptions&)>& check);
 
 // All checks of all subjects in their order, judged against what the forms declare. On all processors.

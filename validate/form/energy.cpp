@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kExact = 1e-9;  // tolerance of the albedo that is told
 constexpr long kMostToCompare = 20000;
-// An albedo of exactly 1 may come out this much above; of code in float, whose constants are rounded to it, by more.
+// An albedo of exactly 1 may come out this much above; of code in float, whose constants are rounded to it,
+// by more.
 constexpr double kSlack = 1e-9, kOutsideSlack = 1e-6;
 
 // The elevation at x in [0, 1]: from the normal to max_theta, closer together towards grazing.
@@ -162,7 +163,8 @@ class EnergySearch {
     AlbedoOptions options;
     options.tolerance = tolerance;
     options.fixed = fixed_;
-    // What is only compared need not be known to the last digit, however narrow a lobe somebody's parameters make.
+    // What is only compared need not be known to the last digit, however narrow a lobe somebody's parameters
+    // make.
     if (subject_.is_outside() && tolerance > kExact) options.max_evaluations = kMostToCompare;
     const double theta = kPi / 2 - elevation(point) * lift;
     const Material m = subject_.at(padded(point));
@@ -264,8 +266,8 @@ bool is_one_way(const Subject& subject, const CheckOptions& options) {
   return false;
 }
 
-// Of code that is not reciprocal what is reflected depends on the direction that stays: both are searched. Integrals over
-// the viewer say how much of a light comes back; furnaces fix the viewer.
+// Of code that is not reciprocal what is reflected depends on the direction that stays: both are searched.
+// Integrals over the viewer say how much of a light comes back; furnaces fix the viewer.
 Finding of_both_directions(Finding light, const Subject& subject, const CheckOptions& options) {
   const Finding viewer = EnergySearch(subject, options, false, other(Fixed::light)).run();
   const bool light_fails = light.outcome == Outcome::fail || viewer.outcome == Outcome::pass;

@@ -1,4 +1,5 @@
-// Float against double of the same code: what the numerics' table is for the catalogue, for code that is somebody else's.
+// Float against double of the same code: what the numerics' table is for the catalogue, for code that is
+// somebody else's.
 #include <algorithm>
 #include <cmath>
 

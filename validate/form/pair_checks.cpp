@@ -96,8 +96,8 @@ Finding check_finite(const Subject& subject, const CheckOptions& options) {
 
 namespace {
 
-// The worst pair, of which a violation is the model's: of code that is not ours one that is found in double counts only
-// if it is there in more digits, too. `rounding` is the largest that is not.
+// The worst pair, of which a violation is the model's: of code that is not ours one that is found in double
+// counts only if it is there in more digits, too. `rounding` is the largest that is not.
 struct Confirmed {
   Best best;
   double rounding = 0;
@@ -198,8 +198,8 @@ double change_by_reflection(const Material& m, const Pair& p) {
   return worst;
 }
 
-// How much f changes when both directions turn. Exact turns only: at the edge of a cosine lobe x^n, rounding a direction
-// can be any change of f.
+// How much f changes when both directions turn. Exact turns only: at the edge of a cosine lobe x^n, rounding
+// a direction can be any change of f.
 double change_by_turns(const Material& m, const Pair& p) {
   double worst = 0;
   for (const auto& [c, s] : {std::pair{0.0, 1.0}, std::pair{-1.0, 0.0}})
@@ -207,7 +207,8 @@ double change_by_turns(const Material& m, const Pair& p) {
   return worst;
 }
 
-// The same by a turn that no symmetry of a square hides, above 1 degree from the horizon, where rounding is small.
+// The same by a turn that no symmetry of a square hides, above 1 degree from the horizon, where rounding is
+// small.
 double change_by_any_turn(const Material& m, const Pair& p) {
   if (std::min(p.wi.z, p.wo.z) < 0.02) return 0;
   const double c = std::cos(0.7), s = std::sin(0.7);
@@ -259,8 +260,8 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
 }
 
 Finding check_continuity(const Subject& subject, const CheckOptions& options) {
-  // f cos_i with the light at the horizon, over its largest value on the way there. Masking fades over the narrower
-  // width times the viewer's cosine: over 1e-4 1e-6, of which the horizon's cosine is a hundredth.
+  // f cos_i with the light at the horizon, over its largest value on the way there. Masking fades over the
+  // narrower width times the viewer's cosine: over 1e-4 1e-6, of which the horizon's cosine is a hundredth.
   constexpr double kBound = 0.02;
   const bool outside = subject.is_outside();
   const Best best = worst_pair(
@@ -272,7 +273,8 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
           eval_cos(m, at_cosine(z, phi), p.wo, f);
           for (std::size_t c = 0; c < f.size(); ++c) {
             largest[c] = std::max(largest[c], std::abs(f[c]));
-            // Code in float keeps its divisors from 0 by 1e-6 or so, which hides what is divided: it is seen above that.
+            // Code in float keeps its divisors from 0 by 1e-6 or so, which hides what is divided: it is seen
+            // above that.
             const bool flat = std::abs(f[c] - before[c]) < kBound * std::abs(f[c]);
             if (outside && p.wo.z > 0.1 && z < 1e-3 && z > 5e-6) level[c] = flat ? std::abs(f[c]) : 0;
             before[c] = f[c];

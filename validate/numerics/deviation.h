@@ -38,8 +38,8 @@ class Deviations {
   // More than a quarter of the body's budget.
   bool noticeable(const Judged& judged, double error) const;
   bool exceeds_statement(const Judged& judged) const;
-  // An error that is noticeable, or more than is stated, of which this much comes from directions that are not quite unit vectors
-  // as they are stored.
+  // An error that is noticeable, or more than is stated, of which this much comes from directions that are
+  // not quite unit vectors as they are stored.
   bool due_to_storing(const Judged& judged, double storing) const;
   std::vector<Truth> truths(const Vec3<Truth>& wi, const Vec3<Truth>& wo) const;
   Judged compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths, std::size_t set,

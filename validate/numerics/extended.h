@@ -1,6 +1,7 @@
-// The extended type of the processor (long double) as a scalar of the forms: eleven bits more than double on x86-64, which tell a
-// rounding error of double to about a thousandth, and a hundred times faster than 50 digits. Where long double is no
-// better than double, the first look of Rounding sees no error at all: it is not used there.
+// The extended type of the processor (long double) as a scalar of the forms: eleven bits more than double on
+// x86-64, which tell a rounding error of double to about a thousandth, and a hundred times faster than 50
+// digits. Where long double is no better than double, the first look of Rounding sees no error at all: it is
+// not used there.
 #pragma once
 
 #include <cmath>
@@ -36,7 +37,8 @@ struct Extended {
   friend Extended log(const Extended& x) { return std::log(x.value); }
   friend Extended log1p(const Extended& x) { return std::log1p(x.value); }
   friend Extended atan2(const Extended& y, const Extended& x) { return std::atan2(y.value, x.value); }
-  // Beyond 100 exp(x^2) overflows; what it is multiplied with there, exp(-x^2), is nothing beside other terms.
+  // Beyond 100 exp(x^2) overflows; what it is multiplied with there, exp(-x^2), is nothing beside other
+  // terms.
   friend Extended erfcx(const Extended& x) {
     constexpr long double kRootPi = 1.7724538509055160273L;
     return x.value > 100 ? 1 / (x.value * kRootPi) : std::exp(x.value * x.value) * std::erfc(x.value);

@@ -12,16 +12,16 @@
 
 namespace brdf::validate {
 
-// Largest errors over the grid of extremes.h and over a search for the worst place, relative to the exact value
-// at the same rounded inputs with the directions taken as unit vectors. The truth of double has 50 digits, that of
-// float is double. Stored vectors are never exactly unit, and a lobe of width alpha seen near grazing magnifies
-// the difference of their lengths by 1/(alpha cos): where that alone moves the exact value by more than a quarter
-// of the body's budget, the exact value at the vectors as they stand is the truth instead. Where a value is the
-// difference of larger terms the error is relative to those: to a hundredth of the lobe at f0 = 1 where Fresnel's
-// term is less than that, to |f| + the diffuse weight over pi for a form that declares negative values, as its
-// terms change sign, to the lobe's peak where the mirror lobe's cosine is below 1/2. Where that lobe ends it may be
-// steep, for exponent 0 a step: there every value that r.o within 4 ulp gives is right. Nothing is promised of
-// values below 1e-30.
+// Largest errors over the grid of extremes.h and over a search for the worst place, relative to the exact
+// value at the same rounded inputs with the directions taken as unit vectors. The truth of double has 50
+// digits, that of float is double. Stored vectors are never exactly unit, and a lobe of width alpha seen near
+// grazing magnifies the difference of their lengths by 1/(alpha cos): where that alone moves the exact value
+// by more than a quarter of the body's budget, the exact value at the vectors as they stand is the truth
+// instead. Where a value is the difference of larger terms the error is relative to those: to a hundredth of
+// the lobe at f0 = 1 where Fresnel's term is less than that, to |f| + the diffuse weight over pi for a form
+// that declares negative values, as its terms change sign, to the lobe's peak where the mirror lobe's cosine
+// is below 1/2. Where that lobe ends it may be steep, for exponent 0 a step: there every value that r.o
+// within 4 ulp gives is right. Nothing is promised of values below 1e-30.
 struct NumericsRow {
   std::string form;
   std::string scalar;  // float | double
@@ -54,8 +54,8 @@ bool meets_budget(const NumericsRow& row);
 // No error is larger than the form's header states.
 bool meets_statement(const NumericsRow& row);
 
-// Prints the rows of these forms, as a table while they are measured or as {"rows": [...], "provenance": ...},
-// and names those that cannot be measured. True where all others meet their budgets and statements.
+// Prints the rows of these forms, as a table while they are measured or as {"rows": [...], "provenance":
+// ...}, and names those that cannot be measured. True where all others meet their budgets and statements.
 bool report_numerics(const std::vector<Reflectance>& forms, const NumericsOptions& options, bool json,
                      std::ostream& out, const std::function<void(int done, int total)>& progress);
 

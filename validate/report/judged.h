@@ -14,8 +14,8 @@ namespace brdf::validate {
 void add_material(ReportContent& content, const std::string& name, io::MaterialFile file);
 // A table with its data sheet, up to content.max_theta.
 void add_table(ReportContent& content, io::SampleTable table);
-// A material's or a table's file, told by what it holds. A table that cannot be read because two columns are exchanged has
-// that finding. Throws InputError.
+// A material's or a table's file, told by what it holds. A table that cannot be read because two columns are
+// exchanged has that finding. Throws InputError.
 void add_file(ReportContent& content, const std::string& path, const io::Supplied& supplied = {});
 
 // Throws InputError where this is no largest angle.

@@ -37,8 +37,8 @@ struct ReportContent {
   bool keep_fill = false;                   // of tables: rows of fill values are judged like others
 };
 
-// Verdict, pictures in a row with a line each, properties as a matrix, then the plots of each table and subject, with the
-// command that prints the same numbers folded beneath.
+// Verdict, pictures in a row with a line each, properties as a matrix, then the plots of each table and
+// subject, with the command that prints the same numbers folded beneath.
 std::string to_html(const ReportContent& content);
 
 // The verdict over all: "all 12 checks passed", or how many did not.

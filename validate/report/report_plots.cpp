@@ -133,7 +133,8 @@ constexpr int kNoWidth = 6;
 // The parameters that say how wide the lobe is (two of an anisotropic form), or what comes nearest to that.
 std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
   if (const auto [along, across] = form.axes(); across >= 0) return {std::size_t(along), std::size_t(across)};
-  // Of the others the role that comes first below; a parameter that is a reflectance says nothing of the width.
+  // Of the others the role that comes first below; a parameter that is a reflectance says nothing of the
+  // width.
   const auto rank = [](Role role) {
     switch (role) {
       case Role::width:

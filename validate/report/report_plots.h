@@ -7,7 +7,8 @@
 
 namespace brdf::validate {
 
-// Each with the command that prints the same numbers. `findings` are those of all subjects; `max_theta` in degrees.
+// Each with the command that prints the same numbers. `findings` are those of all subjects; `max_theta` in
+// degrees.
 void add_subject_plots(io::HtmlReport& report, const Subject& subject, const std::vector<Finding>& findings,
                        double max_theta);
 

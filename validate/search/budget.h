@@ -10,8 +10,8 @@ class Budget {
   // 0 seconds are no limit. Time runs from here.
   explicit Budget(double seconds) : seconds_(seconds) {}
 
-  // Whether a search may look at one more point. The first points of a check are always looked at, so that its finding
-  // names one.
+  // Whether a search may look at one more point. The first points of a check are always looked at, so that
+  // its finding names one.
   bool take() {
     const bool may = left_out_ == 0 && (seconds_ <= 0 || looked_at_ < kAlways || elapsed() < seconds_);
     ++(may ? looked_at_ : left_out_);

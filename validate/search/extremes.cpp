@@ -28,9 +28,15 @@ std::vector<double> extreme_values(const ParameterInfo& p) {
     case Role::width:
     case Role::width_across:
       return inside(p, {p.min, 3e-3, 0.1, 0.4, p.max});
-    default:
-      return p.initial == p.max ? std::vector{p.min, p.max} : std::vector{p.min, p.initial, p.max};
+    case Role::diffuse:
+    case Role::specular:
+    case Role::f0:
+    case Role::extinction:
+    case Role::tint:
+    case Role::other:
+      break;
   }
+  return p.initial == p.max ? std::vector{p.min, p.max} : std::vector{p.min, p.initial, p.max};
 }
 
 // Along and across the tangent: equal ones, then far apart, instead of all pairs.

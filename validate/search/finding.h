@@ -1,4 +1,5 @@
-// The outcome of a check is one notion for forms, materials and tables (sheet/finding.h); here are its names in this room.
+// The outcome of a check is one notion for forms, materials and tables (sheet/finding.h); here are its names
+// in this room.
 #pragma once
 
 #include "sheet/finding.h"

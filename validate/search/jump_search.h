@@ -14,8 +14,9 @@ struct Jump {
   double value = 0;              // their difference over the larger, which counts as at least kFaintest
 };
 
-// The largest found, of those beyond `least`: along arcs of the viewer and of the light, in the polar angle and in the azimuth, at the
-// subject's own parameters and over a cover of its domain, each large change cut in halves until it is smooth or is none.
+// The largest found, of those beyond `least`: along arcs of the viewer and of the light, in the polar angle
+// and in the azimuth, at the subject's own parameters and over a cover of its domain, each large change cut
+// in halves until it is smooth or is none.
 std::optional<Jump> largest_jump(const Subject& subject, const CheckOptions& options, double least,
                                  long& evaluations);
 

@@ -23,9 +23,9 @@ Pair pair_at(double a, double b, double turn_o, double turn_i);
 // The pair at these angles, degrees: the vectors that `brdf eval` makes of them, bit for bit.
 Pair pair_at_angles(double theta_i, double phi_i, double theta_o, double phi_o);
 
-// Coordinates: the subject's, then two cosines and the
-// azimuth between, then the azimuth of wi if anisotropic. Of code that is not ours azimuths go all the way round unless
-// half of them is known to stand for all, and the vectors are those of pair_at_angles.
+// Coordinates: the subject's, then two cosines and the azimuth between, then the azimuth of wi if
+// anisotropic. Of code that is not ours azimuths go all the way round unless half of them is known to stand
+// for all, and the vectors are those of pair_at_angles.
 std::size_t pair_dimensions(const Subject& subject);
 Pair pair_of(const Subject& subject, std::span<const double> point);
 
@@ -43,13 +43,15 @@ using PairMeasure = std::function<double(const Material&, const Pair&)>;
 // The largest value of the measure: a structured grid (corners and cover of the parameters, all pairs of
 // graded cosines, the mirror plane among the azimuths), a cover, and climbs from the best.
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options);
-// The same where only part of the parameters counts: the grid has these, of the others the measure says so by a value below 0.
+// The same where only part of the parameters counts: the grid has these, of the others the measure says so by
+// a value below 0.
 Best worst_pair(const Subject& subject, const PairMeasure& measure, const CheckOptions& options,
                 const std::vector<std::vector<double>>& parameters);
 // How many points of a cover of the parameters the grid takes besides their corners.
 std::size_t parameter_cover(const CheckOptions& options);
 
-// With the command that prints f there, and with light and viewer exchanged if both orders are asked for, or at another pair as well.
+// With the command that prints f there, and with light and viewer exchanged if both orders are asked for, or
+// at another pair as well.
 Witness pair_witness(const Subject& subject, const Material& at, const Pair& pair, bool both_orders = false,
                      const Pair* other = nullptr);
 

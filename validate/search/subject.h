@@ -19,7 +19,8 @@ struct OutsideFacts {
   bool may_turn = true;   // nothing shows that the value stays when light and viewer turn together
   // Nothing shows that half of the azimuths stands for all: searches go all the way round.
   bool all_round = true;
-  // Where in its source what a check found comes from, for one pair of directions; empty where that is not known.
+  // Where in its source what a check found comes from, for one pair of directions; empty where that is not
+  // known.
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
       explain = {};
@@ -27,7 +28,8 @@ struct OutsideFacts {
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                             const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
       explain_jump = {};
-  // What the language leaves undefined of the value, in double or in float, with its line; empty: it is defined.
+  // What the language leaves undefined of the value, in double or in float, with its line; empty: it is
+  // defined.
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined =
       {};
   // f of each channel in more digits than double has, 1/sr, for the unit directions that these stand for.
@@ -66,8 +68,9 @@ class Subject {
   std::vector<std::pair<std::string, double>> parameters(const Material& at) const;
   // What a verb must be told to say the same of it; empty of a reflectance that is not in the catalogue.
   std::string command(const std::string& verb, const Material& at, const std::string& rest) const;
-  // Restricts parameters: where the condition does not hold, those that it names go towards the least of their tables until it does.
-  // Throws InputError for names that are no parameters, and where it does not hold at the least of all.
+  // Restricts parameters: where the condition does not hold, those that it names go towards the least of
+  // their tables until it does. Throws InputError for names that are no parameters, and where it does not
+  // hold at the least of all.
   void restrict_to(const io::Condition& condition);
   bool is_restricted() const { return condition_.has_value(); }
   // The same for parameters that are chosen elsewhere.
@@ -94,7 +97,8 @@ class Subject {
   std::optional<io::Condition> condition_;
 };
 
-// What both axes of an anisotropic form are called together: the common part of their names, or the one along.
+// What both axes of an anisotropic form are called together: the common part of their names, or the one
+// along.
 std::string tied_name(const ReflectanceInfo& form);
 
 // One parameter at x in [0, 1] of its range, and back.

@@ -12,8 +12,8 @@ namespace {
 constexpr double kMost = 16;       // a ratio beyond is drawn as this
 constexpr double kHorizon = 1e-9;  // cosine: rounding lifts what lies on it
 
-// The pair of directions at a node: the light in the frame of the half vector, turned to the surface's; the viewer is
-// its mirror image about the half vector.
+// The pair of directions at a node: the light in the frame of the half vector, turned to the surface's; the
+// viewer is its mirror image about the half vector.
 Pair pair_of(const TableSize& n, double i, double j, double k, double l) {
   const auto part = [](double at, int count) { return std::clamp(at / (count - 1), 0.0, 1.0); };
   const double theta_h = kPi / 2 * part(i, n.theta_h) * part(i, n.theta_h),
@@ -83,8 +83,9 @@ class Nodes {
            known(i, j, k, l - 1) != own || known(i, j, k, l + 1) != own;
   }
 
-  // The share that is known, of pairs a quarter of a step about; the value of one of them where the node itself has
-  // none. Where the shader finds half of its surroundings unknown it hatches: a straight edge, not steps.
+  // The share that is known, of pairs a quarter of a step about; the value of one of them where the node
+  // itself has none. Where the shader finds half of its surroundings unknown it hatches: a straight edge, not
+  // steps.
   void refine(Node& node, int i, int j, int k, int l) const {
     double count = 0, pairs = 0;
     for (const double d : {-0.25, 0.25})

@@ -1,5 +1,5 @@
-// How often 95 % intervals hold the truth: where a bound, a valley, a hidden lobe or few rows make it hard, and in ordinary
-// fits. docs/fitting.md has the table.
+// How often 95 % intervals hold the truth: where a bound, a valley, a hidden lobe or few rows make it hard,
+// and in ordinary fits. docs/fitting.md has the table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -233,7 +233,8 @@ TEST(IntervalCoverage, HoldsOverAllFormsForEveryVerdict) {
   }
 }
 
-// Two lobes in truth, one fitted: the intervals with lack of fit of every other light against those of the lights between.
+// Two lobes in truth, one fitted: the intervals with lack of fit of every other light against those of the
+// lights between.
 TEST(IntervalCoverage, OfAlternateLightsUnderAWrongModelOverlap) {
   Material truth = make_material(*find_form("cook_torrance"), {"f"});
   truth.terms.push_back(truth.terms[0]);

@@ -121,7 +121,8 @@ FormFit without_noise(io::SampleTable table) {
   return fit_one(table, {"ward"}, bare);
 }
 
-// Incidences and viewers are drawn anew in each replicate: what the model's error does to the parameters depends on them.
+// Incidences and viewers are drawn anew in each replicate: what the model's error does to the parameters
+// depends on them.
 TEST(LackOfFit, EnlargedIntervalsHoldTheValueOfTenTimesTheRowsWithoutNoise) {
   std::mt19937_64 random(11);
   LobeCoverage coverage;
@@ -138,8 +139,9 @@ TEST(LackOfFit, EnlargedIntervalsHoldTheValueOfTenTimesTheRowsWithoutNoise) {
   }
 }
 
-// The same incidences in every replicate, and in the table of ten times the rows: the model's error is then a constant, and
-// an interval that is wide enough for other incidences holds more than it must (docs/fitting.md).
+// The same incidences in every replicate, and in the table of ten times the rows: the model's error is then a
+// constant, and an interval that is wide enough for other incidences holds more than it must
+// (docs/fitting.md).
 TEST(LackOfFit, EnlargedIntervalsOfAFixedPatternAreNeverTooNarrow) {
   std::mt19937_64 random(12);
   const std::vector<double> drawn = incidences(14, random), few{10, 30, 50, 70},

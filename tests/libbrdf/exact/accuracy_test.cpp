@@ -10,6 +10,7 @@
 #include "brdf/material.h"
 #include "brdf/microfacet.h"
 #include "brdf/random.h"
+#include "tests/thorough.h"
 #include "validate/numerics/exact.h"
 #include "validate/numerics/numerics.h"
 #include "validate/numerics/rounding.h"
@@ -28,9 +29,10 @@ void expect_close_below(double error, double bound, bool body, const NumericsRow
 
 class StatedAccuracy : public ::testing::TestWithParam<Reflectance> {};
 
-// What the form's header states (about a third above what longer searches find). A form that states nothing is listed with what
-// was found: its accuracy is not known.
+// What the form's header states (about a third above what longer searches find). A form that states nothing
+// is listed with what was found: its accuracy is not known.
 TEST_P(StatedAccuracy, IsWhatTheHeaderStates) {
+  BRDF_LONG_UNDER_SANITIZERS();
   const ReflectanceInfo& form = info(GetParam());
   for (const NumericsRow& row : measure_numerics(GetParam())) {
     if (row.stated) {

@@ -152,7 +152,8 @@ E d_student(const Case& c) {
   const E gamma = c["gamma"];
   return pow(1 + slope2(c) / (gamma - 1), -gamma) / (pi() * c["alpha_x"] * c["alpha_y"] * pow(c.nh, 4));
 }
-// The slope along the viewer's azimuth is Student's: its mean beyond a = cot(theta)/width, less a times the tail.
+// The slope along the viewer's azimuth is Student's: its mean beyond a = cot(theta)/width, less a times the
+// tail.
 E lambda_student(const Case& c, const Vec3<E>& w) {
   const E gamma = c["gamma"], half = E(1) / 2, a = 1 / (alpha_tan(c, w) * sqrt(gamma - 1)), far = 1 + a * a;
   const E scale = boost::math::tgamma(E(gamma - half)) / (sqrt(pi()) * boost::math::tgamma(E(gamma - 1)));

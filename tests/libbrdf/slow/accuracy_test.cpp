@@ -1,4 +1,5 @@
-// A search of a million evaluations for each form and scalar finds no error larger than the form's header states.
+// A search of a million evaluations for each form and scalar finds no error larger than the form's header
+// states.
 #include <gtest/gtest.h>
 
 #include "validate/numerics/numerics.h"

@@ -1,4 +1,5 @@
-// A stack of 256 x 256 texels of 151 images: what is found, how well standard errors say how well, and the picture.
+// A stack of 256 x 256 texels of 151 images: what is found, how well standard errors say how well, and the
+// picture.
 #include <gtest/gtest.h>
 
 #include "tests/maps/case.h"

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""compilers_test.py SOURCE GENERATED SHARDS...: g++ and clang, with -O0 and -O3, find the same boxes and the same bounds of every form, bit
-for bit. GENERATED: the folder of generated headers; SHARDS: the generated sources of the catalogue. Exit code 77 without clang."""
+# ctest: prove.compilers label=slow timeout=3600 @source@ @build@
+"""compilers_test.py SOURCE BUILD: g++ and clang, with -O0 and -O3, find the same boxes and the same bounds of every form, bit
+for bit. BUILD has the generated headers and the parts of the catalogue. Exit code 77 without clang."""
 import concurrent.futures
 import os
 import pathlib
@@ -9,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-source, generated, *shards = (pathlib.Path(p).resolve() for p in sys.argv[1:])
+source, build = (pathlib.Path(p).resolve() for p in sys.argv[1:])
+generated, shards = build / "libbrdf/generated", sorted((build / "prove").glob("shard_*.cpp"))
 gcc = shutil.which("g++")
 clang = next(filter(None, map(shutil.which, ("clang++-16", "clang++"))), None)
 if not gcc or not clang:

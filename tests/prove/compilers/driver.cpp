@@ -1,5 +1,6 @@
-// What a certificate holds of every form, in hexadecimal: each property's domain and cover, or whether both orders are one formula.
-// Of prove/scalar and the search alone, so that it is soon built by several compilers.
+// What a certificate holds of every form, in hexadecimal: each property's domain and cover, or whether both
+// orders are one formula. Of prove/scalar and the search alone, so that it is soon built by several
+// compilers.
 #include <cstdio>
 
 #include "brdf/forms.h"

@@ -1,4 +1,5 @@
-// Two thousand random shaders with planted violations, none proved; five hundred sound ones, most proved within a second.
+// Two thousand random shaders with planted violations, none proved; five hundred sound ones, most proved
+// within a second.
 #include <gtest/gtest.h>
 
 #include "prove/shader/self_test.h"

@@ -1,4 +1,5 @@
-// Users' shaders on boxes: no value lies outside, faults are refuted or stay open, what is not known is not claimed.
+// Users' shaders on boxes: no value lies outside, faults are refuted or stay open, what is not known is not
+// claimed.
 #include <gtest/gtest.h>
 
 #include "io/files/content.h"
@@ -9,6 +10,8 @@
 
 namespace brdf::prove {
 namespace {
+
+constexpr int kShaderBoxes = 300;
 
 using shader::shader_of;
 
@@ -103,11 +106,11 @@ Counted sample(const std::string& text, int boxes, int points) {
 class ShaderBoxes : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShaderBoxes, HoldEveryValueInBothPrecisions) {
-  const Counted in_float = sample<float>(GetParam(), BRDF_SHADER_BOXES, 20),
-                in_double = sample<double>(GetParam(), BRDF_SHADER_BOXES, 20);
+  const Counted in_float = sample<float>(GetParam(), kShaderBoxes, 20),
+                in_double = sample<double>(GetParam(), kShaderBoxes, 20);
   for (const Counted& c : {in_float, in_double}) {
     EXPECT_EQ(c.beyond, 0) << c.beyond << " of " << c.points << "\n" << c.first;
-    EXPECT_GT(c.finite_boxes, BRDF_SHADER_BOXES / 3);
+    EXPECT_GT(c.finite_boxes, kShaderBoxes / 3);
   }
 }
 

@@ -1,3 +1,4 @@
+# ctest: render.webgl_forms label=browser timeout=600 needs=brdf_render @forms_values@ chromium @here@/webgl_forms
 """Every form's GLSL ES in a headless browser's WebGL 2 against the library's float values: bit for bit on SwiftShader,
 and within rounding on Mesa's driver, whose compiler rearranges more:
 forms_test.py FORMS_VALUES BROWSER FOLDER"""

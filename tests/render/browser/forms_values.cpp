@@ -1,5 +1,5 @@
-// What a page needs to evaluate every form of the catalogue in WebGL 2 and to compare, as JSON on stdout: shaders in
-// GLSL ES, configurations and the library's float values of them.
+// What a page needs to evaluate every form of the catalogue in WebGL 2 and to compare, as JSON on stdout:
+// shaders in GLSL ES, configurations and the library's float values of them.
 #include <iostream>
 
 #include "brdf/trace.h"

@@ -33,7 +33,8 @@ TEST(EnvironmentSlow, WhiteFurnaceOfTheDeferredRenderer) {
   });
 }
 
-// Whole spheres, to the grazing rim: 256 samples against the reference's 16,384; the times are those of the last run of 16.
+// Whole spheres, to the grazing rim: 256 samples against the reference's 16,384; the times are those of the
+// last run of 16.
 void expect_pictures_equal(const std::string& picture) {
   constexpr int kSize = 16;
   Device device;
