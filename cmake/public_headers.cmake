@@ -17,4 +17,4 @@ endwhile()
 file(GLOB_RECURSE found RELATIVE ${OUT}/brdf ${OUT}/brdf/*.h)
 list(REMOVE_ITEM found ${done})
 list(TRANSFORM found PREPEND ${OUT}/brdf/)
-file(REMOVE "" ${found})  # what is public no more
+file(REMOVE ${OUT}/none ${found})  # what is public no more

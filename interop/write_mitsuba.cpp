@@ -9,7 +9,7 @@ namespace brdf::interop {
 namespace {
 
 std::string element(const char* type, const char* name, const std::string& text) {
-  return "    <" + std::string(type) + " name=\"" + name + "\" element=\"" + text + "\"/>\n";
+  return "    <" + std::string(type) + " name=\"" + name + "\" value=\"" + text + "\"/>\n";
 }
 std::string bsdf(const char* type, const std::string& attributes, const std::string& inside) {
   return "  <bsdf type=\"" + std::string(type) + "\" " + attributes + ">\n" + inside + "  </bsdf>\n";

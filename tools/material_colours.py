@@ -15,7 +15,7 @@ import sys
 
 def rows_of(name):
     """The rows of one of io/*.csv by wavelength in nm."""
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "io", name)
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "io", "colour", name)
     with open(path, encoding="utf-8") as lines:
         rows = [line.split(",") for line in lines if line[0].isdigit()]
     return {int(row[0]): [float(v) for v in row[1:]] for row in rows}

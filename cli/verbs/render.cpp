@@ -306,7 +306,7 @@ void add_render(CLI::App& app) {
       "Examples: brdf render fitted.json --compare embree -o fitted.png\n"
       "          brdf render a.json --compare b.json --split -o a_and_b.png\n"
       "          brdf render fitted.json --measured samples.csv --split --split-at 0.4 -o measured.png\n"
-      "          brdf render samples.csv -o samples.png\n"
+      "          brdf render samples.csv --json -o samples.png\n"
       "          brdf render --scene scene.json --forward --exposure -1 --tone-map reinhard --no-labels -o "
       "s.png\n"
       "          brdf render --scene scene.json --shading lookup --as-coded --gbuffer-bits 8 -o "

@@ -226,12 +226,14 @@ Exit run_integrators(const ValidateCall& o) {
 
 // One mode that judges the library itself is asked for at a time.
 void require_one_mode(const CLI::App& verb, const ValidateCall& o) {
-  const std::pair<bool, Judged> modes[] = {
-      {o.integrators, kIntegrators}, {o.microsurface, kTraced}, {o.numerics, kNumerics}, {o.gpu, kOnDevice}};
+  const std::tuple<bool, Judged, const char*> modes[] = {{o.integrators, kIntegrators, "--integrators"},
+                                                         {o.microsurface, kTraced, "--microsurface"},
+                                                         {o.numerics, kNumerics, "--numerics"},
+                                                         {o.gpu, kOnDevice, "--gpu"}};
   if (o.integrators + o.microsurface + o.numerics + o.gpu > 1)
     throw InputError("--integrators, --microsurface, --numerics, --gpu: give one of them");
-  for (const auto& [is, mode] : modes)
-    if (is) refuse_without_effect(verb, kValidateOptions, mode, "a judgement of the library itself");
+  for (const auto& [is, mode, name] : modes)
+    if (is) refuse_without_effect(verb, kValidateOptions, mode, name);
 }
 
 void print(const std::vector<validate::Finding>& findings) {

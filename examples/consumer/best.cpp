@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "brdf/fit/fit.h"
+#include "brdf/io/formats/read.h"
 #include "brdf/validate/form/checks.h"
 
 int main(int argc, char** argv) try {

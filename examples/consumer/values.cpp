@@ -5,6 +5,7 @@
 #include <exception>
 #include <vector>
 
+#include "brdf/io/formats/read.h"
 #include "brdf/io/material/material_file.h"
 #include "brdf/io/samples/samples.h"
 

@@ -25,8 +25,8 @@ std::optional<std::string_view> quantity_in_comment(std::string_view text);
 // empty words.
 std::optional<StatedQuantity> stated_by_option(const std::string& words);
 
-// A format that states f_r and its directions itself: throws InputError where the caller states anything else. `name`
-// opens the message.
+// A format that states f_r and its directions itself: throws InputError where the caller states anything
+// else. `name` opens the message.
 void require_f_r(const std::string& name, const Supplied& supplied);
 
 // Collects what a file states. Throws InputError, which `where` opens ("FILE, line 3"), if two statements

@@ -12,8 +12,8 @@
 #include "io/samples/repetition.h"
 #include "io/samples/table_rules.h"
 
-// The formats, in the order in which they are asked. A new one is a file with these two functions in a namespace of its
-// name, and its name here: among those of bytes, or of text, which is UTF-8 by then.
+// The formats, in the order in which they are asked. A new one is a file with these two functions in a
+// namespace of its name, and its name here: among those of bytes, or of text, which is UTF-8 by then.
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
 #define BRDF_FORMATS_OF_TEXT(FORMAT) FORMAT(zemax) FORMAT(astm) FORMAT(alta)
 

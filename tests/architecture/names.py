@@ -25,6 +25,10 @@ EXEMPT = {
     "libbrdf/brdf/reflectance_of.h": "finding by name",
     "interop/write_": "other programs' parameters",
     "io/material/familiar_names.cpp": "other programs' names for ours",
+    "shader/front/roles.cpp": "what arguments of shaders are called",
+    "shader/entry.cpp": "names of shaders' functions",
+    "shader/binding.cpp": "names of shaders' arguments",
+    "shader/results.cpp": "names of shaders' results",
 }
 # Words that are a parameter's or a form's name too and have a meaning of their own in that place.
 HOMONYMS = {
@@ -49,6 +53,7 @@ HOMONYMS = {
     ("render/scene/scene.h", "phong"): "a shading",
     ("io/formats/optical_constants.cpp", "n"): "a column of a table",
     ("io/formats/optical_constants.cpp", "k"): "a column of a table",
+    ("shader/glsl_statement.cpp", "n"): "a letter",
     ("render/viewer/commands.cpp", "n"): "a key",
     ("render/viewer/commands.cpp", "k"): "a key",
     ("micro/", "lambert"): "a facet's reflection",

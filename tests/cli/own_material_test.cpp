@@ -153,10 +153,9 @@ TEST_F(OwnMaterial, HoldsItsTextWhereThatIsAskedFor) {
 }
 
 TEST_F(OwnMaterial, IsRefusedBeforeTheSearch) {
-  EXPECT_THAT(run("fit s.csv --shader glow.glsl --embed").err,
-              HasSubstr("--embed: goes with --shader FILE and -o"));
+  EXPECT_THAT(run("fit s.csv --shader glow.glsl --embed").err, HasSubstr("--embed: goes with -o"));
   EXPECT_THAT(run("fit s.csv --form lambert --embed -o m.json").err,
-              HasSubstr("--embed: goes with --shader FILE and -o"));
+              HasSubstr("--embed: has no effect without --shader"));
   write("latin.glsl", std::string(kGlow) + "// gr\xfcn\n");
   EXPECT_THAT(run("fit s.csv --shader latin.glsl --embed -o m.json").err, HasSubstr("is no UTF-8"));
   const Outcome own = run("fit s.csv --shader glow.glsl -o glow.glsl");

@@ -92,7 +92,7 @@ TEST_F(QuantityCli, ThatContradictsTheFileIsRefusedWithBoth) {
 
 TEST_F(QuantityCli, HasNoEffectWhereNoSamplesAreRead) {
   EXPECT_THAT(run("validate --form ward --quantity BRF").err,
-              HasSubstr("--quantity, --mirror-side: go with tables of samples"));
+              HasSubstr("--quantity: has no effect on what is judged here"));
   EXPECT_THAT(run("export --form ward --to glsl --quantity BRF").err, HasSubstr("go with --measured"));
 }
 

@@ -162,8 +162,13 @@ TEST_F(RenderCli, TheOldSpellingsOfLobesAndMapsSayTheNewOnes) {
   EXPECT_EQ(now.err, "");
   EXPECT_EQ(file_text(folder_.path() / "old.png"), file_text(folder_.path() / "now.png"));
   EXPECT_EQ(run("render --maps tiles --size 8 -o tiles").exit_code, 0);
-  expect_refused("render m.json --lobes --tone-map reinhard -o x.png", 2, "--tone-map");
-  expect_refused("render m.json --lobes --maps tiles -o x.png", 2, "--lobes");
+  for (const auto& [command, option] :
+       {std::pair{"render m.json --lobes --tone-map reinhard -o x.png", "--tone-map"},
+        std::pair{"render m.json --lobes --maps tiles -o x.png", "--lobes"}}) {
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(std::string(option) + " is no option of brdf"));
+  }
 }
 
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
@@ -337,8 +342,9 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
         rows += std::to_string(theta_i) + ",180," + std::to_string(theta_o) + "," + std::to_string(phi) +
                 ",0.2,0.1,0.1\n";
   write("s.csv", rows);
-  const auto picture = [&](const std::string& arguments, const std::string& name) {
-    const Outcome outcome = run("lobes " + arguments + " -o " + name);
+  const auto picture = [&](const std::string& arguments, const std::string& name,
+                           const std::string& verb = "lobes") {
+    const Outcome outcome = run(verb + " " + arguments + " -o " + name);
     EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
     return file_text(folder_.path() / name);
   };
@@ -360,8 +366,9 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
   EXPECT_THAT(alone.err, HasSubstr("ambient light is left out"));
   EXPECT_THAT(run("render m.json --measured s.csv --width 64 --height 64 -o both.png").out,
               HasSubstr("% of the surface"));
-  EXPECT_NE(picture("m.json --measured s.csv --split --width 64 --height 64", "split.png"),
-            picture("m.json --measured s.csv --split --split-at 0.6 --width 64 --height 64", "split_at.png"));
+  EXPECT_NE(picture("m.json --measured s.csv --split --width 64 --height 64", "split.png", "render"),
+            picture("m.json --measured s.csv --split --split-at 0.6 --width 64 --height 64", "split_at.png",
+                    "render"));
 }
 
 }  // namespace

@@ -73,6 +73,8 @@ with tempfile.TemporaryDirectory() as folder:
     for picture in pictures:
         if picture:
             check("render", picture)
+    if rows := said("parity", "--form", "lambert", "--json"):
+        check("parity", rows)
     scene = json.loads((source / "data/scenes/recommend_close_up.json").read_text())
     scene["camera"] |= {"width": 32, "height": 32}
     (pathlib.Path(folder) / "scene.json").write_text(json.dumps(scene))

@@ -68,10 +68,10 @@ TEST_F(Cli, RefusesWrongUsage) {
 // A check that was asked for and did not run must not look as if it had passed.
 TEST_F(Cli, RefusesOptionsWithoutEffect) {
   expect_refused("validate --numerics --form lambert --require energy",
-                 "--require: has no effect beside --numerics");
-  expect_refused("validate --form lambert --gpu --max-theta 60", "--max-theta: has no effect beside --gpu");
-  expect_refused("validate --integrators --form lambert", "--form: has no effect beside --integrators");
-  expect_refused("validate --numerics --shader a.glsl", "--shader: has no effect beside --numerics");
+                 "--require: has no effect on --numerics");
+  expect_refused("validate --form lambert --gpu --max-theta 60", "--max-theta: has no effect on --gpu");
+  expect_refused("validate --integrators --form lambert", "--form: has no effect on --integrators");
+  expect_refused("validate --numerics --shader a.glsl", "--shader: has no effect on --numerics");
   expect_refused("trade --compare a.json b.json --quick", "--quick excludes --compare");
   expect_refused("export --form ward --to gltf --kernels builtin", "--kernels: is for shaders");
   expect_refused("export --form ward --to merl --include -o m.binary", "--include: is for shaders");

@@ -92,6 +92,7 @@ CASES = [
     Case("validate a material", ["validate", "material.json", "--picture", "texture.png", "-o", "report.html"],
          ["report.html"], ["material.json", "texture.png"]),
     Case("validate to Markdown", ["validate", "samples.csv", "-o", "report.md"], ["report.md"], ["samples.csv"]),
+    Case("parity", ["parity", "--form", "lambert", "--json"], draws=True),
     Case("validate --gpu", ["validate", "--gpu", "--form", "lambert", "--json"], draws=True, same=False),
     Case("render to PNG", ["render", "--scene", "scene.json", "-o", "picture.png"], ["picture.png"],
          ["scene.json", "model.obj", "material.json", "texture.png"], draws=True, same=False),

@@ -190,7 +190,8 @@ class Same(unittest.TestCase):
         for name, file in (("a material", DATA / "materials/rolled_brass.json"),
                            ("a table", sorted((DATA / "synthetic").glob("*.csv"))[0])):
             with self.case(f"validate {name}"):
-                printed = json.loads(run("validate", file, "--json", "--seed", 3, code=(0, 1)))
+                seeded = ("--seed", 3) if name == "a material" else ()  # nothing is random in tables
+                printed = json.loads(run("validate", file, "--json", *seeded, code=(0, 1)))
                 self.assertEqual(bare(brdf.validate(file, seed=3).to_dict()), bare(printed))
 
     def test_export_and_convert(self):

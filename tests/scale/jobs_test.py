@@ -107,7 +107,7 @@ with tempfile.TemporaryDirectory() as name:
     assert len(table) == 8 and sum(",error," in row for row in table) == 1, table
     refused("plan study measurements/paint_0000.csv --form ward -o one", "one table is no work to divide")
     refused("plan fit measurements/paint_0000.csv --form auto -o one", "--form auto: chooses by fits one after another")
-    refused("plan study measurements --form ward --bootstrap 9 -o one", "--bootstrap is for fit")
+    refused("plan study measurements --form ward --bootstrap 9 -o one", "--bootstrap: has no effect on study")
     refused("plan fit stack --form ward --bootstrap 9 -o one", "--bootstrap: not for stacks")
     refused("plan fit measurements --form warp -o one", "warp")
     refused("plan fit measurements --form ward --normals fit -o one", "--normals is for a stack")

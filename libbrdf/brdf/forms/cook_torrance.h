@@ -108,10 +108,14 @@ S fresnel_of(const Metal<S>& shape, const Geometry<G>& g) {
 }
 
 // As cook_torrance, with the exact Fresnel reflectance of a conductor of index n + i k in place of Schlick's.
-// A metal's colour is that of n and k, each a shape of its channel's own (fit: --per-channel --tie alpha;
-// --start n=TABLE k=TABLE). Domain: alpha 1e-4..1, n .02..20, k .1..20: without extinction and with n below 1
-// the reflectance has an edge at the angle of total reflection, where no rounding of a direction is small.
-// Symmetry: anisotropic, reciprocal. Known violations: none for kd + ks <= 1.
+// A metal's colour
+// is that of n and k, each a shape of its channel's own (fit: --per-channel --tie alpha; --start n=TABLE
+// k=TABLE).
+// Domain: alpha 1e-4..1, n .02..20, k .1..20: without extinction and with n below 1 the reflectance has an
+// edge at the angle of
+// total reflection, where no rounding of a direction is small.
+// Symmetry: anisotropic, reciprocal.
+// Known violations: none for kd + ks <= 1.
 struct cook_torrance_conductor : Takes<LobeWeights, RoughMetal> {
   static constexpr std::string_view name = "cook_torrance_conductor";
   static constexpr std::string_view family = "cook_torrance";

@@ -196,11 +196,14 @@ struct StudentSlopes {
 };
 
 // Cook and Torrance 1982 with Student's t distribution of slopes (Ribardiere, Bringier, Meneveaux and Simonot
-// 2017), its height-correlated Smith masking and Schlick's Fresnel: f = kd/pi + ks D G F/(4 cos_i cos_o), D =
-// (1 + tan^2/(gamma - 1))^-gamma/(pi alpha_x alpha_y cos_h^4), tan^2 = ((h_x/alpha_x)^2 +
-// (h_y/alpha_y)^2)/h_z^2. Domain: alpha 1e-4..1, gamma 1.6..10 (below 1.5 the facets have no mean slope, and
-// all is masked), f0 0..1. Symmetry: anisotropic, reciprocal. gamma 2 is cook_torrance, without bound it
-// tends to cook_torrance_beckmann. Known violations: none for kd + ks <= 1.
+// 2017),
+// its height-correlated Smith masking and Schlick's Fresnel: f = kd/pi + ks D G F/(4 cos_i cos_o),
+// D = (1 + tan^2/(gamma - 1))^-gamma/(pi alpha_x alpha_y cos_h^4), tan^2 = ((h_x/alpha_x)^2 +
+// (h_y/alpha_y)^2)/h_z^2.
+// Domain: alpha 1e-4..1, gamma 1.6..10 (below 1.5 the facets have no mean slope, and all is masked), f0 0..1.
+// Symmetry: anisotropic, reciprocal. gamma 2 is cook_torrance, without bound it tends to
+// cook_torrance_beckmann.
+// Known violations: none for kd + ks <= 1.
 struct cook_torrance_student : Takes<SchlickWeights, StudentRoughness> {
   static constexpr std::string_view name = "cook_torrance_student";
   static constexpr std::string_view family = "cook_torrance";

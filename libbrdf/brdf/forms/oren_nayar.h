@@ -142,7 +142,7 @@ struct UnitRoughness {
 // Fujii's form with the energy-preserving term: Portsmouth, Kutz and Hill 2024 (EON), r = roughness,
 //   f = rho/pi A (1 + r s/t) + rho_ms/pi (1 - E_i)(1 - E_o)/(1 - E_avg),  A = 1/(1 + c1 r),
 //   c1 = 1/2 - 2/(3 pi), c2 = 2/3 - 28/(15 pi), E_avg = A (1 + c2 r), rho_ms = rho^2 E_avg/(1 - rho (1 -
-//       E_avg)),
+//   E_avg)),
 // s = wi.wo - cos_i cos_o, t = max(cos_i, cos_o) where s > 0, else 1; E the exact albedo of the first term.
 // 1 - E = A r (c1 - G/pi) and 1 + s are formed without cancellation: nothing is 0/0.
 // Domain: roughness 0..1, rho 0..1.

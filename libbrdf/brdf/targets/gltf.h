@@ -48,17 +48,25 @@ Fraction<S> v_held_at_one(const Roughness<S>& a, const Geometry<G>& g) {
 }
 
 // glTF 2.0, metallic-roughness with KHR_materials_ior, _specular and _anisotropy, per channel: GGX with
-// correlated masking; a metal is base + (1 - base)(1 - cos_d)^5 times that, a dielectric base/pi (1 - F) + F
-// times that, F = specular (f0 + (1 - f0)(1 - cos_d)^5), f0 = min(((eta - 1)/(eta + 1))^2 specular_color, 1).
+// correlated
+// masking; a metal is base + (1 - base)(1 - cos_d)^5 times that, a dielectric base/pi (1 - F) + F times that,
+// F = specular (f0 + (1 - f0)(1 - cos_d)^5), f0 = min(((eta - 1)/(eta + 1))^2 specular_color, 1).
 // Sources, text: KhronosGroup/glTF@0554a7f3, specification/2.0/Specification.adoc, appendix B (D, V, F, the
-// two mixes); extensions KHR_materials_ior and _specular (f0, f90; README.md, implementation);
-// KHR_materials_anisotropy (alpha_x from the strength; V = clamp(V, 0, 1)). Program: Khronos's gltf-viewer
-// 1.1.0 (npm), the same with two exceptions named below. Where they differ: of a coloured lobe the later text
-// of KHR_materials_specular takes 1 - specular max(F_r, F_g, F_b) off the diffuse part, its first draft
-// (05e0f7bb) mixes by colour, and the viewer takes 1 - specular F of each channel, as here: by the text a
-// channel's diffuse part is darker by specular (max F - F) base/pi. Known: at grazing angles f jumps where
-// the widths become equal: then KHR_materials_anisotropy is not written, and the isotropic V of appendix B
-// has no limit. three.js holds nothing. Domain: alpha 1e-4..1, eta 1..3. Symmetry: anisotropic, reciprocal.
+// two mixes);
+// extensions KHR_materials_ior and _specular (f0, f90; README.md, implementation); KHR_materials_anisotropy
+// (alpha_x from
+// the strength; V = clamp(V, 0, 1)). Program: Khronos's gltf-viewer 1.1.0 (npm), the same with two exceptions
+// named below.
+// Where they differ: of a coloured lobe the later text of KHR_materials_specular takes 1 - specular max(F_r,
+// F_g, F_b) off
+// the diffuse part, its first draft (05e0f7bb) mixes by colour, and the viewer takes 1 - specular F of each
+// channel, as here:
+// by the text a channel's diffuse part is darker by specular (max F - F) base/pi.
+// Known: at grazing angles f jumps where the widths become equal: then KHR_materials_anisotropy is not
+// written, and the
+// isotropic V of appendix B has no limit. three.js holds nothing.
+// Domain: alpha 1e-4..1, eta 1..3.
+// Symmetry: anisotropic, reciprocal.
 struct gltf_metallic_roughness : Takes<BaseColour, MetalOrTintedDielectric> {
   static constexpr std::string_view name = "gltf_metallic_roughness";
   static constexpr std::string_view family = "gltf";

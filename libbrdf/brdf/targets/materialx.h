@@ -47,15 +47,20 @@ struct CompensatedSchlick {
 };
 
 // MaterialX 1.39.6: an oren_nayar_diffuse_bsdf (without energy compensation) and a generalized_schlick_bsdf
-// (color82 and color90 white, exponent 5), put together by `add`: f = kd ON(sigma)/pi + ks D G F comp/(4
-// cos_i cos_o). G is the correlated masking of one alpha, the widths' geometric mean; comp = 1 + Fss (1 -
-// E)/E, Fss = f0 + (1 - f0)/21, E the fitted albedo of a white lobe, of the view's direction. Source:
-// AcademySoftwareFoundation/MaterialX 4177b2cbd (1.39.6),
-// libraries/pbrlib/genglsl/mx_oren_nayar_diffuse_bsdf.glsl, mx_generalized_schlick_bsdf.glsl,
-// mx_add_bsdf.glsl, lib/mx_microfacet_specular.glsl (mx_ggx_smith_G2, mx_ggx_dir_albedo_analytic,
-// mx_ggx_energy_compensation, mx_fresnel_average), lib/mx_microfacet_diffuse.glsl. Earlier snapshots
-// (915650af) had the Fresnel term at wi.h in place of Fss. Domain: alpha 1e-4..1 (the node's `roughness` as
-// it stands), sigma 0..1. Symmetry: anisotropic. Not reciprocal.
+// (color82
+// and color90 white, exponent 5), put together by `add`: f = kd ON(sigma)/pi + ks D G F comp/(4 cos_i cos_o).
+// G is the
+// correlated masking of one alpha, the widths' geometric mean; comp = 1 + Fss (1 - E)/E, Fss = f0 + (1 -
+// f0)/21, E the
+// fitted albedo of a white lobe, of the view's direction.
+// Source: AcademySoftwareFoundation/MaterialX 4177b2cbd (1.39.6),
+// libraries/pbrlib/genglsl/mx_oren_nayar_diffuse_bsdf.glsl,
+// mx_generalized_schlick_bsdf.glsl, mx_add_bsdf.glsl, lib/mx_microfacet_specular.glsl (mx_ggx_smith_G2,
+// mx_ggx_dir_albedo_analytic, mx_ggx_energy_compensation, mx_fresnel_average),
+// lib/mx_microfacet_diffuse.glsl.
+// Earlier snapshots (915650af) had the Fresnel term at wi.h in place of Fss.
+// Domain: alpha 1e-4..1 (the node's `roughness` as it stands), sigma 0..1.
+// Symmetry: anisotropic. Not reciprocal.
 struct materialx_schlick : Takes<LobeWeights, CompensatedSchlick> {
   static constexpr std::string_view name = "materialx_schlick";
   static constexpr std::string_view family = "materialx";

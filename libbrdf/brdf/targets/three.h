@@ -38,13 +38,16 @@ struct ThreePhysical {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// three.js 0.187, MeshPhysicalMaterial under a directional light: glTF's metallic-roughness with F = f0 +
-// (f90 - f0) 2^((-5.55473 c - 6.98316) c), and the lobe times 1 + f0 (1/E - 1), f0 the colour along the
-// normal, E the tabulated albedo of a white lobe at the view's cosine and the roughness (of the narrower
-// axis). Source: three 0.187.0 (npm), src/renderers/shaders/ShaderChunk/lights_physical_pars_fragment.glsl.js
-// (RE_Direct_Physical, BRDF_GGX), lights_physical_fragment.glsl.js, lights_fragment_begin.glsl.js,
-// common.glsl.js (F_Schlick), DFGLUTData.js. Domain: alpha 0.002025..1, eta 1..3. Symmetry: anisotropic. Not
-// reciprocal.
+// three.js 0.187, MeshPhysicalMaterial under a directional light: glTF's metallic-roughness with
+// F = f0 + (f90 - f0) 2^((-5.55473 c - 6.98316) c), and the lobe times 1 + f0 (1/E - 1), f0 the colour along
+// the normal,
+// E the tabulated albedo of a white lobe at the view's cosine and the roughness (of the narrower axis).
+// Source: three 0.187.0 (npm), src/renderers/shaders/ShaderChunk/lights_physical_pars_fragment.glsl.js
+// (RE_Direct_Physical,
+// BRDF_GGX), lights_physical_fragment.glsl.js, lights_fragment_begin.glsl.js, common.glsl.js (F_Schlick),
+// DFGLUTData.js.
+// Domain: alpha 0.002025..1, eta 1..3.
+// Symmetry: anisotropic. Not reciprocal.
 struct three_physical : Takes<WholeWeight, ThreePhysical> {
   static constexpr std::string_view name = "three_physical";
   static constexpr std::string_view family = "three";

@@ -1,7 +1,10 @@
 // What three.js takes for the albedo of a white GGX lobe: its texture of 16 x 16, both columns added, in
-// ten-thousandths. Rows: the view's cosine; columns: roughness; of texel k at (k + 0.5)/16, between them
-// linear. It was sampled there: against the integral it is off by up to 0.015 in the first rows, 0.003 in the
-// others (tests/libbrdf/targets_test.cpp). Source: three 0.187.0 (npm), src/renderers/shaders/DFGLUTData.js.
+// ten-thousandths.
+// Rows: the view's cosine; columns: roughness; of texel k at (k + 0.5)/16, between them linear. It was
+// sampled there:
+// against the integral it is off by up to 0.015 in the first rows, 0.003 in the others
+// (tests/libbrdf/targets_test.cpp).
+// Source: three 0.187.0 (npm), src/renderers/shaders/DFGLUTData.js.
 #pragma once
 
 #include <array>
