@@ -7,7 +7,7 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 
 namespace brdf::work {
 namespace {

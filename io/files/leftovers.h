@@ -1,5 +1,5 @@
 // What temporaries are called, what a signal removes of them, and what the next run sweeps. For
-// io/files/temporary.h and io/files/temporary_folder.h.
+// io/files/temporary.h.
 #pragma once
 
 #include <csignal>

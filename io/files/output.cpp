@@ -110,7 +110,7 @@ void write_file_atomically(const fs::path& path, const std::function<void(std::o
     return write_stream(path, file, write);
   }
   const fs::path target = resolved(path);
-  Temporary temporary(target, old ? &*old : nullptr, path);
+  TemporaryFile temporary(target, old ? &*old : nullptr, path);
   write_stream(path, temporary.descriptor(), write);
   temporary.rename_to(target);
 }

@@ -9,24 +9,47 @@
 #include "io/files/output.h"
 
 namespace brdf::io {
+namespace {
 
 namespace fs = std::filesystem;
 
-Temporary::Temporary(const fs::path& target, const struct stat* replaced, const fs::path& shown)
-    : shown_(shown) {
-  sweep(target);
-  create(target);
-  if (replaced) take_over(*replaced);
+int make_file(const char* path) {
+  return ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
-void Temporary::create(const fs::path& target) {
+// Another process may sweep the folder before it is opened: then its name is as good as taken.
+int make_open_folder(const char* path) {
+  if (::mkdir(path, 0700) != 0) return -1;
+  const int folder = ::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0) return folder;
+  const int error = errno == ENOENT ? EEXIST : errno;
+  ::rmdir(path);
+  errno = error;
+  return -1;
+}
+
+// Who may not give a file away keeps it; permissions come last, because a change of owner takes some of them.
+void take_over(int descriptor, const struct stat& replaced) {
+  if (::fchown(descriptor, replaced.st_uid, replaced.st_gid) != 0) (void)0;
+  ::fchmod(descriptor, replaced.st_mode & 0777);
+}
+
+fs::path made(const fs::path& above) {
+  make_folder(above);
+  return above / "brdf";
+}
+
+}  // namespace
+
+Temporary::Temporary(const fs::path& target, const fs::path& shown, Make make) : shown_(shown) {
+  sweep(target);
   while (descriptor_ < 0) {
-    path_ = temporary_name(target).string();
+    path_ = temporary_name(target);
     int error = 0;
     {
       const Undisturbed undisturbed;
-      if (!listed_.set(path_)) cannot_write(shown_, ENAMETOOLONG);
-      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (!listed_.set(path_.string())) cannot_write(shown_, ENAMETOOLONG);
+      descriptor_ = make(path_.c_str());
       error = errno;
       if (descriptor_ < 0) listed_.clear();
     }
@@ -38,21 +61,20 @@ void Temporary::create(const fs::path& target) {
   }
 }
 
-// Who may not give a file away keeps it; permissions come last, because a change of owner takes some of them.
-void Temporary::take_over(const struct stat& replaced) {
-  if (::fchown(descriptor_, replaced.st_uid, replaced.st_gid) != 0) (void)0;
-  ::fchmod(descriptor_, replaced.st_mode & 0777);
-}
-
+// Closed last: the lock tells others that the entry is not to be swept.
 Temporary::~Temporary() {
-  if (descriptor_ >= 0) ::close(descriptor_);
   listed_.remove();
+  ::close(descriptor_);
 }
 
-void Temporary::rename_to(const fs::path& target) {
+TemporaryFile::TemporaryFile(const fs::path& target, const struct stat* replaced, const fs::path& shown)
+    : Temporary(target, shown, make_file) {
+  if (replaced) take_over(descriptor_, *replaced);
+}
+
+void TemporaryFile::rename_to(const fs::path& target) {
   // A file system without a disk has nothing to wait for.
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) broke_off(shown_, errno);
-  // Not closed before: the lock tells others that the file is not to be swept.
   int error = 0;
   {
     const Undisturbed undisturbed;
@@ -63,5 +85,7 @@ void Temporary::rename_to(const fs::path& target) {
   }
   if (error != 0) cannot_write(shown_, error);
 }
+
+TemporaryFolder::TemporaryFolder(const fs::path& above) : Temporary(made(above), above, make_open_folder) {}
 
 }  // namespace brdf::io

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 
 namespace brdf {
 

@@ -13,7 +13,7 @@
 #include "interop/read_back.h"
 #include "interop/rgl.h"
 #include "io/files/content.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/merl.h"
 #include "io/material/material_json.h"
 #include "io/material/settings.h"

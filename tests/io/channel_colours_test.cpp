@@ -5,7 +5,7 @@
 
 #include "brdf/forms.h"
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/merl.h"
 #include "io/formats/read.h"
 #include "io/page/html_report.h"

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/read.h"
 #include "io/formats/rgl.h"
 #include "io/samples/samples.h"

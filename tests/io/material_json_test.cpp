@@ -9,7 +9,7 @@
 #include <random>
 
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 
 namespace brdf::io {
 namespace {

@@ -8,7 +8,7 @@
 #include "io/csv/dialect.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/files/text.h"
 #include "io/formats/optical_constants.h"
 #include "tests/io/data_folder.h"

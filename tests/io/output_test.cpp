@@ -19,7 +19,7 @@
 #include "io/files/leftovers.h"
 #include "io/files/provenance.h"
 #include "io/files/shell.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "tests/io/reading.h"
 
 namespace brdf::io {

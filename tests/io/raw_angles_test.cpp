@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/exr_table.h"
 #include "io/formats/read.h"
 #include "tests/io/reading.h"

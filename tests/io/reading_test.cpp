@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "io/files/content.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
 #include "io/material/material_file.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "io/files/content.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/any_table.h"
 #include "io/formats/read.h"
 #include "tests/io/data_folder.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/exr_table.h"
 #include "io/formats/merl.h"
 #include "io/material/material_file.h"

@@ -9,7 +9,7 @@
 
 #include "brdf/frame.h"
 #include "brdf/material.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/material/settings.h"
 #include "maps/stack_fit.h"
 #include "synth/texels.h"

@@ -6,7 +6,7 @@
 
 #include "brdf/random.h"
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "render/light/points.h"
 #include "render/picture/picture.h"
 #include "tests/render/furnace.h"

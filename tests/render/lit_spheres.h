@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "render/gpu/renderer.h"
 #include "tests/libbrdf/widths.h"
 #include "tests/render/furnace.h"

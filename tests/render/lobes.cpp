@@ -3,7 +3,7 @@
 
 #include "io/csv/csv.h"
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/samples/degrees.h"
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_plot.h"

@@ -10,7 +10,7 @@
 
 #include "brdf/scalar.h"
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "render/mesh/lathe.h"
 #include "render/mesh/spline.h"
 

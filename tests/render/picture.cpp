@@ -9,7 +9,7 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/parallel.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/samples/degrees.h"
 #include "render/compare/arrange.h"
 #include "render/compare/measured.h"

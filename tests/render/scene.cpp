@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "render/compare/state.h"
 #include "render/scene/prepared.h"
 #include "render/scene/scene_json.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "io/columns/supplied.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "shader/spirv/module.h"
 #include "tests/shader/texts.h"
 

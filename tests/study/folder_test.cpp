@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "io/files/content.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 
 namespace brdf::study {
 namespace {

@@ -9,7 +9,7 @@
 #include "io/csv/csv.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "io/formats/read.h"
 #include "io/material/material_file.h"
 #include "study/spheres.h"

@@ -12,7 +12,7 @@
 #include "brdf/forms.h"
 #include "io/csv/csv.h"
 #include "io/files/numbers.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "synth/instrument.h"
 
 namespace brdf::synth {

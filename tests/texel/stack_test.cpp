@@ -7,7 +7,7 @@
 
 #include "io/files/error.h"
 #include "io/files/png.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "texel/stack.h"
 
 namespace brdf::texel {

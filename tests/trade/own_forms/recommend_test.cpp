@@ -8,7 +8,7 @@
 #include "brdf/reflectance_of.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
-#include "io/files/temporary_folder.h"
+#include "io/files/temporary.h"
 #include "trade/recommend/costs.h"
 
 namespace brdf::trade {
