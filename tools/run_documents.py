@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tutorials.md --quick
-# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tutorials.md
+# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md --quick
+# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md
 """Runs the commands of documents and compares what they print with what the document shows.
 
-    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tutorials.md
+    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/tutorials.md
 
 A command is an indented line that starts with `$ brdf`; `\\` continues it. The indented lines after it are its
 output, to the next command or the end of the block; a line `...` stands for any number of lines. Words must be equal,
@@ -11,7 +11,8 @@ numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A 
 run, but what it prints is not compared; one that says it takes `half a minute` or `some seconds` is left out by --quick. A command that exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch
 folder, in order, so that one may read what another wrote; `data` there is the repository's. A command that names
 $BRDF_DATA_DIR is left out, and said so, where the variable is unset. What names a form that docs/models.md does not have yet
-is listed, not compared: the documents are older than that form. --update writes the real output into the document.
+is listed, not compared: the documents are older than that form. A table headed `| verb | purpose |` lists the verbs of `brdf --help`, in its order and words. --update
+writes the real output, and that table, into the document.
 """
 import argparse
 import json
@@ -23,6 +24,7 @@ import sys
 import tempfile
 
 INDENT = "    "
+VERBS = "| verb | purpose |"
 
 
 def blocks(lines):
@@ -89,10 +91,38 @@ def forms_without_a_page(brdf):
     return [form["form"] for form in listed["forms"] if f"`{form['form']}`" not in page]
 
 
+def verbs_of_help(brdf):
+    """Rows of the table of verbs: name and description, in the order of `brdf --help`."""
+    rows = []
+    for line in subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout.split("\n"):
+        if found := re.match(r"  (\w+) +(\S.*)", line):
+            rows.append([found[1], found[2]])
+        elif rows and line.startswith(" " * 30) and line.strip():
+            rows[-1][1] += " " + line.strip()
+    return [f"| `{verb}` | {text} |" for verb, text in rows]
+
+
+def check_verbs(document, brdf, lines, update):
+    """Whether the document's table of verbs, if it has one, is that of the help; replaced by it in `lines` for an update."""
+    if VERBS not in lines:
+        return True
+    begin = end = lines.index(VERBS) + 2
+    while end < len(lines) and lines[end].startswith("|"):
+        end += 1
+    rows = verbs_of_help(brdf)
+    if update:
+        lines[begin:end] = rows
+    elif lines[begin:end] != rows:
+        print(f"{document}:{begin}: the table of verbs is not that of brdf --help: give --update")
+        return False
+    return True
+
+
 def check(document, brdf, update, quick):
     young = forms_without_a_page(brdf)
     lines = document.read_text().split("\n")
-    failed = ran = 0
+    failed = 0 if check_verbs(document, brdf, lines, update) else 1
+    ran = int(VERBS in lines)
     replacements = []
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(pathlib.Path(__file__).resolve().parent.parent / "data", f"{folder}/data")
@@ -129,7 +159,7 @@ def check(document, brdf, update, quick):
         lines[begin:end] = output
     if update:
         document.write_text("\n".join(lines))
-    print(f"{document}: {ran} commands, {failed} differ from what is shown")
+    print(f"{document}: {ran} commands and tables, {failed} differ from what is shown")
     return ran > 0 and failed == 0
 
 
