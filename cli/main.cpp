@@ -92,14 +92,15 @@ int run(int argc, char** argv) try {
     std::cout << app.help();
     return static_cast<int>(Exit::good);
   }
+  std::vector<std::string> words = in_new_spelling({argv + 1, argv + argc});
+  const std::string first = words.front();
   try {
-    std::vector<std::string> words = in_new_spelling({argv + 1, argv + argc});
     std::ranges::reverse(words);  // as CLI11 takes them
     app.parse(std::move(words));
     return static_cast<int>(exit_code);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    return report(usage_fault(app, error.what(), argv[1]), Exit::bad_input);
+    return report(usage_fault(app, error.what(), first), Exit::bad_input);
   }
 } catch (const InputError& error) {
   return report(error.what(), Exit::bad_input);
@@ -121,7 +122,7 @@ void on_run(CLI::App& verb, std::function<Exit()> run) {
 }
 
 CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char* description) {
-  constexpr std::array kHeadings{"Look", "Measure", "Judge", "Ship"};
+  constexpr std::array kHeadings{"Begin here", "Look", "Measure", "Judge", "Ship"};
   return app.add_subcommand(name, description)->group(kHeadings[static_cast<std::size_t>(purpose)]);
 }
 

@@ -14,14 +14,17 @@ namespace brdf::cli {
 enum class Exit { good = 0, failed = 1, bad_input = 2, environment = 3 };
 
 // What a verb is for: `brdf --help` lists them by it.
-enum class Purpose { look, measure, judge, ship };
+enum class Purpose { begin, look, measure, judge, ship };
 CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char* description);
 
 // `run` is called after the command line has been parsed; what it returns is the program's exit code.
 void on_run(CLI::App& verb, std::function<Exit()> run);
 
-// In the order of the help: to look, to measure, to judge, to ship. CMake reads them here. `describe` is
-// hidden: man pages and completions are made by it.
+// In the order of the help: the verbs to begin with, then those of the other purposes. CMake reads the order
+// here. `describe` is hidden: it writes the man pages and the completions.
+void add_study(CLI::App& app);
+void add_fit(CLI::App& app);
+void add_validate(CLI::App& app);
 void add_models(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_render(CLI::App& app);
@@ -30,14 +33,11 @@ void add_view(CLI::App& app);
 void add_maps(CLI::App& app);
 void add_synth(CLI::App& app);
 void add_convert(CLI::App& app);
-void add_fit(CLI::App& app);
 void add_plan(CLI::App& app);
 void add_work(CLI::App& app);
 void add_collect(CLI::App& app);
-void add_validate(CLI::App& app);
 void add_prove(CLI::App& app);
 void add_albedo(CLI::App& app);
-void add_study(CLI::App& app);
 void add_recommend(CLI::App& app);
 void add_parity(CLI::App& app);
 void add_trade(CLI::App& app);

@@ -235,7 +235,7 @@ bool usable(const BatchRow& row) {
 void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   std::string csv =
       "file,form,verdict,left_out,median_relative_error,cross_validated_error,bic,recommended,finding\n";
-  io::HtmlReport html("Fits of " + std::to_string(rows.size()) + " files");
+  io::HtmlReport html("Fits of " + io::plural(rows.size(), "file"));
   std::vector<std::vector<io::Cell>> cells;
   io::Series in_sample{"median error (fitted)", {}, {}, io::Series::Style::points};
   io::Series left_out{"median error (held out)", {}, {}, io::Series::Style::points};

@@ -222,9 +222,9 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
 void print(std::ostream& out, const texel::Stack& stack, const Making& making, const Summary& summary,
            const std::filesystem::path& folder, std::optional<double> seconds) {
   const Settings& settings = making.settings;
-  out << stack.width << " x " << stack.height << " texels, " << stack.images.size() << " images, "
-      << stack.channels.size() << " channels; " << fit::name_of_sum(settings.forms) << ", metric "
-      << name_of(settings.options.metric) << '\n';
+  out << stack.width << " x " << stack.height << " texels, " << io::plural(stack.images.size(), "image")
+      << ", " << io::plural(stack.channels.size(), "channel") << "; " << fit::name_of_sum(settings.forms)
+      << ", metric " << name_of(settings.options.metric) << '\n';
   if (!making.shared.empty())
     out << "shared: " << io::joined(making.shared, ", ") << in_words_of_regions(making) << '\n';
   out << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid

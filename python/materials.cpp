@@ -3,6 +3,7 @@
 #include "fit/assess/albedo.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/material/glsl.h"
 #include "io/material/info_json.h"
@@ -43,7 +44,7 @@ Optics with_channels(Optics optics, const std::vector<std::string>& channels) {
   Material& material = optics.file.material;
   if (channels.size() != material.channels.size())
     throw InputError("channels: " + std::to_string(channels.size()) + " names for " +
-                     std::to_string(material.channels.size()) + " channels");
+                     io::plural(material.channels.size(), "channel"));
   material.channels = channels;
   io::check_material(material, "channels");
   return optics;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/files/numbers.h"
 #include "io/page/html_report.h"
 #include "sheet/causes.h"
 #include "sheet/data_sheet.h"
@@ -108,7 +109,7 @@ Finding energy_of(const io::SampleTable& table, const std::vector<MeasuredAlbedo
 
 // --- Tools -----------------------------------------------------------------------------------------------
 
-std::string plural(std::size_t n, const std::string& word);
+using io::plural;
 // The first places of a list, for people, each line once.
 std::string places(const View& view, std::span<const Row> rows);
 NamedRow named_row(const View& view, Row row);

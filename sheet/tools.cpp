@@ -6,11 +6,6 @@
 
 namespace brdf::sheet {
 
-std::string plural(std::size_t n, const std::string& word) {
-  const std::string many = word.ends_with('y') ? word.substr(0, word.size() - 1) + "ies" : word + "s";
-  return std::to_string(n) + " " + (n == 1 ? word : many);
-}
-
 std::string places(const View& view, std::span<const Row> rows) {
   constexpr std::size_t kMost = 5;
   std::vector<std::string> named;

@@ -149,7 +149,7 @@ void add_table(io::HtmlReport& report, const std::vector<Row>& rows) {
 }
 
 std::string page_of(const std::vector<Row>& rows) {
-  io::HtmlReport report("Study of " + std::to_string(rows.size()) + " samples");
+  io::HtmlReport report("Study of " + io::plural(rows.size(), "sample"));
   const std::size_t usable = count(rows, [](const Row& row) { return row.usable(); });
   const std::size_t warned =
       count(rows, [](const Row& row) { return row.usable() && row.json.at("mark") != "good"; });

@@ -104,8 +104,8 @@ Stack open_stack(const fs::path& folder) {
   stack.images = images_in(folder);
   const std::size_t rows = stack.lights.rows();
   if (stack.images.size() != rows)
-    throw InputError(stack.lights.name() + ": " + std::to_string(rows) + " rows for " +
-                     std::to_string(stack.images.size()) + " images in " + folder.string());
+    throw InputError(stack.lights.name() + ": " + io::plural(rows, "row") + " for " +
+                     io::plural(stack.images.size(), "image") + " in " + folder.string());
   for (std::size_t k = 0; k < rows; ++k)
     if (stack.lights.theta_i[k] >= 90 || stack.lights.theta_o[k] >= 90)
       throw InputError(stack.lights.where(k) +

@@ -21,7 +21,11 @@ std::vector<std::string> in_new_spelling(std::vector<std::string> words) {
                                    {"--maps", "maps", {}},
                                    {"--lobe3d", "lobes", {"--body"}},
                                    {"--lobes", "lobes", {}}};
-  if (words.empty() || words.front() != "render") return words;
+  if (words.empty()) return words;
+  if (words == std::vector<std::string>{"version"}) return {"--version"};
+  if (words.front() == "help" && words.size() == 2) return {words[1], "--help"};
+  if (words == std::vector<std::string>{"help"}) return {"--help"};
+  if (words.front() != "render") return words;
   for (const OldMode& mode : kModes) {
     const auto at = std::ranges::find(words, mode.option);
     if (at == words.end()) continue;

@@ -53,8 +53,8 @@ Exit run_albedo(const AlbedoCall& o) {
 
 void add_albedo(CLI::App& app) {
   auto options = std::make_shared<AlbedoCall>();
-  CLI::App* verb =
-      add_verb(app, Purpose::judge, "albedo", "Directional albedo of a material, with an error bound");
+  CLI::App* verb = add_verb(app, Purpose::judge, "albedo",
+                            "Compute the directional albedo of a material, with an error bound");
   add_material_options(*verb, options->material);
   verb->add_option("--theta", options->albedo.theta,
                    "Polar angles of the fixed direction, degrees, separated by commas")

@@ -55,7 +55,7 @@ void add_collect(CLI::App& app) {
   auto options = std::make_shared<CollectCall>();
   CollectCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::measure, "collect",
-                            "Put the units of planned work together, or name those that lack");
+                            "Combine the results of planned work, or list the missing units");
   verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
   verb->add_option("-o,--output", o.output,
                    "Folder of the results, those of the verb at once; of one table its material file");

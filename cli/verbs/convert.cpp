@@ -9,6 +9,7 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/formats/any_table.h"
 #include "io/formats/read.h"
@@ -65,7 +66,7 @@ Exit run_convert(const ConvertCall& o) {
   arrange(o, table);
   for (const std::string& warning : table.warnings) Note() << "brdf convert: " << in << ": " << warning;
   const std::vector<std::string> lost = io::write_table(out, table);
-  Note() << "brdf convert: " << table.rows() << " rows of " << table.format << " to " << out;
+  Note() << "brdf convert: " << io::plural(table.rows(), "row") << " of " << table.format << " to " << out;
   for (const std::string& what : lost) Note() << "brdf convert: lost: " << what;
   return Exit::good;
 }
@@ -75,7 +76,7 @@ Exit run_convert(const ConvertCall& o) {
 void add_convert(CLI::App& app) {
   auto options = std::make_shared<ConvertCall>();
   CLI::App* verb =
-      add_verb(app, Purpose::measure, "convert", "Convert samples between formats; says what is lost");
+      add_verb(app, Purpose::measure, "convert", "Convert samples between formats and report the losses");
   verb->add_option("IN", options->in,
                    "CSV, MERL .binary, RGL or lens-design .bsdf, ASTM E1392 text; or a material's JSON, "
                    "evaluated at the "

@@ -109,7 +109,7 @@ Exit run_fit(const CLI::App& verb, FitCall& o) {
 void add_fit(CLI::App& app) {
   auto options = std::make_shared<FitCall>();
   FitCall& o = *options;
-  CLI::App* verb = add_verb(app, Purpose::measure, "fit", "Fit forms to samples");
+  CLI::App* verb = add_verb(app, Purpose::begin, "fit", "Fit forms to samples");
   verb->add_option("SAMPLES", o.samples,
                    "Sample tables (CSV, MERL, ...), folders of them, or one stack of photographs")
       ->required();

@@ -6,6 +6,7 @@
 #include "cli/options/options.h"
 #include "cli/options/products.h"
 #include "cli/verb.h"
+#include "io/files/numbers.h"
 #include "work/task.h"
 
 namespace brdf::cli {
@@ -32,7 +33,7 @@ Exit run_plan(const CLI::App& verb, const PlanCall& o) {
   const work::Plan plan = work::plan_of(o.verb, o.inputs, o.unit_size, o.task);
   work::write_plan(o.output, plan);
   const std::size_t last = plan.units().size() - 1;
-  std::cout << last + 1 << " units: 0" << (last > 0 ? "-" + std::to_string(last) : "") << '\n';
+  std::cout << io::plural(last + 1, "unit") << ": 0" << (last > 0 ? "-" + std::to_string(last) : "") << '\n';
   return Exit::good;
 }
 
@@ -41,8 +42,7 @@ Exit run_plan(const CLI::App& verb, const PlanCall& o) {
 void add_plan(CLI::App& app) {
   auto options = std::make_shared<PlanCall>();
   PlanCall& o = *options;
-  CLI::App* verb =
-      add_verb(app, Purpose::measure, "plan", "Divide long work into units that many processes do");
+  CLI::App* verb = add_verb(app, Purpose::measure, "plan", "Divide long work into units for many processes");
   offer(verb->add_option("VERB", o.verb, "fit or study")->required(), {"fit", "study"})
       ->check(CLI::IsMember({"fit", "study"}));
   verb->add_option("SAMPLES", o.inputs,

@@ -41,8 +41,8 @@ Exit run_study(const CLI::App& verb, const StudyCall& o) {
 void add_study(CLI::App& app) {
   auto options = std::make_shared<StudyCall>();
   StudyCall& o = *options;
-  CLI::App* verb = add_verb(app, Purpose::judge, "study",
-                            "All of one sample's story on one page; of many with an overview");
+  CLI::App* verb = add_verb(app, Purpose::begin, "study",
+                            "Fit and judge samples: a page for each, an overview of several");
   verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or folders of them")->required();
   add_fit_options(*verb, o.choice);
   verb->add_option("-o,--output", o.output,

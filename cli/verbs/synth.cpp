@@ -9,6 +9,7 @@
 #include "cli/steps/microsurface.h"
 #include "cli/verb.h"
 #include "io/csv/csv.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "synth/instrument.h"
 #include "synth/texels.h"
@@ -120,8 +121,8 @@ void add_options(CLI::App& verb, SynthCall& o) {
 
 Exit write(const io::SampleTable& table, const std::string& path) {
   io::write_samples(path, table);
-  Note() << "brdf synth: " << table.rows() << " directions, " << table.channels.size() << " channels to "
-         << path;
+  Note() << "brdf synth: " << io::plural(table.rows(), "direction") << ", "
+         << io::plural(table.channels.size(), "channel") << " to " << path;
   for (const std::string& warning : table.warnings) Note() << "brdf synth: warning: " << warning;
   return Exit::good;
 }

@@ -59,8 +59,8 @@ Exit run_comparison(const TradeArguments& a) {
 
 void add_trade(CLI::App& app) {
   auto arguments = std::make_shared<TradeArguments>();
-  CLI::App* verb = add_verb(app, Purpose::judge, "trade",
-                            "Measure speed against accuracy: the ledger of every approximation");
+  CLI::App* verb =
+      add_verb(app, Purpose::judge, "trade", "Measure the speed and the error of every approximation");
   verb->add_flag("--quick", arguments->options.quick, "fewer points and rounds: about a minute");
   verb->add_option(
       "--only", arguments->options.only,

@@ -283,7 +283,7 @@ Exit run_validate(const CLI::App& verb, const ValidateCall& o) {
 
 void add_validate(CLI::App& app) {
   auto o = std::make_shared<ValidateCall>();
-  CLI::App* verb = add_verb(app, Purpose::judge, "validate", "Judge forms, materials and measured samples");
+  CLI::App* verb = add_verb(app, Purpose::begin, "validate", "Judge forms, materials and measured samples");
   verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
   add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
   verb->add_flag("--all", o->all, "every form");

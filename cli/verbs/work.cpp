@@ -44,7 +44,7 @@ void add_work(CLI::App& app) {
   auto options = std::make_shared<WorkCall>();
   WorkCall& o = *options;
   CLI::App* verb =
-      add_verb(app, Purpose::measure, "work", "Do a unit of planned work; nothing where it is done");
+      add_verb(app, Purpose::measure, "work", "Do one unit of planned work, unless it is done already");
   verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
   verb->add_option("--unit", o.unit,
                    "Which one, from 0; all of them, one after another, where none is named");

@@ -111,7 +111,7 @@ std::string finding_of(const FitData& data, const std::vector<Row>& rows, int si
   }
   return std::string(side > 0 ? "a highlight around the mirror direction that this form cannot make"
                               : "this form cannot get dark away from the mirror direction") +
-         ": in " + std::to_string(rows.size()) + " rows (" + to_text(range) +
+         ": in " + io::plural(rows.size(), "row") + " (" + to_text(range) +
          ") the values are in the middle " + io::short_number(std::exp(io::median(std::move(excess))), 2) +
          " times the model's";
 }

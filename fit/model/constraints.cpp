@@ -5,6 +5,7 @@
 #include <set>
 
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::fit {
@@ -171,8 +172,7 @@ class Resolver {
   void set(const Given& given, const Target& target, const NamedValues& said) {
     if (said.constants) return set(given, target, from_constants(given, target, said));
     if (said.values.size() != 1 && said.values.size() != channels_)
-      given.refuse(std::to_string(said.values.size()) + " values for " + std::to_string(channels_) +
-                   " channels");
+      given.refuse(io::plural(said.values.size(), "value") + " for " + io::plural(channels_, "channel"));
     if (said.values.size() > 1 && !target.per_channel)
       given.refuse(target.constraint == &out_.tangent
                        ? "takes one value"

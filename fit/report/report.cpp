@@ -214,9 +214,9 @@ std::string scatter_text(const FitResult& result) {
 
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
            const FitOptions& options, const TextStyle& style) {
-  out << io::printable(table.source) << ": " << result.rows << " rows, " << result.channels.size()
-      << " channel" << (result.channels.size() == 1 ? "" : "s") << ", residual "
-      << name_of(result.metric.metric) << '\n';
+  out << io::printable(table.source) << ": " << io::plural(result.rows, "row") << ", "
+      << io::plural(result.channels.size(), "channel") << ", residual " << name_of(result.metric.metric)
+      << '\n';
   if (!result.metric.asked) out << "  residual chosen (--metric auto): " << result.metric.reason << '\n';
   if (result.beyond_max_theta)
     out << "  " << result.beyond_max_theta << " rows beyond " << options.max_theta

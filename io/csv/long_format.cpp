@@ -7,6 +7,7 @@
 
 #include "io/files/error.h"
 #include "io/files/limits.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -97,7 +98,7 @@ std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vecto
                                ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
                                : count + " bands, " + words_of(first) + " to " + words_of(last);
   std::vector<std::string> warnings = narrow.warnings;
-  warnings.push_back("long format: " + std::to_string(narrow.rows()) + " rows of " + what);
+  warnings.push_back("long format: " + plural(narrow.rows(), "row") + " of " + what);
   return warnings;
 }
 

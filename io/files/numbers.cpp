@@ -22,6 +22,11 @@ std::string percent_to_tenths(double share) {
   return to_text(std::round(1000 * share) / 10) + " %";
 }
 
+std::string plural(std::size_t n, const std::string& word) {
+  const std::string many = word.ends_with('y') ? word.substr(0, word.size() - 1) + "ies" : word + "s";
+  return std::to_string(n) + " " + (n == 1 ? word : many);
+}
+
 std::string joined(const std::vector<std::string>& words, const std::string& separator) {
   std::string text;
   for (const std::string& word : words) (text += text.empty() ? "" : separator) += word;

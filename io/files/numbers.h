@@ -1,6 +1,7 @@
 // Numbers for people, and the usual statistics of a few of them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ std::string short_number(double x, int digits = 4);
 std::string percent(double share, int digits = 3);
 // The same to a tenth of a percent.
 std::string percent_to_tenths(double share);
+
+// "1 row", "2 rows", "0 directions", "2 entries".
+std::string plural(std::size_t n, const std::string& word);
 
 // "a, b, c".
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");

@@ -9,6 +9,7 @@
 #include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/samples/degrees.h"
 #include "io/samples/repetition.h"
@@ -86,8 +87,8 @@ class Reader {
     }
     if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
     if (table_.skipped > 0)
-      table_.warnings.push_back(std::to_string(table_.skipped) +
-                                " rows left out: a direction lies below the horizon");
+      table_.warnings.push_back(plural(table_.skipped, "row") +
+                                " left out: a direction lies below the horizon");
     if (segments_ > 0) table_.warnings.push_back("vertical segments are left out");
     if (divides_) table_.warnings.push_back("the cosine of the outgoing direction is divided out");
     leave_out_repetitions(table_, [&](std::size_t a, std::size_t b) { return places_[a] == places_[b]; });

@@ -60,7 +60,7 @@ Shape shape_of(const Imf::Header& header, std::size_t columns, const Content& co
                      std::to_string(kLargestFile >> 30) + " GiB");
   if (shape.width * shape.height * columns * sizeof(float) > kMostDeflated * content.bytes.size())
     throw InputError(name + ": the file ends too soon for " + std::to_string(shape.width) + " x " +
-                     std::to_string(shape.height) + " pixels of " + std::to_string(columns) + " channels");
+                     std::to_string(shape.height) + " pixels of " + plural(columns, "channel"));
   return shape;
 }
 

@@ -12,6 +12,7 @@
 #include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/files/text.h"
 #include "io/samples/degrees.h"
@@ -148,7 +149,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   const std::optional<ChannelColours> colours = channel_colours(table.channels);
   if (!colours)
     throw InputError(table.name() + ": a MERL file holds red, green and blue, the table has " +
-                     std::to_string(channels) + " channels that say nothing of colour");
+                     plural(channels, "channel") + " that say nothing of colour");
   std::vector<std::uint32_t> count(kCells);
   std::vector<std::vector<double>> sum(channels, std::vector<double>(kCells));
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -183,7 +184,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
       "the absolute azimuth: MERL files are isotropic and reciprocal",
       "directions: each value stands for its cell's centre (1 degree, finer in theta_half)"};
   if (filled < table.rows())
-    lost.push_back(std::to_string(table.rows() - filled) + " rows averaged with others of their cell");
+    lost.push_back(plural(table.rows() - filled, "row") + " averaged with others of their cell");
   lost.push_back(std::to_string(kCells - filled) + " of " + std::to_string(kCells) +
                  " cells stay without value");
   if (negative > 0) lost.push_back(std::to_string(negative) + " negative means set to 0");

@@ -9,6 +9,7 @@
 #include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/formats/rgl_stack.h"
 #include "io/formats/tensor_file.h"
 #include "io/samples/degrees.h"
@@ -187,10 +188,9 @@ SampleTable read(const Content& content, const Supplied& supplied) {
     }
   }
   if (table.rows() == 0) throw InputError(table.source + ": RGL file: holds no finite value");
-  table.warnings.push_back("the tensor was sampled at " + std::to_string(table.rows()) + " directions");
+  table.warnings.push_back("the tensor was sampled at " + plural(table.rows(), "direction"));
   if (table.skipped > 0)
-    table.warnings.push_back(std::to_string(table.skipped) +
-                             " directions left out: their value is undefined");
+    table.warnings.push_back(plural(table.skipped, "direction") + " left out: their value is undefined");
   return table;
 }
 

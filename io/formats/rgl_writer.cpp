@@ -7,6 +7,7 @@
 #include "brdf/scalar.h"
 #include "io/colour/channel_colours.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/formats/tensor_writer.h"
 
 namespace brdf::io::rgl {
@@ -161,7 +162,7 @@ std::vector<double> wavelengths_of(const std::vector<std::string>& channels) {
   }
   if (channels.size() != 1 && channels.size() != 3)
     throw InputError("RGL file: holds one channel, red, green and blue, or wavelengths; not " +
-                     std::to_string(channels.size()) + " channels without");
+                     plural(channels.size(), "channel") + " without");
   return {};
 }
 

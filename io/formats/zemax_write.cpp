@@ -138,8 +138,8 @@ class Grid {
     const double entries = double(angles_[0].size()) * double(angles_[1].size()) * double(angles_[2].size()) *
                            double(angles_[3].size());
     if (entries > double(kMostEmpty * places_.size()) || entries > double(kMostRows))
-      refuse("holds directions on a grid round the mirror direction: the " + std::to_string(places_.size()) +
-             " rows stand at " + std::to_string(angles_[kThetas].size()) + " incidences, " +
+      refuse("holds directions on a grid round the mirror direction: the " + plural(places_.size(), "row") +
+             " stand at " + std::to_string(angles_[kThetas].size()) + " incidences, " +
              std::to_string(angles_[kAzimuths].size()) + " azimuths and " +
              std::to_string(angles_[kRadials].size()) + " radial angles about it, " + short_number(entries) +
              " entries");

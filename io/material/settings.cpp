@@ -6,6 +6,7 @@
 #include "io/files/error.h"
 #include "io/files/limits.h"
 #include "io/files/near_name.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -41,8 +42,7 @@ void check_values(const Setting& setting, const ParameterInfo& p) {
 std::vector<double> per_channel(const Setting& setting, std::size_t channels) {
   if (setting.values.size() == 1) return std::vector(channels, setting.values[0]);
   if (setting.values.size() != channels)
-    refuse(setting,
-           std::to_string(setting.values.size()) + " values for " + std::to_string(channels) + " channels");
+    refuse(setting, plural(setting.values.size(), "value") + " for " + plural(channels, "channel"));
   return setting.values;
 }
 
@@ -171,7 +171,7 @@ MaterialFile choose_material_file(const MaterialChoice& choice) {
     std::size_t channels = choice.made ? choice.made->channels.size() : 1;
     for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
     if (channels > kMostChannels)
-      throw InputError("--set: " + std::to_string(channels) + " values are more than the " +
+      throw InputError("--set: " + plural(channels, "value") + " are more than the " +
                        std::to_string(kMostChannels) + " channels of a material");
     if (choice.made && channels == choice.made->channels.size())
       file.material = *choice.made;

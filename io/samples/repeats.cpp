@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "io/files/numbers.h"
+
 namespace brdf::io {
 namespace {
 
@@ -127,7 +129,7 @@ void average_repeats(SampleTable& table) {
     for (const Group& group : groups) means.push_back(mean_of(values, group));
     values = std::move(means);
   }
-  table.warnings.push_back("repeats: " + std::to_string(table.rows()) + " rows are " +
+  table.warnings.push_back("repeats: " + plural(table.rows(), "row") + " are " +
                            std::to_string(groups.size()) + " pairs of directions, averaged" +
                            (is_known ? "" : "; those repeated are copies: nothing says how they scatter"));
   SampleTable kept;

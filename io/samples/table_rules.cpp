@@ -12,6 +12,7 @@
 #include "io/columns/wavelengths.h"
 #include "io/files/error.h"
 #include "io/files/limits.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -46,7 +47,7 @@ void check_comments(const SampleTable& table) {
 
 void check_channel_names(const std::vector<std::string>& names, const std::string& where) {
   if (names.size() > kMostChannels)
-    throw InputError(where + ": " + std::to_string(names.size()) + " channels are more than " +
+    throw InputError(where + ": " + plural(names.size(), "channel") + " are more than " +
                      std::to_string(kMostChannels));
   std::unordered_set<std::string_view> seen;
   for (const std::string& name : names) {

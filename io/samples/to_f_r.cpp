@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/samples/degrees.h"
 
@@ -57,8 +58,8 @@ void make_f_r(SampleTable& table, const std::vector<Quantity>& quantities) {
     if (undefined > 0) {
       keep_rows(table, rows);
       table.skipped += undefined;
-      table.warnings.push_back(std::to_string(undefined) +
-                               " rows left out: f_r is undefined where the quantity's cosine is 0");
+      table.warnings.push_back(plural(undefined, "row") +
+                               " left out: f_r is undefined where the quantity's cosine is 0");
     }
     if (table.rows() == 0) throw InputError(table.name() + ": holds no rows in which f_r is defined");
   }

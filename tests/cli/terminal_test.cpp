@@ -77,13 +77,21 @@ TEST_F(Terminal, HelpComesWithoutAVerbTooAndGroupsThem) {
   EXPECT_EQ(alone.exit_code, 0);
   EXPECT_EQ(alone.out, run("--help").out);
   std::size_t last = 0;
-  for (const char* heading : {"\nLook:\n", "\nMeasure:\n", "\nJudge:\n", "\nShip:\n"}) {
+  for (const char* heading : {"\nBegin here:\n", "\nLook:\n", "\nMeasure:\n", "\nJudge:\n", "\nShip:\n"}) {
     const std::size_t at = alone.out.find(heading);
     ASSERT_NE(at, alone.out.npos) << heading;
     EXPECT_GT(at, last);
     last = at;
   }
   EXPECT_THAT(alone.out, HasSubstr("      brdf fit samples.csv --form all -o material.json\n"));
+}
+
+TEST_F(Terminal, HelpAndVersionAreVerbsToo) {
+  EXPECT_EQ(run("help").out, run("--help").out);
+  EXPECT_EQ(run("help fit").out, run("fit --help").out);
+  EXPECT_EQ(run("version").out, run("--version").out);
+  EXPECT_EQ(says("help fitt"), says("fitt"));
+  EXPECT_EQ(run("help fit render").exit_code, 2);
 }
 
 TEST_F(Terminal, RankingLeavesOutColumnsThatHaveNoRoom) {

@@ -91,7 +91,7 @@ bool report_numerics(const std::vector<Reflectance>& forms, const NumericsOption
          "(body), 1e-12 (faint), 1e-30 (tail) of "
          "the lobe's peak. "
       << (over == 0 ? "All rows are within budget and what the forms' headers state."
-                    : std::to_string(over) + " rows over.")
+                    : io::plural(over, "row") + " over.")
       << '\n';
   return over == 0;
 }
