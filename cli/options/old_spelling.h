@@ -1,3 +1,4 @@
+// Support for command lines in the spelling of earlier versions.
 #pragma once
 
 #include <string>
@@ -5,8 +6,9 @@
 
 namespace brdf::cli {
 
-// A command line of before 0.2, when `brdf render` made what `lobes`, `parity` and `maps` make, as it is said
-// now; any other as it is. `words` begin with the verb. The old spelling is told on stderr; it goes with 0.3.
+// Translates a command line from before version 0.2, in which `brdf render` did the work of `lobes`,
+// `parity` and `maps`, to the present spelling. Any other command line is returned unchanged. `words` begin
+// with the verb. A message on stderr reports the old spelling, which will be removed in 0.3.
 std::vector<std::string> in_new_spelling(std::vector<std::string> words);
 
 }  // namespace brdf::cli
